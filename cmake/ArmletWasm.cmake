@@ -42,8 +42,9 @@ target_include_directories(antlr4_static SYSTEM PUBLIC ${ANTLR4_INCLUDE_DIR} ${A
 # (emscripten says -fno-inline-functions with -Os, which makes C++ larger; the preset says otherwise.) A page waits for the module to arrive, so all is compiled for size but what programs spend their time in: the layers that
 # compute, and the machine's instructions and heap.
 function(armlet_hurry_hot_code)
+  # Nested loops that are written to be unrolled would be 60 to 140 kB of code for each kernel of any number of joints.
   foreach(layer math chain kinematics dynamics trajectory cell)
-    target_compile_options(armlet_layer_${layer} PRIVATE -O2)
+    target_compile_options(armlet_layer_${layer} PRIVATE -O2 "SHELL:-mllvm -pragma-unroll-threshold=400")
   endforeach()
   set(machine ${PROJECT_SOURCE_DIR}/interpreter/src/vm)
   file(GLOB hot ${machine}/heap/*.cpp ${machine}/instructions/*.cpp ${machine}/host/natives.cpp ${machine}/host/host_calls.cpp)

@@ -264,6 +264,18 @@ TEST_CASE("limits hold everywhere, rest at both ends, and all points are passed"
   }
 }
 
+// Calls check(path, limits) for random paths of two to seven joints.
+template <class Check>
+static void for_random_paths(const Check& check) {
+  std::mt19937_64 generator(survey_seed(3));
+  for (int k = 0; k < survey_count(30); ++k) {
+    CAPTURE(k);
+    const int n = 2 + static_cast<int>(generator() % 6);
+    const Trajectory path = random_path(generator, n, 8);
+    check(path, random_limits(generator, n));
+  }
+}
+
 // A run is the fastest on its positions if more speed is possible nowhere: in each interval some
 // joint is at a limit where it begins or where it ends, for the acceleration along the path does
 // not change in between. There the limits are met to rounding. In between they are met the less the
@@ -271,12 +283,7 @@ TEST_CASE("limits hold everywhere, rest at both ends, and all points are passed"
 // for more than a twentieth of its time. Only where speeding up turns into slowing down an interval
 // may be at no limit at all, so two such intervals never follow each other.
 TEST_CASE("in every interval some joint is at a limit, or the next one slows down") {
-  std::mt19937_64 generator(survey_seed(3));
-  for (int k = 0; k < survey_count(30); ++k) {
-    CAPTURE(k);
-    const int n = 2 + static_cast<int>(generator() % 6);
-    const Trajectory path = random_path(generator, n, 8);
-    const std::vector<AxisLimits> limits = random_limits(generator, n);
+  for_random_paths([](const Trajectory& path, const std::vector<AxisLimits>& limits) {
     for (const int intervals : {100, 400}) {
       const SpeedAlongPath run = fastest_along(path, limits, intervals);
       int in_a_row = 0;
@@ -289,23 +296,18 @@ TEST_CASE("in every interval some joint is at a limit, or the next one slows dow
         CHECK(in_a_row <= 1);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("at nearly every moment some joint is at a limit") {
-  std::mt19937_64 generator(survey_seed(3));
-  for (int k = 0; k < survey_count(30); ++k) {
-    CAPTURE(k);
-    const int n = 2 + static_cast<int>(generator() % 6);
-    const Trajectory path = random_path(generator, n, 8);
-    const std::vector<AxisLimits> limits = random_limits(generator, n);
+  for_random_paths([](const Trajectory& path, const std::vector<AxisLimits>& limits) {
     const Trajectory motion = time_optimal(path, limits, 400);
     int idle = 0;
     for (int sample = 1; sample < 1000; ++sample) {
       idle += load(motion, limits, motion.duration() * sample / 1000.0) < 0.98 ? 1 : 0;
     }
     CHECK(idle <= 50);
-  }
+  });
 }
 
 TEST_CASE("higher limits are never slower, and k times all speeds needs k^2 accelerations") {

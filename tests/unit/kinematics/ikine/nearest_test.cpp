@@ -203,18 +203,32 @@ TEST_CASE("narrow intervals of the free joint are found") {
               0.36004574372518849, -1.8773400119867558}) < 1e-6);
 }
 
+// What is found from the joint values `from` for where the tool of a catalogue arm is at `at`.
+struct FoundAgain {
+  Robot robot;
+  VectorXd q, seed;
+  IkResult ik;
+};
+
+static FoundAgain found_again(const char* name, IkMethod method, const std::vector<double>& at,
+                              const std::vector<double>& from) {
+  FoundAgain found{.robot = *make_robot(name)};
+  found.q = VectorXd::Map(at.data(), found.robot.n());
+  found.seed = VectorXd::Map(from.data(), found.robot.n());
+  const IkOptions options{.seed = found.seed, .method = method};
+  found.ik = solve_ik(found.robot, forward(found.robot, found.q), options);
+  REQUIRE(found.ik.ok());
+  return found;
+}
+
 // Found among other seeds: the curve of solutions is a loop of 0.05 rad, with the elbow stretched
 // all but exactly; a curve that one start in fifty leads to; and one next to it, across the
 // singularity of the stretched elbow.
 TEST_CASE("every curve of solutions is found") {
-  const auto change = [](const char* name, IkMethod method, std::vector<double> at,
-                         std::vector<double> from) {
-    const Robot robot = *make_robot(name);
-    const VectorXd q = VectorXd::Map(at.data(), robot.n());
-    const VectorXd seed = VectorXd::Map(from.data(), robot.n());
-    const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = seed, .method = method});
-    REQUIRE(ik.ok());
-    return (ik.q - seed).cwiseAbs().maxCoeff();
+  const auto change = [](const char* name, IkMethod method, const std::vector<double>& at,
+                         const std::vector<double>& from) {
+    const FoundAgain found = found_again(name, method, at, from);
+    return (found.ik.q - found.seed).cwiseAbs().maxCoeff();
   };
   CHECK(change("ur5", IkMethod::kAuto,
                {6.2831853071795862, 3.8797185735425419, -6.2831853071795862, -1.5596327035900588,
@@ -266,15 +280,12 @@ TEST_CASE("a joint on its limit that was turned and turned back is not beyond it
 // beyond its limit, and the copy a revolution away was the answer; two solutions of an arm of fewer
 // joints than rows, which the iterations did not tell apart.
 TEST_CASE("limits next to singular positions are not taken for passed") {
-  const auto farther = [](const char* name, IkMethod method, std::vector<double> at,
-                          std::vector<double> from) {
-    const Robot robot = *make_robot(name);
-    const VectorXd q = VectorXd::Map(at.data(), robot.n());
-    const VectorXd seed = VectorXd::Map(from.data(), robot.n());
-    const IkResult ik = solve_ik(robot, forward(robot, q), {.seed = seed, .method = method});
-    REQUIRE(ik.ok());
-    CHECK(within_limits(robot, ik.q, 0.0));
-    return (ik.q - seed).cwiseAbs().maxCoeff() - change_of(robot, q, seed);
+  const auto farther = [](const char* name, IkMethod method, const std::vector<double>& at,
+                          const std::vector<double>& from) {
+    const FoundAgain found = found_again(name, method, at, from);
+    CHECK(within_limits(found.robot, found.ik.q, 0.0));
+    return (found.ik.q - found.seed).cwiseAbs().maxCoeff() -
+           change_of(found.robot, found.q, found.seed);
   };
   CHECK(farther("ur5", IkMethod::kAuto,
                 {2.1907332868498806, -2 * kPi, -2 * kPi, 3.6204948093453115,
