@@ -43,8 +43,8 @@ target_include_directories(antlr4_static SYSTEM PUBLIC ${ANTLR4_INCLUDE_DIR} ${A
 # compute, and the machine's instructions and heap.
 function(armlet_hurry_hot_code)
   # Nested loops that are written to be unrolled would be 60 to 140 kB of code for each kernel of any number of joints.
-  foreach(layer math chain kinematics dynamics trajectory cell)
-    target_compile_options(armlet_layer_${layer} PRIVATE -O2 "SHELL:-mllvm -pragma-unroll-threshold=400")
+  foreach(layer math chain kinematics dynamics)
+    target_compile_options(armlet_layer_${layer} PRIVATE -O2 "SHELL:-mllvm -pragma-unroll-threshold=150")
   endforeach()
   set(machine ${PROJECT_SOURCE_DIR}/interpreter/src/vm)
   file(GLOB hot ${machine}/heap/*.cpp ${machine}/instructions/*.cpp ${machine}/host/natives.cpp ${machine}/host/host_calls.cpp)
