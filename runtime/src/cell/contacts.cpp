@@ -1,6 +1,7 @@
 #include "armlet/cell/contacts.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "armlet/cell/cell.hpp"
 #include "armlet/collision/contact.hpp"
@@ -15,6 +16,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kNear = 1e-5;             // m, from where on bodies touch
+constexpr double kClear = 2e-5;            // m, less than this is not counted as room
 constexpr std::int64_t kLook = 1'000'000;  // ns, how often it is looked whether they still do
 constexpr double kSlips = 1e-3;            // m/s, from where on friction is that of sliding
 
@@ -83,57 +85,79 @@ struct Contacts::Scene {
     return all;
   }
 
-  // Whether the feeler may press against this object: neither what its hand holds, nor what travels
-  // with that.
+  // What the hand holds, and what travels with that, it does not press against.
+  [[nodiscard]] bool is_own(int robot, std::size_t index) const {
+    const auto& carried = world.attachment_of(index);
+    return (carried && carried->carrier == robot) || world.object(index).name == arm(robot).held;
+  }
+
+  // Whether time alone brings the object elsewhere.
+  [[nodiscard]] bool is_on_its_way(std::size_t index) const {
+    const auto& carried = world.attachment_of(index);
+    return carried && arm(carried->carrier).motion;
+  }
+
   [[nodiscard]] bool may_press(int robot, std::size_t index, const Feeler& feeler,
                                const Vector3d& approach) const {
-    const CellRobot& arm = this->arm(robot);
-    const Object& object = world.object(index);
-    const auto& carried = world.attachment_of(index);
-    if ((carried && carried->carrier == robot) || object.name == arm.held) return false;
-    return !feeler.carried.empty() || !is_around(*arm.model, object, approach);
+    return !feeler.carried.empty() || !is_around(*arm(robot).model, world.object(index), approach);
   }
 };
 
+// No point of a feeler is farther from where it was than the origin of the link, and by its turn.
+bool Contacts::Clear::still_at(const Isometry3d& T) const {
+  const double moved = (T.translation() - T_world_flange.translation()).norm();
+  const double turned = (T.linear() - T_world_flange.linear()).norm();
+  return moved + turned * reach < gap - kClear;
+}
+
 // Calls visit(feeler, placed feeler, index of the object, placed object) for all that are near now.
+// Returns how much room there is if there are none.
 template <class Visit>
-void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_ns, Visit&& visit) {
-  if (scene.world.size() == 0) return;
+Contacts::Clear Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_ns,
+                                           const Isometry3d& T_world_flange, Visit&& visit) {
+  Clear clear{.T_world_flange = T_world_flange, .gap = std::numeric_limits<double>::infinity()};
+  if (scene.world.size() == 0) return clear;
   const std::vector<Feeler> feelers = scene.feelers(robot);
-  const Isometry3d T_world_flange = scene.T_world_flange(robot, now_ns);
   const Vector3d approach =
       T_world_flange.linear() * scene.arm(robot).model->T_flange_tool().linear().col(2);
   std::vector<Solid> placed;
   for (const Feeler& each : feelers) {
     placed.push_back(each.solid);
     placed.back().T = T_world_flange * each.solid.T;
+    clear.reach = std::max(clear.reach, each.solid.T.translation().norm() + each.solid.reach());
   }
   for (std::size_t i = 0; i < scene.world.size(); ++i) {
+    if (scene.is_own(robot, i)) continue;
     const Vector3d& centre = scene.world.object(i).T_world_obj.translation();
-    Solid solid;
-    double reach = -1.0;
+    Solid solid = solid_of(scene.world.object(i).shape);
+    const double reach = solid.reach();
+    if (scene.is_on_its_way(i)) clear.gap = 0.0;
     for (std::size_t k = 0; k < feelers.size(); ++k) {
-      if (reach < 0.0) {
-        solid = solid_of(scene.world.object(i).shape);
-        reach = solid.reach();
-      }
       const double most = reach + placed[k].reach() + kNear;
-      if ((placed[k].T.translation() - centre).squaredNorm() > most * most) continue;
-      if (!scene.may_press(robot, i, feelers[k], approach)) continue;
+      const double middles = (placed[k].T.translation() - centre).norm();
+      if (middles > most) {
+        clear.gap = std::min(clear.gap, middles - most);
+        continue;
+      }
       solid.T = scene.T_world_obj(i, now_ns);
-      if (is_farther(placed[k], solid, kNear)) continue;
+      const bool apart = is_farther(placed[k], solid, kNear);
+      if (clear.gap > 0.0)
+        clear.gap = std::min(clear.gap, apart ? gap_between(placed[k], solid).distance : 0.0);
+      if (apart || !scene.may_press(robot, i, feelers[k], approach)) continue;
       visit(feelers[k], placed[k], i, solid);
     }
   }
+  return clear;
 }
 
 void Contacts::settle(const std::vector<CellRobot>& robots, const World& world,
                       std::int64_t now_ns) {
+  clear_.clear();
   if (now_ns == begin_ns_) return;
   const Scene scene{robots, world};
   std::vector<Touch> lasting;
   for (int robot = 0; robot < static_cast<int>(robots.size()); ++robot) {
-    for_each_contact(scene, robot, now_ns,
+    for_each_contact(scene, robot, now_ns, scene.T_world_flange(robot, now_ns),
                      [&](const Feeler& feeler, const Solid&, std::size_t index, const Solid&) {
                        lasting.push_back(first_touch(scene, robot, feeler, index, now_ns));
                        lasting.back().verified = 0;
@@ -203,6 +227,10 @@ Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& wor
                           std::int64_t now_ns) {
   const Scene scene{robots, world};
   Vector6d sum = Vector6d::Zero();
+  const Isometry3d T_world_flange = scene.T_world_flange(robot, now_ns);
+  clear_.resize(robots.size());
+  Clear& clear = clear_[static_cast<std::size_t>(robot)];
+  if (clear.still_at(T_world_flange)) return sum;
   const auto velocity_of = [&](int of, const Vector3d& p) -> Vector3d {
     Eigen::VectorXd q, qd;
     scene.state(of, now_ns, q, qd);
@@ -213,25 +241,24 @@ Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& wor
     return twist.head<3>() + twist.tail<3>().cross(p - T.translation());
   };
   const Vector3d p_tool = forward(*scene.arm(robot).model, scene.arm(robot).q).translation();
-  for_each_contact(scene, robot, now_ns,
-                   [&](const Feeler& feeler, const Solid& a, std::size_t index, const Solid& b) {
-                     const Object& object = world.object(index);
-                     const Vector3d n =
-                         b.T.linear() * first_touch(scene, robot, feeler, index, now_ns).normal_obj;
-                     const double press = object.stiffness * depth_along(a, b, n);
-                     if (!(press > 0.0)) return;
-                     const Vector3d p = pressure_point(a, b, n);
-                     Vector3d v = velocity_of(robot, p);
-                     if (const auto& carried = world.attachment_of(index))
-                       v -= velocity_of(carried->carrier, p);
-                     v -= v.dot(n) * n;
-                     double mu = object.friction;
-                     if (!feeler.carried.empty())
-                       mu = std::min(mu, world.at(feeler.carried).friction);
-                     const Vector3d force = press * n - mu * press / std::max(v.norm(), kSlips) * v;
-                     sum.head<3>() += force;
-                     sum.tail<3>() += (p - p_tool).cross(force);
-                   });
+  clear = for_each_contact(
+      scene, robot, now_ns, T_world_flange,
+      [&](const Feeler& feeler, const Solid& a, std::size_t index, const Solid& b) {
+        const Object& object = world.object(index);
+        const Vector3d n =
+            b.T.linear() * first_touch(scene, robot, feeler, index, now_ns).normal_obj;
+        const double press = object.stiffness * depth_along(a, b, n);
+        if (!(press > 0.0)) return;
+        const Vector3d p = pressure_point(a, b, n);
+        Vector3d v = velocity_of(robot, p);
+        if (const auto& carried = world.attachment_of(index)) v -= velocity_of(carried->carrier, p);
+        v -= v.dot(n) * n;
+        double mu = object.friction;
+        if (!feeler.carried.empty()) mu = std::min(mu, world.at(feeler.carried).friction);
+        const Vector3d force = press * n - mu * press / std::max(v.norm(), kSlips) * v;
+        sum.head<3>() += force;
+        sum.tail<3>() += (p - p_tool).cross(force);
+      });
   return sum;
 }
 
