@@ -130,9 +130,11 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
   }
 }
 
-// int a = 1, b = 2: several statements, but no block of their own; the variables live on.
+// int a = 1, b = 2, or an object with rows that have names: several statements, but no block of
+// their own; the variables live on.
 void append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& out) {
-  if (stmt.kind != ast::StmtKind::kVar || checked->kind != hir::StmtKind::kBlock) {
+  const bool declares = stmt.kind == ast::StmtKind::kVar || stmt.kind == ast::StmtKind::kObject;
+  if (!declares || checked->kind != hir::StmtKind::kBlock) {
     out.push_back(checked);
     return;
   }

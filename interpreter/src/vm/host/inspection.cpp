@@ -7,7 +7,6 @@
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/host/access.hpp"
-#include "vm/host/checked.hpp"
 #include "vm/host/seen.hpp"
 #include "vm/tasks/tasks.hpp"
 #include "vm/turn.hpp"
@@ -46,13 +45,7 @@ bool find_value(const ScopedVariable& each, const Frame& frame, Span at, Slot& v
   if (frame.at() < each.begin || frame.at() >= each.end) return false;
   if (scope.source != at.source || at.begin < scope.begin || at.begin >= scope.end) return false;
   value = frame.base[each.reg];
-  if (each.variable->storage != hir::Storage::kBoxed) {
-    // A register that its variable does not need any more may hold something else.
-    const Type& type = *each.variable->type;
-    if (type.is_reference() && value.o != nullptr && !slot_fault(value, type).empty())
-      value.o = nullptr;
-    return true;
-  }
+  if (each.variable->storage != hir::Storage::kBoxed) return true;
   if (value.o == nullptr) return false;
   value = static_cast<const BoxObj*>(value.o)->value;
   return true;
