@@ -110,6 +110,10 @@ export async function until(holds, otherwise) {
   }
 }
 
+export async function untilClock(page, pattern) {
+  await until(async () => pattern.test(await clock(page).innerText()), async () => `the clock reads ${await clock(page).innerText()}, not ${pattern}`);
+}
+
 export const lineOf = (page, text) => page.locator(".cm-line", { hasText: text }).first();
 
 // Where a word of the program is on the screen.

@@ -103,28 +103,31 @@ struct Contacts::Scene {
   }
 };
 
-// No point of a feeler is farther from where it was than the origin of the link, and by its turn.
+// No point of a feeler has moved farther than the tool point has, and by turning about it.
 bool Contacts::Clear::still_at(const Isometry3d& T) const {
-  const double moved = (T.translation() - T_world_flange.translation()).norm();
-  const double turned = (T.linear() - T_world_flange.linear()).norm();
+  const double moved = (T.translation() - T_world_tool.translation()).norm();
+  const double turned = (T.linear() - T_world_tool.linear()).norm();
   return moved + turned * reach < gap - kClear;
 }
 
 // Calls visit(feeler, placed feeler, index of the object, placed object) for all that are near now.
-// Returns how much room there is if there are none.
+// Returns how much room there is if there are none, and the reach of the feelers.
 template <class Visit>
 Contacts::Clear Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_ns,
-                                           const Isometry3d& T_world_flange, Visit&& visit) {
-  Clear clear{.T_world_flange = T_world_flange, .gap = std::numeric_limits<double>::infinity()};
+                                           Visit&& visit) {
+  Clear clear{.gap = std::numeric_limits<double>::infinity()};
   if (scene.world.size() == 0) return clear;
   const std::vector<Feeler> feelers = scene.feelers(robot);
+  const Isometry3d T_world_flange = scene.T_world_flange(robot, now_ns);
+  const Vector3d& p_flange_tool = scene.arm(robot).model->T_flange_tool().translation();
   const Vector3d approach =
       T_world_flange.linear() * scene.arm(robot).model->T_flange_tool().linear().col(2);
   std::vector<Solid> placed;
   for (const Feeler& each : feelers) {
     placed.push_back(each.solid);
     placed.back().T = T_world_flange * each.solid.T;
-    clear.reach = std::max(clear.reach, each.solid.T.translation().norm() + each.solid.reach());
+    clear.reach = std::max(
+        clear.reach, (each.solid.T.translation() - p_flange_tool).norm() + each.solid.reach());
   }
   for (std::size_t i = 0; i < scene.world.size(); ++i) {
     if (scene.is_own(robot, i)) continue;
@@ -157,7 +160,7 @@ void Contacts::settle(const std::vector<CellRobot>& robots, const World& world,
   const Scene scene{robots, world};
   std::vector<Touch> lasting;
   for (int robot = 0; robot < static_cast<int>(robots.size()); ++robot) {
-    for_each_contact(scene, robot, now_ns, scene.T_world_flange(robot, now_ns),
+    for_each_contact(scene, robot, now_ns,
                      [&](const Feeler& feeler, const Solid&, std::size_t index, const Solid&) {
                        lasting.push_back(first_touch(scene, robot, feeler, index, now_ns));
                        lasting.back().verified = 0;
@@ -227,10 +230,10 @@ Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& wor
                           std::int64_t now_ns) {
   const Scene scene{robots, world};
   Vector6d sum = Vector6d::Zero();
-  const Isometry3d T_world_flange = scene.T_world_flange(robot, now_ns);
+  const Isometry3d T_world_tool = forward(*scene.arm(robot).model, scene.arm(robot).q);
   clear_.resize(robots.size());
   Clear& clear = clear_[static_cast<std::size_t>(robot)];
-  if (clear.still_at(T_world_flange)) return sum;
+  if (clear.still_at(T_world_tool)) return sum;
   const auto velocity_of = [&](int of, const Vector3d& p) -> Vector3d {
     Eigen::VectorXd q, qd;
     scene.state(of, now_ns, q, qd);
@@ -240,9 +243,9 @@ Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& wor
     const Vector6d twist = J * qd;
     return twist.head<3>() + twist.tail<3>().cross(p - T.translation());
   };
-  const Vector3d p_tool = forward(*scene.arm(robot).model, scene.arm(robot).q).translation();
+  const Vector3d p_tool = T_world_tool.translation();
   clear = for_each_contact(
-      scene, robot, now_ns, T_world_flange,
+      scene, robot, now_ns,
       [&](const Feeler& feeler, const Solid& a, std::size_t index, const Solid& b) {
         const Object& object = world.object(index);
         const Vector3d n =
@@ -259,6 +262,7 @@ Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& wor
         sum.head<3>() += force;
         sum.tail<3>() += (p - p_tool).cross(force);
       });
+  clear.T_world_tool = T_world_tool;
   return sum;
 }
 

@@ -7,6 +7,7 @@ import { join } from "node:path";
 import test, { after } from "node:test";
 import { clock, closeBrowser, lineOf, openPage, placeOf, typeAtEnd, until, untilStatus, violations } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
+import { STEPS, stepThrough } from "../stepping.mjs";
 
 after(closeBrowser);
 
@@ -112,18 +113,6 @@ test("one file has everything: it runs, is edited, steps, completes, takes input
     });
   }));
 
-const STEPS = `robot arm = robots.scara()
-object cube { shape: box(40mm, 40mm, 40mm); at: xyz(300mm, 120mm, 20mm) }
-fn go(a: angle) {
-    arm.moveJ(posJ(a, 60deg, 50mm, 0deg), time: 1s)
-}
-var n = 1
-go(10deg)
-n = 2
-go(20deg)
-n = 3
-`;
-
 // A laboratory in one file that takes nothing from elsewhere.
 async function alone(text, work) {
   const folder = mkdtempSync(join(tmpdir(), "armlet-alone-"));
@@ -136,30 +125,7 @@ async function alone(text, work) {
   }
 }
 
-test("in one file steps go over, into and out of calls and back, breakpoints hold, variables follow", { skip }, () =>
-  alone(STEPS, async (page) => {
-    const current = (text) => page.locator(".line-current").filter({ hasText: text }).waitFor();
-    const at = (pattern) => until(async () => pattern.test(await clock(page).innerText()), () => clock(page).innerText());
-    await untilStatus(page, /2 moves, 2\.00 s/);
-    await page.getByRole("tab", { name: "Variables" }).click();
-    await page.getByRole("button", { name: "To the start" }).click();
-    await page.locator(".gutter-breakpoints .cm-gutterElement").nth(8).click();
-    await page.locator(".breakpoint:visible").first().waitFor();
-    await page.keyboard.press("F5");
-    await current("n = 2");
-    await at(/^1\.00 /);
-    await page.locator(".variables tr", { hasText: /^n/ }).filter({ hasText: "1" }).waitFor();
-    await page.keyboard.press("F10");
-    await current("go(20deg)");
-    await page.keyboard.press("F11");
-    await current("arm.moveJ");
-    await page.locator(".variables tr", { hasText: /^a/ }).filter({ hasText: "20 deg" }).waitFor();
-    await page.keyboard.press("Shift+F11");
-    await current("n = 3");
-    await page.keyboard.press("Shift+F10");
-    await current("arm.moveJ");
-    await at(/^1\.00 /);
-  }));
+test("in one file steps go over, into and out of calls and back, breakpoints hold, variables follow", { skip }, () => alone(STEPS, stepThrough));
 
 test("in one file the program is laid out, mended with one click, gone through in time, and its elements move the arm", { skip }, () =>
   alone(STEPS, async (page) => {

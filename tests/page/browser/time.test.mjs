@@ -1,15 +1,11 @@
 // Going through a run in time: the bar, playing, statements.
-import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { clock, closeBrowser, until, untilStatus, withLab } from "../laboratory.mjs";
+import { closeBrowser, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
+import { STEPS, stepThrough } from "../stepping.mjs";
 
 after(closeBrowser);
 
 const hand = (page) => page.locator("output.where");
-const current = (page) => page.locator(".line-current");
-async function untilClock(page, pattern) {
-  await until(async () => pattern.test(await clock(page).innerText()), async () => `the clock reads ${await clock(page).innerText()}, not ${pattern}`);
-}
 
 test("the pick and place of the demonstration is gone through, back to its start and on to its end", () =>
   withLab(null, async (open) => {
@@ -41,37 +37,5 @@ test("playing goes from the start to the end and stops there", () =>
     await untilClock(page, /^2\.00 /);
   }));
 
-const STEPS = `robot arm = robots.scara()
-fn go(a: angle) {
-    arm.moveJ(posJ(a, 60deg, 50mm, 0deg), time: 1s)
-}
-var n = 1
-go(10deg)
-n = 2
-go(20deg)
-n = 3
-`;
-
-test("steps go over, into and out of calls and back, breakpoints hold", () =>
-  withLab(STEPS, async (open) => {
-    const page = await open();
-    await untilStatus(page, /2 moves, 2\.00 s/);
-    await page.getByRole("tab", { name: "Variables" }).click();
-    await page.getByRole("button", { name: "To the start" }).click();
-    const line = async (text) => current(page).filter({ hasText: text }).waitFor();
-    await page.locator(".gutter-breakpoints .cm-gutterElement").nth(7).click();
-    await page.locator(".breakpoint:visible").first().waitFor();
-    await page.keyboard.press("F5");
-    await line("n = 2");
-    await untilClock(page, /^1\.00 /);
-    await page.keyboard.press("F10");
-    await line("go(20deg)");
-    await page.keyboard.press("F11");
-    await line("arm.moveJ");
-    await page.locator(".variables tr", { hasText: /^a/ }).filter({ hasText: "20 deg" }).waitFor();
-    await page.keyboard.press("Shift+F11");
-    await line("n = 3");
-    await page.keyboard.press("Shift+F10");
-    await line("arm.moveJ");
-    assert.match(await clock(page).innerText(), /^1\.00 /);
-  }));
+test("steps go over, into and out of calls and back, breakpoints hold, variables follow", () =>
+  withLab(STEPS, async (open) => stepThrough(await open())));

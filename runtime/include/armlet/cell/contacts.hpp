@@ -56,12 +56,12 @@ class Contacts {
     Eigen::Vector3d normal_obj = Eigen::Vector3d::UnitZ();
     std::int64_t verified = 0;
   };
-  // Where the last link was when nothing that may be pressed was nearer to a feeler than `gap`, m;
-  // `reach`, how far points of the feelers are from the origin of that link, m.
+  // Where the tool point was when nothing that may be pressed was nearer to a feeler than `gap`, m;
+  // `reach`, how far points of the feelers are from it, m.
   struct Clear {
-    Eigen::Isometry3d T_world_flange = Eigen::Isometry3d::Identity();
     double gap = 0.0;
     double reach = 0.0;
+    Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
 
     [[nodiscard]] bool still_at(const Eigen::Isometry3d& T) const;
   };
@@ -69,8 +69,7 @@ class Contacts {
   Touch& first_touch(const Scene& scene, int robot, const Feeler& feeler, std::size_t index,
                      std::int64_t now_ns);
   template <class Visit>
-  Clear for_each_contact(const Scene& scene, int robot, std::int64_t now_ns,
-                         const Eigen::Isometry3d& T_world_flange, Visit&& visit);
+  Clear for_each_contact(const Scene& scene, int robot, std::int64_t now_ns, Visit&& visit);
 
   std::int64_t begin_ns_ = 0;
   std::vector<Touch> touches_;  // known at begin_ns_, and found since
