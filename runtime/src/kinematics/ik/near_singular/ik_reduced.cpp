@@ -23,9 +23,10 @@ constexpr double kAhead = 0.9;           // cosine between the directions at bot
 constexpr double kLookAhead = 1e-4;      // rad or m, to see how a curve bends
 constexpr double kOne = 5e-7;            // rad or m; solutions no farther from their middle are one
 constexpr double kRounding = 2e-15;      // m and rad, of a height
-constexpr double kMet = 1e-11;           // m and rad
-constexpr double kSettled = 1e-11;       // rad or m
-constexpr double kFarthestStep = 0.2;    // rad or m
+constexpr double kSlopeRounding = 1e-12;  // per rad or m
+constexpr double kMet = 1e-11;            // m and rad
+constexpr double kSettled = 1e-11;        // rad or m
+constexpr double kFarthestStep = 0.2;     // rad or m
 constexpr int kCorrections = 12;
 
 // A point of the curve, s along it from the beginning of its piece.
@@ -167,23 +168,66 @@ class ReducedSearch {
     return std::abs(point.height) + kPiece * std::abs(point.slope) < kMet;
   }
 
-  // The zeros of the height between two points.
+  // Adds the points between two others at which the slope changes its sign, in their order; where
+  // the height stays away from zero any point of a piece does for its turns. A piece is halved
+  // until the slope falls or rises all along it, or nowhere comes close to zero.
+  void add_turns(const Point& left, const Point& right, std::vector<Point>& turns) {
+    Point middle = left;
+    middle.q = 0.5 * (left.q + right.q);
+    if (!settle(0.5 * (left.s + right.s), middle)) return;
+    const double half = middle.s - left.s;
+    const auto [least, most] =
+        std::minmax({std::abs(left.slope), std::abs(middle.slope), std::abs(right.slope)});
+    if (std::min({std::abs(left.height), std::abs(middle.height), std::abs(right.height)}) >
+        2.0 * half * most) {
+      turns.push_back(middle);
+      return;
+    }
+    const double bend = middle.slope - left.slope, next_bend = right.slope - middle.slope;
+    const double swerve = std::abs(next_bend - bend);
+    const bool turns_back = left.slope * right.slope <= 0.0;
+    const bool same_way =
+        bend * next_bend > 0.0 && swerve < 0.5 * std::max(std::abs(bend), std::abs(next_bend));
+    if (!turns_back && middle.slope * left.slope > 0.0 && least > swerve) return;
+    if (same_way || swerve < kSlopeRounding || half < kLookAhead) {
+      if (!turns_back) return;
+      if (const auto turn = zero_of(&Point::slope, left, right)) turns.push_back(*turn);
+      return;
+    }
+    add_turns(left, middle, turns);
+    add_turns(middle, right, turns);
+  }
+
+  // Whether the zeros on both sides of a turn are one.
+  bool is_double(const Point& turn) {
+    Point ahead = turn;
+    if (std::abs(turn.height) > kMet) return false;
+    if (!settle(turn.s + kLookAhead, ahead)) return false;
+    const double bend = (ahead.slope - turn.slope) / kLookAhead;
+    return std::abs(2.0 * turn.height / bend) <= kOne * kOne;
+  }
+
+  // The zeros of the height between two points, one at most between two turns.
   void search(const Point& left, const Point& right) {
     if (is_idle(left) && is_idle(right)) return;
     curve_.is_idle = false;
-    if (left.height * right.height <= 0.0) return take(zero_of(&Point::height, left, right));
-    if (!(left.height * left.slope < 0.0 && right.height * right.slope > 0.0)) return;
-    const auto lowest = zero_of(&Point::slope, left, right);
-    if (!lowest) return;
-    Point ahead = *lowest;
-    if (!settle(lowest->s + kLookAhead, ahead)) return;
-    const double bend = (ahead.slope - lowest->slope) / kLookAhead;
-    const bool are_one = std::abs(2.0 * lowest->height / bend) <= kOne * kOne;
-    if (are_one || std::abs(lowest->height) < kRounding)
-      curve_.solutions.push_back(to_array(lowest->q));
-    if (are_one || lowest->height * left.height >= 0.0) return;
-    take(zero_of(&Point::height, left, *lowest));
-    take(zero_of(&Point::height, *lowest, right));
+    std::vector<Point> turns;
+    add_turns(left, right, turns);
+    Point last = left;
+    bool was_double = false;
+    for (const Point& turn : turns) {
+      const bool now_double = is_double(turn);
+      if (!was_double && !now_double) cross(last, turn);
+      if (now_double || std::abs(turn.height) < kRounding)
+        curve_.solutions.push_back(to_array(turn.q));
+      last = turn;
+      was_double = now_double;
+    }
+    if (!was_double) cross(last, right);
+  }
+
+  void cross(const Point& left, const Point& right) {
+    if (left.height * right.height <= 0.0) take(zero_of(&Point::height, left, right));
   }
 
   // Both directions where the curve is at a point, ahead as before.
