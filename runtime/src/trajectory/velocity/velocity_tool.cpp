@@ -10,6 +10,7 @@
 #include "armlet/trajectory/velocity.hpp"
 #include "trajectory/velocity/velocity_command.hpp"
 #include "trajectory/velocity/velocity_motion.hpp"
+#include "trajectory/velocity/velocity_rest.hpp"
 
 namespace armlet {
 namespace {
@@ -45,24 +46,14 @@ ToolSpeeds larger(const ToolSpeeds& a, const ToolSpeeds& b) {
 }
 
 // A point that was only to turn may move a little, and one that was only to move turn: by this part
-// of the speed at a distance of a quarter of a metre.
-ToolSpeeds with_drift(const ToolSpeeds& most) {
-  constexpr double kDrift = 0.01;
-  constexpr double kLever = 0.25;  // m
-  return larger(most, {.v = kDrift * kLever * most.w, .w = kDrift / kLever * most.v});
-}
+// of the speed at a distance of a quarter of a metre; by more rather than that what was asked for
+// is exceeded.
+constexpr double kDrift = 0.01;
+constexpr double kLargerDrifts[] = {0.01, 0.05, 0.2};
 
-// By which fraction the tool exceeds the largest speeds between two times of a motion.
-double excess_of(const Robot& robot, const Trajectory& motion, double begin, double end,
-                 const ToolSpeeds& most) {
-  constexpr int kSamples = 48;
-  VectorXd q(robot.n()), qd(robot.n()), qdd(robot.n());
-  double excess = 0.0;
-  for (int k = 0; k <= kSamples; ++k) {
-    motion.sample(begin + (end - begin) * k / kSamples, q, qd, qdd);
-    excess = std::max(excess, excess_of(jacobian(robot, q) * qd, most));
-  }
-  return excess;
+ToolSpeeds with_drift(const ToolSpeeds& most, double drift = kDrift) {
+  constexpr double kLever = 0.25;  // m
+  return larger(most, {.v = drift * kLever * most.w, .w = drift / kLever * most.v});
 }
 
 // What the tool does at the start, and would do if the joints stopped gaining speed.
@@ -93,12 +84,14 @@ VelocityStart state_of(const VelocityPieces& pieces) {
 // most, calm  speeds of the tool, and by which fraction it may exceed them.
 // ends        the joints keep to their limits on position and speed until the end.
 // stops       from everywhere on the way the joints can come to rest calmly.
+// quickly     an acceleration may also be turned with all but all of the jerk.
 // excess      null, or by which fraction it may, and then does exceed them.
 struct Wanted {
   ToolSpeeds most{};
   double calm = std::numeric_limits<double>::infinity();
   bool ends = false;
   bool stops = false;
+  bool quickly = false;
   double* excess = nullptr;
 };
 
@@ -152,19 +145,31 @@ std::vector<double> shares_for(const Vector6d& twist, const ToolLaw& law) {
   return shares;
 }
 
+// The shares of the jerk with which an acceleration that another command has left may be turned:
+// the largest one, by which no speed goes further than that command would have let it; the one with
+// which the velocity is taken up; and nearly all, if the joints hardly turn under the tool.
+constexpr double kAlike = 0.0;
+constexpr double kQuickTurns[] = {0.99, 0.97, 0.94};
+
+std::vector<double> turnings_for(const std::vector<double>& shares, bool turns, bool quickly) {
+  std::vector<double> turnings = {shares[0]};
+  if (turns) turnings.push_back(kAlike);
+  if (turns && quickly)
+    turnings.insert(turnings.end(), std::begin(kQuickTurns), std::end(kQuickTurns));
+  return turnings;
+}
+
 // The law with the largest share of the limits by which the joints keep to them, if it does what is
 // wanted: with a smaller share the joints would only turn farther meanwhile.
 //
-// slowly  an acceleration that another command has left is turned with that share of the jerk as
-//         well, not with the largest, by which no speed goes further than that command would have
-//         let it.
+// turning  share of the jerk with which an acceleration that another command has left is turned.
 std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& start,
-                                     const Vector6d& twist, ToolLaw law, bool slowly,
+                                     const Vector6d& twist, ToolLaw law, double turning,
                                      const Wanted& wanted) {
   const std::vector<double> shares = shares_for(twist, law);
   for (const double share : shares) {
     law.share = share;
-    law.turning = slowly ? share : shares[0];
+    law.turning = turning == kAlike ? share : turning;
     const Trial trial = try_take_up(robot, start, ToolCommand(robot, start, twist, law), wanted);
     if (trial == Trial::kGood) return law;
     if (trial == Trial::kBad) break;
@@ -187,9 +192,8 @@ std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
                                 const Vector6d& twist, const Wanted& wanted) {
   const bool turns = !accelerations_of(start).isZero(1e-9);
   for (const ToolLaw& law : laws_for(robot, start, twist, std::isfinite(wanted.calm))) {
-    for (const bool slowly : {false, true}) {
-      if (slowly && !turns) break;
-      if (auto found = largest_share(robot, start, twist, law, slowly, wanted)) return found;
+    for (const double turning : turnings_for(shares_for(twist, law), turns, wanted.quickly)) {
+      if (auto found = largest_share(robot, start, twist, law, turning, wanted)) return found;
     }
   }
   return std::nullopt;
@@ -208,9 +212,9 @@ LeastExcess least_excess(const Robot& robot, const VelocityStart& start, const V
   for (ToolLaw law : laws_for(robot, start, twist, true)) {
     const std::vector<double> shares = shares_for(twist, law);
     for (const double share : shares) {
-      for (const bool slowly : {false, true}) {
+      for (const double turning : turnings_for(shares, true, true)) {
         law.share = share;
-        law.turning = slowly ? share : shares[0];
+        law.turning = turning == kAlike ? share : turning;
         double excess = least.excess;
         const Wanted wanted{.most = most, .ends = ends, .excess = &excess};
         const ToolCommand command(robot, start, twist, law);
@@ -224,8 +228,9 @@ LeastExcess least_excess(const Robot& robot, const VelocityStart& start, const V
 
 // A law by which the tool comes to rest calmly.
 std::optional<ToolLaw> calm_stop(const Robot& robot, const VelocityStart& start,
-                                 const ToolSpeeds& most) {
-  return find_law(robot, start, Vector6d::Zero(), {most, kCalmBrake, true});
+                                 const ToolSpeeds& most, bool quickly = false) {
+  const Wanted calm{.most = most, .calm = kCalmBrake, .ends = true, .quickly = quickly};
+  return find_law(robot, start, Vector6d::Zero(), calm);
 }
 
 // By which fraction the tool becomes too fast if each joint comes to rest as it can.
@@ -243,9 +248,10 @@ bool stops_calmly(const Robot& robot, const VelocityStart& start, const ToolSpee
 
 // Slows down first, for as long as it takes until the velocity can be taken up.
 std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& start,
-                                      const Vector6d& twist, const ToolSpeeds& most, bool stops) {
+                                      const Vector6d& twist, const ToolSpeeds& most, bool stops,
+                                      bool quickly = false) {
   const Vector6d none = Vector6d::Zero();
-  const auto brake = find_law(robot, start, none, {most, kCalmBrake, true});
+  const auto brake = calm_stop(robot, start, most, quickly);
   if (!brake) return std::nullopt;
   const ToolCommand command(robot, start, none, *brake);
   const double rest = command.take_up().duration();
@@ -287,31 +293,47 @@ ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d
       if (auto slower = brake_first(robot, start, twist, fastest, stops)) return *slower;
     }
   }
+  for (const double drift : kLargerDrifts) {
+    const ToolSpeeds fastest = with_drift(most, drift);
+    const Wanted wanted{.most = fastest, .calm = kCalm, .quickly = true};
+    if (const auto law = find_law(robot, start, twist, wanted)) return {.law = *law};
+    if (auto slower = brake_first(robot, start, twist, fastest, false, true)) return *slower;
+  }
   return least_fast(robot, start, twist, drifting);
 }
 
-// The law by which the tool comes to rest; none if each joint comes to rest as it can.
-std::optional<ToolLaw> law_of_stop(const Robot& robot, const VelocityStart& start,
-                                   const ToolSpeeds& most) {
-  const ToolSpeeds drifting = with_drift(most);
-  for (const ToolSpeeds& fastest : {most, drifting}) {
-    if (excess_of_rest(robot, start, fastest) <= kCalmStop) return std::nullopt;
-    if (const auto law = calm_stop(robot, start, fastest)) return law;
-  }
-  const LeastExcess least = least_excess(robot, start, Vector6d::Zero(), drifting, true);
-  if (least.excess < excess_of_rest(robot, start, drifting)) return least.law;
-  return std::nullopt;
-}
-
-// Comes to rest by the law of the joints if the tool is calm then, else by the one that keeps it
-// calmest.
-void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
-  const VelocityStart start = state_of(pieces);
-  const auto law = law_of_stop(robot, start, most);
-  if (!law) return come_to_rest(robot, pieces);
-  const ToolCommand command(robot, start, Vector6d::Zero(), *law);
+// Comes to rest by a law.
+void stop_by(const Robot& robot, const VelocityStart& start, const ToolLaw& law,
+             VelocityPieces& pieces) {
+  const ToolCommand command(robot, start, Vector6d::Zero(), law);
   static_cast<void>(command.follow(0.0, command.take_up().duration(), pieces));
   for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
+}
+
+// Comes to rest with all joints together if the tool is calm then, else by the law that keeps it
+// calm, else with each joint by itself; if none does, by the one that keeps it calmest.
+void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
+  const VelocityStart start = state_of(pieces);
+  const ToolSpeeds drifting = with_drift(most);
+  for (const ToolSpeeds& fastest : {most, drifting}) {
+    if (excess_of_rest(robot, start, fastest) <= kCalmStop) return come_to_rest(robot, pieces);
+    if (const auto law = calm_stop(robot, start, fastest))
+      return stop_by(robot, start, *law, pieces);
+  }
+  for (const double drift : kLargerDrifts) {
+    const ToolSpeeds fastest = with_drift(most, drift);
+    if (const auto law = calm_stop(robot, start, fastest, true))
+      return stop_by(robot, start, *law, pieces);
+    const Rest apart = calmest_rest(robot, start, fastest, kCalmStop);
+    if (apart.excess <= kCalmStop) return come_to_rest_apart(robot, pieces, apart.shares);
+  }
+  const LeastExcess by_law = least_excess(robot, start, Vector6d::Zero(), drifting, true);
+  const Rest apart = calmest_rest(robot, start, drifting, kCalmStop);
+  const double together = excess_of_rest(robot, start, drifting);
+  if (apart.excess < std::min(by_law.excess, together))
+    return come_to_rest_apart(robot, pieces, apart.shares);
+  if (by_law.excess < together) return stop_by(robot, start, by_law.law, pieces);
+  come_to_rest(robot, pieces);
 }
 
 VelocityStart origin_of(const ToolTakeUp& take_up) {

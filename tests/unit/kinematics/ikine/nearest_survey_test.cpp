@@ -112,6 +112,30 @@ TEST_CASE("survey of nearest solutions: seven joints by iteration") {
   check_case({"panda", IkMethod::kNumeric, 6});
 }
 
+namespace {
+
+// An arm without any structure, joint values at or next to singular ones if it has six joints, and
+// a seed.
+struct RandomCase {
+  Robot robot;
+  VectorXd q;
+  VectorXd seed;
+};
+
+RandomCase random_case(Random& random, std::uint64_t joints) {
+  Robot robot = general_arm(random, false, joints);
+  VectorXd q = random_joints(robot, random);
+  if (joints == 6) {
+    const auto singular = singular_value(robot, q, 4);
+    if (singular) q[4] = *singular + off_singular(random);
+    q = clamp_to_limits(robot, q);
+  }
+  VectorXd seed = perturbed(robot, q, random);
+  return {std::move(robot), std::move(q), std::move(seed)};
+}
+
+}  // namespace
+
 TEST_CASE("survey of nearest solutions: random arms of six and seven joints") {
   Random random(survey_seed(71));
   Score six, seven;
@@ -119,14 +143,7 @@ TEST_CASE("survey of nearest solutions: random arms of six and seven joints") {
   for (int k = 0; k < count; ++k) {
     CAPTURE(k);
     const bool is_seven = k % 2 == 0;
-    const Robot robot = general_arm(random, false, is_seven ? 7 : 6);
-    VectorXd q = random_joints(robot, random);
-    if (!is_seven) {
-      const auto singular = singular_value(robot, q, 4);
-      if (singular) q[4] = *singular + off_singular(random);
-      q = clamp_to_limits(robot, q);
-    }
-    const VectorXd seed = perturbed(robot, q, random);
+    const auto [robot, q, seed] = random_case(random, is_seven ? 7 : 6);
     Score& score = is_seven ? seven : six;
     const int before = score.farther + score.missed;
     const std::optional<int> free = is_seven ? std::optional(3) : std::nullopt;
@@ -139,4 +156,28 @@ TEST_CASE("survey of nearest solutions: random arms of six and seven joints") {
   CHECK(six.farther + seven.farther == 0);
   MESSAGE("six joints: " << six.farther << " farther, " << six.missed << " missed; seven: "
                          << seven.farther << " farther, " << seven.missed << " missed");
+}
+
+// Found by the survey: two solutions that coincide and a third one 0.02 rad from them, and three
+// within 0.006 rad, on one curve next to singular joint values.
+TEST_CASE("three solutions between two points of a curve are all found") {
+  Random random(1);
+  for (int k = 0; k <= 737; ++k) {
+    CAPTURE(k);
+    const auto [robot, q, seed] = random_case(random, k % 2 == 0 ? 7 : 6);
+    if (k != 541 && k != 737) continue;
+    const Isometry3d goal = forward(robot, q);
+    const auto all = solve_ik_all(robot, goal, {.seed = seed, .respect_limits = false}, 20);
+    int near = 0;
+    for (const VectorXd& other : all) {
+      double apart = 0.0;
+      for (int i = 0; i < robot.n(); ++i)
+        apart = std::max(apart, std::abs(angle_difference(other[i], q[i])));
+      near += apart < 0.03 ? 1 : 0;
+    }
+    CHECK(near == (k == 541 ? 3 : 2));
+    Score score;
+    judge(robot, q, seed, change_of(robot, q, seed), IkMethod::kAuto, score);
+    CHECK(score.farther + score.missed == 0);
+  }
 }
