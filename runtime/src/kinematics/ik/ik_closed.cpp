@@ -32,6 +32,10 @@ constexpr int kNearStarts = 4;     // around the seed, to follow the joints from
 constexpr int kBranchStarts = 24;  // within the change of the nearest branch
 constexpr double kRevolution = 2.0 * kPi;
 
+// Where the tool moves by so little, m or rad per rad or m, rounding decides what the formula takes
+// the joints for.
+constexpr double kAllButIdle = 1e-8;
+
 constexpr double kSame = 1e-6;  // rad or m, of solutions and their changes
 constexpr double kTie = 1e-7;   // rad or m, of changes between which what is given decides
 
@@ -52,6 +56,17 @@ bool put_inside(const Robot& robot, JointArray& q) {
   return moved;
 }
 
+// Joints that were put back onto their limits meet the goal by its tolerance; next to them may be
+// joints that meet it exactly.
+void make_exact(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q) {
+  IkGoal exact = goal;
+  exact.position_tolerance = exact.rotation_tolerance = kExactly;
+  IkSolver solver(robot, exact);
+  JointArray better = q;
+  if (exact.is_met(solver.error_of(q)) || !solver.solve_in_box(better, options.iterations)) return;
+  if (change_of(better, to_vector(q, robot.n())) < kFarBeyond) q = better;
+}
+
 // A solution of the formula at the copies nearest to the seed, inside the limits if they count, and
 // checked again wherever that changes it. False if there is none.
 bool settle_in(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
@@ -61,7 +76,10 @@ bool settle_in(const Robot& robot, const IkGoal& goal, const IkOptions& options,
   if (!moved && !check && !shares) return true;
   IkSolver solver(robot, goal);
   const IkError error = solver.error_of(q);
-  if (goal.is_met(error)) return true;
+  if (goal.is_met(error)) {
+    if (moved) make_exact(robot, goal, options, q);
+    return true;
+  }
   if (error.rotation >= kNearlyOriented) return false;
   return options.respect_limits ? solver.solve_in_box(q, options.iterations)
                                 : solver.solve_free(q, options.iterations);
@@ -122,6 +140,11 @@ void add_new(const Robot& robot, const FormulaSolution& solution,
   if (std::ranges::none_of(solutions, same)) solutions.push_back(solution);
 }
 
+FormulaSolution& nearest_in(std::vector<FormulaSolution>& solutions, const IkOptions& options) {
+  const auto change = [&](const FormulaSolution& s) { return change_of(s.q, options.seed); };
+  return *std::ranges::min_element(solutions, {}, change);
+}
+
 // Of each branch the solution over all values of a joint that the goal leaves open, if it is nearer
 // than the one with the present value.
 void take_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options,
@@ -138,8 +161,7 @@ void take_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& option
   std::ranges::sort(solutions, {}, &FormulaSolution::branch);
   if (solutions.empty()) return;
   // What the scan left of the way to the nearest one.
-  const auto nearest = [&](const FormulaSolution& s) { return change_of(s.q, options.seed); };
-  slide_nearer(robot, goal, options, std::ranges::min_element(solutions, {}, nearest)->q);
+  slide_nearer(robot, goal, options, nearest_in(solutions, options).q);
 }
 
 // The joints followed from around the seed, where the scan has passed over a narrow interval.
@@ -150,6 +172,7 @@ void follow_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
   for (const Eigen::VectorXd& start : around) {
     FormulaSolution found{to_array(start), -1};
     slide_nearer(robot, goal, options, found.q);
+    wrap_to_seed(robot, options, found.q);
     const auto nearer = [&](const FormulaSolution& s) {
       return change_of(s.q, options.seed) <= change_of(found.q, options.seed) + kSame;
     };
@@ -233,6 +256,8 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
   }
   if (found.open != 0 && robot.n() <= 6 && counts_all(goal))
     search_open_joints(robot, goal, options, found, nearest_only, solutions);
+  else if (found.free && nearest_only && counts_all(goal) && !solutions.empty())
+    slide_nearer(robot, goal, options, nearest_in(solutions, options).q, kAllButIdle);
   const bool all = closed.complete() && !found.free;
   if (solutions.empty()) return all ? FormulaAnswer::kNone : FormulaAnswer::kSilent;
   return all ? FormulaAnswer::kAll : FormulaAnswer::kSome;
