@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "armlet/model/catalog.hpp"
 #include "general_arm.hpp"
@@ -179,5 +180,50 @@ TEST_CASE("three solutions between two points of a curve are all found") {
     Score score;
     judge(robot, q, seed, change_of(robot, q, seed), IkMethod::kAuto, score);
     CHECK(score.farther + score.missed == 0);
+  }
+}
+
+// Found by the survey: wrists within 3e-9 rad of singular, of which rounding took a joint for
+// another value; a joint that was left a revolution too far; and one put back onto its limit beside
+// the values that meet the goal exactly.
+TEST_CASE("next to singular values rounding does not decide which joint values are nearest") {
+  struct Found {
+    const char* name;
+    std::vector<double> q, seed;
+  };
+  constexpr double kTurn = 2.0 * kPi;
+  const Found cases[] = {
+      {"ur5",
+       {4.2798169596536457, -5.1851226421085936, -kTurn, -1.5712472063153626, 0.0, kTurn},
+       {4.9540648064786321, -4.6269995982456589, 5.9845058933494588, 3.5719459877560205,
+        3.028590879327993, -4.1927979553445613}},
+      {"ur5",
+       {-3.9130040666375323, kTurn, 3.1453155966565962, -2.3905900495892878,
+        -1.1752505955503831e-09, -5.2586864450089212},
+       {-3.6648037805967002, kTurn, 3.0347180021848139, -2.6755818484297205, -0.25979981945061048,
+        -5.1254289906614146}},
+      {"ur5",
+       {1.2783579489270496, 1.1097382577162378, -3.4411817068170225, 1.3115884098324564,
+        2.3616512571311296e-09, -kTurn},
+       {1.2783579489270496, 1.1097382577162378, -3.4411817068170225, 1.4861213350318894,
+        2.3616512571311296e-09, -kTurn}},
+      {"ur5",
+       {5.8926596238469262, 4.7888361993918274, -0.018094596124337059, -2.6065661337282,
+        2.5657379308175729e-09, -0.76700397597049008},
+       {5.4472118000374312, -4.4831410971327008, 5.3398826100403216, -5.0856960154634478,
+        -0.31202390389689327, -1.0500626524386023}},
+      {"scara",
+       {-2.6179938779914944, -5.0127023647774087e-07, 0.04582595641475487, 5.1352014375463568},
+       {-2.6179938779914944, -0.17453342646966943, 0.04582595641475487, 5.1352014375463568}},
+  };
+  for (const Found& found : cases) {
+    const Robot robot = *make_robot(found.name);
+    const VectorXd q = VectorXd::Map(found.q.data(), robot.n());
+    const VectorXd seed = VectorXd::Map(found.seed.data(), robot.n());
+    CAPTURE(q.transpose());
+    Score score;
+    judge(robot, q, seed, change_of(robot, q, seed), IkMethod::kAuto, score);
+    CHECK(score.missed == 0);
+    CHECK(score.farther == 0);
   }
 }

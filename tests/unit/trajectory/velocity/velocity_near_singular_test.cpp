@@ -216,19 +216,25 @@ TEST_CASE("a command that slows the tool down first can be sent again like any o
   CHECK((once.qd - often.qd).cwiseAbs().maxCoeff() < 1e-9);
 }
 
+namespace {
+
+// By which part the tool of an arm exceeds the fastest velocity that is taken up.
+double excess_of_command(const char* name, const VelocityStart& start, const Vector6d& twist) {
+  const Robot robot = *make_robot(name);
+  const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
+  REQUIRE(plan.motion);
+  const double taking_up = excess(robot, *plan.motion, 0.0, start.during, *start.fastest);
+  const double stopping =
+      excess(robot, *plan.motion, start.during, plan.motion->duration(), plan.take_up.fastest);
+  return std::max(taking_up, stopping);
+}
+
+}  // namespace
+
 // Found among other seeds: the joints gain speed for another velocity when the command comes, and
 // the law that keeps the tool on the spot while it turns asks a little more of them than they have;
 // a joint has to go on through the position in which the elbow is stretched.
 TEST_CASE("the calmest law is taken where the strictest one asks too much of the joints") {
-  const auto most = [](const char* name, const VelocityStart& start, const Vector6d& twist) {
-    const Robot robot = *make_robot(name);
-    const VelocityPlan plan = plan_tool_velocity(robot, start, twist);
-    REQUIRE(plan.motion);
-    const double taking_up = excess(robot, *plan.motion, 0.0, start.during, *start.fastest);
-    const double stopping =
-        excess(robot, *plan.motion, start.during, plan.motion->duration(), plan.take_up.fastest);
-    return std::max(taking_up, stopping);
-  };
   using Joints6 = Eigen::Vector<double, 6>;
   using Joints7 = Eigen::Vector<double, 7>;
   VelocityStart turning{
@@ -237,12 +243,44 @@ TEST_CASE("the calmest law is taken where the strictest one asks too much of the
       .qdd = Joints7{2.297226, -1.084429, 1.670913, 1.338565, 1.452596, -4.212324, -3.705974},
       .during = 0.3,
       .fastest = ToolSpeeds{0.0, 0.518228}};
-  CHECK(most("pa10", turning, {0.0, 0.0, 0.0, 0.0769681, 0.0621357, -0.1657117}) < 0.01);
+  CHECK(excess_of_command("pa10", turning, {0.0, 0.0, 0.0, 0.0769681, 0.0621357, -0.1657117}) <
+        0.01);
   VelocityStart stretching{
       .q = Joints6{-1.136627, -0.641329, 0.0448865, 0.29983, -1.28818, -0.106856},
       .qd = Joints6{0.0259944, 0.0869406, -0.2055481, 0.1163999, 0.0248592, 0.0079122},
       .qdd = Joints6{0.410662, 1.752305, -4.035593, 2.248247, 0.392715, 0.125084},
       .during = 0.122,
       .fastest = ToolSpeeds{0.0262054, 0.0}};
-  CHECK(most("ur5", stretching, {0.00018975, -0.00084621, -0.00044251, 0.0, 0.0, 0.0}) < 0.01);
+  CHECK(excess_of_command("ur5", stretching,
+                          {0.00018975, -0.00084621, -0.00044251, 0.0, 0.0, 0.0}) < 0.01);
+}
+
+// Found among other seeds: each joint comes to rest by itself, and the tool is calm, where it is
+// not with all of them together; and an acceleration is turned with nearly all of the jerk.
+TEST_CASE("a stop that no usual law makes calm is made with all that the joints have") {
+  using Joints6 = Eigen::Vector<double, 6>;
+  VelocityStart alone{
+      .q = Joints6{-0.03289247501559892, -0.2871692309910976, -0.24268437863815032,
+                   0.15385641772572164, -0.004395830311996958, 0.24319187218654892},
+      .qd = Joints6{3.9974393573033246e-17, 3.1508315498043576e-16, -4.567541492078131e-16,
+                    -0.0017865560581910023, -2.8853872927295677e-06, 0.0017874598794103136},
+      .qdd = Joints6{7.699336848848938e-12, 1.1162772895827715e-11, -1.4075042487334478e-11,
+                     -0.7144914838913887, -0.001064234837589462, 0.7137633311903453},
+      .during = 0.154,
+      .fastest = ToolSpeeds{0, 0.0040179396083129398}};
+  CHECK(excess_of_command("puma560", alone,
+                          {0.0, 0.0, 0.0, -0.00406225453877477, -0.015100183385950136,
+                           -0.014026279027556092}) < 0.01);
+  VelocityStart quickly{
+      .q = Joints6{-0.6726810279038038, -1.4799449109637774, 1.200685780783548,
+                   -0.28395549293596684, -0.6718370283279207, 1.1829474244062772},
+      .qd = Joints6{-0.10114464574601578, -0.1594091642182787, -0.29159420950793896,
+                    -0.2483653974971105, 0.40570442840402765, 0.35294809790595577},
+      .qdd = Joints6{-3.4239086198109114, 2.2993184696400695, -14.377957448250116,
+                     -7.582021008384569, 10.621843877525999, 10.835241363443467},
+      .during = 0.17899999999999999,
+      .fastest = ToolSpeeds{0.37961013538859434, 0}};
+  CHECK(excess_of_command("kr6", quickly,
+                          {-0.028959994417325264, 0.0325171208627051, -0.34971410810950215, 0.0,
+                           0.0, 0.0}) < 0.01);
 }
