@@ -93,10 +93,10 @@ template <class V, bool kSlides>
 template <class V>
 bool inverse_batch_kernel(const MotionBatch& batch, double* tau) {
   if (are_few<V>(batch.count)) {
-    return batch.plan.any_slides ? inverse_few<V, true>(batch, tau)
+    return batch.plan.is_mixed() ? inverse_few<V, true>(batch, tau)
                                  : inverse_few<V, false>(batch, tau);
   }
-  return batch.plan.any_slides ? inverse_many<V, true>(batch, tau)
+  return batch.plan.is_mixed() ? inverse_many<V, true>(batch, tau)
                                : inverse_many<V, false>(batch, tau);
 }
 
