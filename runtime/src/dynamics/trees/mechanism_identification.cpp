@@ -3,7 +3,7 @@
 
 #include "armlet/dynamics/identification.hpp"
 #include "armlet/math/check_finite.hpp"
-#include "dynamics/link_parameters.hpp"
+#include "dynamics/identification/link_parameters.hpp"
 #include "model/body_inertia.hpp"
 #include "spatial_tree.hpp"
 

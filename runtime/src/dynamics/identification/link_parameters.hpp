@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plan_dynamics.hpp"
+#include "dynamics/plan_dynamics.hpp"
 
 // The first ten of the parameters of a link (identification.hpp): of its mass, in its own frame.
 namespace armlet {

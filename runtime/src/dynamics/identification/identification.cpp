@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "armlet/core/random.hpp"
-#include "checks.hpp"
+#include "dynamics/checks.hpp"
+#include "dynamics/plan_dynamics.hpp"
+#include "dynamics/spatial_arm.hpp"
 #include "link_parameters.hpp"
-#include "plan_dynamics.hpp"
-#include "spatial_arm.hpp"
 
 namespace armlet {
 namespace {
