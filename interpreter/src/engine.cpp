@@ -179,8 +179,9 @@ bool Program::is_entry() const { return compiled_->entry.is_one; }
 const std::shared_ptr<const Program>& Program::after() const { return compiled_->entry.after; }
 
 std::string Program::disassemble() const { return lang::disassemble(*compiled_); }
-const Type* Program::library_record(std::string_view name) const {
-  return compiled_->types->library_record(name);
+const Type* Program::library_record(std::string_view name, const Type* of) const {
+  if (of == nullptr) return compiled_->types->library_record(name);
+  return compiled_->types->made_record(std::string(name) + '<' + type_name(of) + '>', of);
 }
 
 // ---- CompiledProgram

@@ -36,6 +36,7 @@ struct TypePattern {
   int e = 0;
   // kList: the element; kFunction: parameters, then the result; kRecord: the fields.
   std::vector<TypePattern> parts{};
+  std::vector<TypePattern> of{};     // kRecord: what stands in its name, OdeEvent<S>
   std::vector<std::string> names{};  // kRecord: its own, then those of its fields
 };
 

@@ -306,6 +306,21 @@ const Type* TypePool::record_of(std::string_view name, std::vector<RecordField> 
   return made_records_.back();
 }
 
+const Type* TypePool::made_record(std::string_view name, const Type* of) const {
+  const auto is_meant = [&](const Type* known) {
+    const auto has = [of](const RecordField& field) {
+      return field.type == of || (field.type->is(Kind::kList) && field.type->element == of);
+    };
+    return known->record->name == name && std::ranges::any_of(known->record->fields, has);
+  };
+  if (const auto at = std::ranges::find_if(made_records_, is_meant); at != made_records_.end())
+    return *at;
+  if (earlier_ == nullptr) return nullptr;
+  const auto& known = Earlier::find(earlier_->made_records, lang::key_of(name));
+  const auto at = std::ranges::find_if(known, is_meant);
+  return at != known.end() ? *at : nullptr;
+}
+
 const Type* TypePool::library_record(std::string_view name) const {
   const auto found = std::ranges::find_if(
       *library_records_, [name](const Type* type) { return type->record->name == name; });

@@ -85,6 +85,34 @@ struct CompositeBody {
   }
 };
 
+// The same where only what is seen along the axes counts (DynamicsPlan::flat).
+struct FlatBody {
+  double mass, hx, hy;
+  double inertia;  // about the axis
+
+  [[gnu::always_inline]] explicit FlatBody(const CompositeBody& body)
+      : mass(body.mass),
+        hx(body.hs.x.first()),
+        hy(body.hs.y.first()),
+        inertia(body.Sxx + body.Syy) {}
+
+  [[gnu::always_inline]] void add(const PlanLink& link) {
+    mass += link.mass;
+    hx += link.h[0];
+    hy += link.h[1];
+    inertia += link.Sxx + link.Syy;
+  }
+
+  [[gnu::always_inline]] void walk_in(const PlanLink& link, double sine, double cosine) {
+    const double x = cosine * hx - sine * hy;
+    hy = sine * hx + cosine * hy;
+    hx = x;
+    if (!link.has_a) return;
+    inertia += (hx + hx + mass * link.a) * link.a;
+    hx += mass * link.a;
+  }
+};
+
 // The forces and moments that accelerate joints with numbers `two` and `two` + 1, side by side.
 struct ColumnPair {
   Triple<Duo<double>> f{}, n{};
@@ -112,6 +140,50 @@ struct ColumnPair {
       n.z = n.z + link.a * f.y;
     }
   }
+  // The same where the axes are parallel: n.x and n.y are left as they are.
+  [[gnu::always_inline]] void walk_in_flat(const PlanLink& link, double sine, double cosine) {
+    f = turn_in_z<double>(sine, cosine, f);
+    if (link.has_a) n.z = n.z + link.a * f.y;
+  }
+};
+
+// The columns of the joints from the last one inward, as they are seen from the joint that the
+// recursion has come to.
+template <int N, bool kSlides>
+class Columns {
+ public:
+  // Of a joint: what accelerates it, and the elements of its row through give(row, column, value).
+  template <class Give>
+  [[gnu::always_inline]] void add(const PlanLink& link, int i, int behind, const FlatBody& body,
+                                  double nx, double ny, const Give& give) {
+    const bool slides = kSlides && link.slides;
+    ColumnPair& own = pairs_[behind / 2];
+    if (slides) {
+      own.set(behind % 2, {0.0, 0.0, body.mass}, {body.hy, -body.hx, 0.0});
+      give(i, i, body.mass + link.motor_inertia);
+    } else {
+      own.set(behind % 2, {-body.hy, body.hx, 0.0}, {nx, ny, body.inertia});
+      give(i, i, body.inertia + link.motor_inertia);
+    }
+#pragma GCC unroll 8
+    for (int k = 0; k < behind; ++k) {
+      const ColumnPair& pair = pairs_[k / 2];
+      const Duo<double>& force = slides ? pair.f.z : pair.n.z;
+      give(i + behind - k, i, force.v[k % 2]);
+    }
+  }
+
+  // walk(pair) for those that there are.
+  template <class Walk>
+  [[gnu::always_inline]] void walk_in(int behind, const Walk& walk) {
+    const int pairs = behind / 2 < kPairs ? behind / 2 + 1 : kPairs;
+#pragma GCC unroll 8
+    for (int pair = 0; pair < pairs; ++pair) walk(pairs_[pair]);
+  }
+
+ private:
+  static constexpr int kPairs = (static_cast<int>(kJointCapacity<N>) + 1) / 2;
+  ColumnPair pairs_[kPairs];  // of joints n - 1 and n - 2, n - 3 and n - 4, ...
 };
 
 // The inertia matrix with the inertia of the motors, by composite rigid bodies: the lower triangle,
@@ -123,40 +195,39 @@ template <int N, bool kSlides, class Sines, class Motion, class Give>
 [[gnu::always_inline]] inline void composite_bodies(const DynamicsPlan& plan, const Sines& sines,
                                                     const Motion& motion, const Give& give) {
   const int n = N == 0 ? static_cast<int>(plan.n) : N;
-  constexpr int kPairs = (static_cast<int>(kJointCapacity<N>) + 1) / 2;
-  ColumnPair columns[kPairs];  // of joints n - 1 and n - 2, n - 3 and n - 4, ...
+  const int flat = flat_links<N, kSlides>(plan);
+  Columns<N, kSlides> columns;
   CompositeBody body(plan.links[n - 1]);
+  int i = n - 1;
 #pragma GCC unroll 8
-  for (int i = n - 1; i >= 0; --i) {
+  for (; i >= flat; --i) {
     const PlanLink& link = plan.links[i];
     const int behind = n - 1 - i;
-    const double hx = body.hs.x.first(), hy = body.hs.y.first();
-    ColumnPair& own = columns[behind / 2];
-    if (kSlides && link.slides) {
-      own.set(behind % 2, {0.0, 0.0, body.mass}, {hy, -hx, 0.0});
-      give(i, i, body.mass + link.motor_inertia);
-    } else {
-      const double inertia = body.Sxx + body.Syy;
-      own.set(behind % 2, {-hy, hx, 0.0}, {-body.hs.x.second(), -body.hs.y.second(), inertia});
-      give(i, i, inertia + link.motor_inertia);
-    }
-#pragma GCC unroll 8
-    for (int k = 0; k < behind; ++k) {
-      const ColumnPair& pair = columns[k / 2];
-      const Duo<double>& force = kSlides && link.slides ? pair.f.z : pair.n.z;
-      give(n - 1 - k, i, force.v[k % 2]);
-    }
-    if (i == 0) break;
+    columns.add(link, i, behind, FlatBody(body), -body.hs.x.second(), -body.hs.y.second(), give);
     const double sine = sines.sine(i), cosine = sines.cosine(i);
-    const int pairs = behind / 2 < kPairs ? behind / 2 + 1 : kPairs;
     const double d = kSlides && link.slides ? link.d + motion.q(i) : link.d;
-#pragma GCC unroll 8
-    for (int pair = 0; pair < pairs; ++pair) columns[pair].walk_in(link, d, sine, cosine);
+    columns.walk_in(
+        behind, [&](ColumnPair & pair)
+                    __attribute__((always_inline)) { pair.walk_in(link, d, sine, cosine); });
     if (link.has_d) body.shift_z<kSlides>(d);
     body.turn_z(sine, cosine);
     body.turn_x(link);
     if (link.has_a) body.shift_x<kSlides>(link.a);
     body.add(plan.links[i - 1]);
+  }
+  FlatBody seen(body);
+#pragma GCC unroll 8
+  for (; i >= 0; --i) {
+    const PlanLink& link = plan.links[i];
+    const int behind = n - 1 - i;
+    columns.add(link, i, behind, seen, 0.0, 0.0, give);
+    if (i == 0) break;
+    const double sine = sines.sine(i), cosine = sines.cosine(i);
+    columns.walk_in(
+        behind, [&](ColumnPair & pair)
+                    __attribute__((always_inline)) { pair.walk_in_flat(link, sine, cosine); });
+    seen.walk_in(link, sine, cosine);
+    seen.add(plan.links[i - 1]);
   }
 }
 

@@ -98,6 +98,17 @@ template <class V, class T, class Link>
   return {cosine * v.x + sine * y, cosine * y - sine * v.x, z};
 }
 
+// The same of a vector along z.
+template <class V, class T, class Link>
+[[gnu::always_inline]] inline Triple<T> turn_axis_out(const Link& link, V sine, V cosine,
+                                                      const T& axis) {
+  const T nothing = {constant<V>(0.0), constant<V>(0.0)};
+  if (link.twist == kRightTwist) return {sine * axis, cosine * axis, nothing};
+  if (link.twist != kAnyTwist) return {nothing, nothing, axis};
+  const T y = constant<V>(link.sin_alpha) * axis;
+  return {sine * y, cosine * y, constant<V>(link.cos_alpha) * axis};
+}
+
 // From the axes of frame i to those of frame i-1, in the two steps between which the origin moves.
 template <class V, class T>
 [[gnu::always_inline]] inline Triple<T> turn_in_z(V sine, V cosine, const Triple<T>& v) {

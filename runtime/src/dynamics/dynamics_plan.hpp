@@ -53,8 +53,24 @@ struct DynamicsPlan {
   std::size_t n;
   double base_acceleration[3];  // minus gravity, in the axes of B of the WalkPlan
   bool any_slides;
+  // How many links from the first on have axes parallel to the first: they turn in one plane, so
+  // that of their rotations one rate, and of their forces the moment about that axis is all that
+  // counts. At least 1.
+  std::size_t flat;
   FrictionKind friction;
   PlanLink links[kPlanJoints];
+
+  // Whether kernels have to look at each joint, whether it slides and whether it is one of `flat`.
+  [[nodiscard]] bool is_mixed() const { return any_slides || flat > 1; }
 };
+
+// DynamicsPlan::flat, in a kernel for N joints, 0: any number; kSlides: for a plan that is mixed.
+template <int N, bool kSlides>
+[[gnu::always_inline]] inline int flat_links(const DynamicsPlan& plan) {
+  if (!kSlides || N == 1) return 1;
+  const int flat = static_cast<int>(plan.flat);
+  if (flat < 1) __builtin_unreachable();
+  return flat;
+}
 
 }  // namespace armlet

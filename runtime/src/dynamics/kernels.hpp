@@ -31,14 +31,14 @@ using ForwardKernel = int(const DynamicsInput& in, double* out);
 // The arms that are met most: SCARA, and six revolute joints.
 constexpr int usual_count(bool slides) { return slides ? 4 : 6; }
 
-// [0] for arms with revolute joints alone, [1] for all.
+// [0] for arms with revolute joints alone whose first two axes are not parallel, [1] for all.
 extern const KernelTable<ForceKernel> kInverseKernels[2], kBiasKernels[2], kGravityKernels[2],
     kMassKernels[2];
 extern const KernelTable<ForwardKernel> kForwardKernels[2];
 
 template <class Kernel>
 inline Kernel* kernel_for(const KernelTable<Kernel> (&tables)[2], const DynamicsPlan& plan) {
-  return kernel_for(tables[plan.any_slides], static_cast<int>(plan.n));
+  return kernel_for(tables[plan.is_mixed()], static_cast<int>(plan.n));
 }
 
 // The sines and cosines of one configuration, with the bits that they have in a batch.

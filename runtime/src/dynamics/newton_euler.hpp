@@ -25,7 +25,7 @@ struct LinkLoad {
 // The matrix A of a link, from its angular velocity and acceleration.
 template <class V>
 struct SpinMatrix {
-  V xx, xy, xz, yx, yy, yz, zx, zy, zz;
+  V minus_xx, xy, xz, yx, minus_yy, yz, zx, zy, minus_zz;
   V zz_yy, xx_zz, yy_xx;  // differences of the diagonal
 
   [[gnu::always_inline]] explicit SpinMatrix(const Triple<Duo<V>>& spin) {
@@ -33,9 +33,9 @@ struct SpinMatrix {
     const V ex = spin.x.second(), ey = spin.y.second(), ez = spin.z.second();
     const V wxx = wx * wx, wyy = wy * wy, wzz = wz * wz;
     const V wxy = wx * wy, wxz = wx * wz, wyz = wy * wz;
-    xx = -(wyy + wzz);
-    yy = -(wxx + wzz);
-    zz = -(wxx + wyy);
+    minus_xx = wyy + wzz;
+    minus_yy = wxx + wzz;
+    minus_zz = wxx + wyy;
     xy = wxy - ez;
     yx = wxy + ez;
     xz = wxz + ey;
@@ -56,7 +56,7 @@ template <class V, bool kSlides>
   const V Sxx = constant<V>(link.Sxx), Sxy = constant<V>(link.Sxy), Sxz = constant<V>(link.Sxz);
   const V Syy = constant<V>(link.Syy), Syz = constant<V>(link.Syz);
   LinkLoad<V> load;
-  load.f = {A.xx * hx + A.xy * hy, A.yx * hx + A.yy * hy, A.zx * hx + A.zy * hy};
+  load.f = {A.xy * hy - A.minus_xx * hx, A.yx * hx - A.minus_yy * hy, A.zx * hx + A.zy * hy};
   load.n.x = (hy * a.z + A.zx * Sxy) + (A.zy * Syy + A.zz_yy * Syz) - A.yx * Sxz;
   load.n.y = (A.xx_zz * Sxz + A.xy * Syz) - (hx * a.z + A.zx * Sxx) - A.zy * Sxy;
   load.n.z = (hx * a.y - hy * a.x) + (A.yx * Sxx - A.xy * Syy) +
@@ -65,20 +65,29 @@ template <class V, bool kSlides>
     const V m = constant<V>(link.mass), hz = constant<V>(link.h[2]), Szz = constant<V>(link.Szz);
     load.f.x += m * a.x + A.xz * hz;
     load.f.y += m * a.y + A.yz * hz;
-    load.f.z += m * a.z + A.zz * hz;
+    load.f.z += m * a.z - A.minus_zz * hz;
     load.n.x -= hz * a.y + A.yz * Szz;
     load.n.y += hz * a.x + A.xz * Szz;
   }
   return load;
 }
 
-// The link behind the fixed base: it only spins about its axis, or does not spin at all.
+// The same of a link of the plane (DynamicsPlan::flat): its force and n.z, which is all of it that
+// counts.
+//
+// square, change  of the rate about the axis: its square, and the angular acceleration.
 template <class V, bool kSlides>
-[[gnu::always_inline]] inline Triple<Duo<V>> first_spin(const PlanLink& link, V rate, V rate_rate) {
-  const V zero = constant<V>(0.0);
-  const Duo<V> none = {zero, zero};
-  if (kSlides && link.slides) return {none, none, none};
-  return {none, none, {rate, rate_rate}};
+[[gnu::always_inline]] inline LinkLoad<V> flat_load(const PlanLink& link, V square, V change,
+                                                    const Triple<V>& a) {
+  const V hx = constant<V>(link.h[0]), hy = constant<V>(link.h[1]);
+  LinkLoad<V> load;
+  load.f = {-(square * hx + change * hy), change * hx - square * hy, constant<V>(0.0)};
+  load.n.z = (hx * a.y - hy * a.x) + constant<V>(link.Sxx + link.Syy) * change;
+  if (kSlides && link.slides) {
+    const V m = constant<V>(link.mass);
+    load.f = {load.f.x + m * a.x, load.f.y + m * a.y, m * a.z};
+  }
+  return load;
 }
 
 // How far Z_i is shifted along its axis.
@@ -88,39 +97,116 @@ template <class V, bool kSlides, class Motion>
   return kSlides && link.slides ? d + motion.q(i) : d;
 }
 
+// A force and a moment about the origin of frame i, about that of frame i - 1 and in its axes.
+template <class V>
+[[gnu::always_inline]] inline LinkLoad<V> step_in(const PlanLink& link, V sine, V cosine, V d,
+                                                  const LinkLoad<V>& load) {
+  LinkLoad<V> out = {turn_in_z<V>(sine, cosine, load.f), turn_in_z<V>(sine, cosine, load.n)};
+  if (link.has_d) {
+    out.n.x = out.n.x - d * out.f.y;
+    out.n.y = out.n.y + d * out.f.x;
+  }
+  out = {turn_in_x<V>(link, out.f), turn_in_x<V>(link, out.n)};
+  if (link.has_a) {
+    const V length = constant<V>(link.a);
+    out.n.y = out.n.y - length * out.f.z;
+    out.n.z = out.n.z + length * out.f.y;
+  }
+  return out;
+}
+
 // From the last link to the first: the forces that the loads of the links ask of their joints.
 template <class V, int N, bool kSlides, class Sines, class Motion, class Give>
 [[gnu::always_inline]] inline void bring_in(const DynamicsPlan& plan, const Sines& sines,
                                             const Motion& motion, const LinkLoad<V>* loads,
                                             const Give& give) {
   const int n = N == 0 ? static_cast<int>(plan.n) : N;
-  Triple<V> f = loads[n - 1].f, moment = loads[n - 1].n;
-  downward<N>(
-      n, 1, [&](int i) __attribute__((always_inline)) {
+  const int flat = flat_links<N, kSlides>(plan);
+  LinkLoad<V> sum;
+  const auto step = [&](int i) __attribute__((always_inline)) {
+    const PlanLink& link = plan.links[i];
+    give(i, kSlides && link.slides ? sum.f.z : sum.n.z);
+    const V d = shift_along<V, kSlides>(link, motion, i);
+    sum = step_in<V>(link, sines.sine(i), sines.cosine(i), d, sum);
+    sum.f = sum.f + loads[i - 1].f;
+  };
+  sum.f = loads[n - 1].f;
+  if (n > flat) {
+    sum.n = loads[n - 1].n;
+    downward<kSlides ? 0 : N>(
+        n, flat + 1, [&](int i) __attribute__((always_inline)) {
+          step(i);
+          sum.n = sum.n + loads[i - 1].n;
+        });
+    step(flat);
+    sum.n.z = sum.n.z + loads[flat - 1].n.z;
+  } else {
+    sum.n.z = loads[n - 1].n.z;
+  }
+  downward<0>(
+      n > flat ? flat : n, 1, [&](int i) __attribute__((always_inline)) {
         const PlanLink& link = plan.links[i];
-        give(i, kSlides && link.slides ? f.z : moment.z);
-        const V sine = sines.sine(i), cosine = sines.cosine(i);
-        if (link.has_d) {
-          const V d = shift_along<V, kSlides>(link, motion, i);
-          moment.x -= d * f.y;
-          moment.y += d * f.x;
-        }
-        f = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, f));
-        moment = turn_in_x<V>(link, turn_in_z<V>(sine, cosine, moment));
-        if (link.has_a) {
-          const V length = constant<V>(link.a);
-          moment.y -= length * f.z;
-          moment.z += length * f.y;
-        }
-        f = f + loads[i - 1].f;
-        moment = moment + loads[i - 1].n;
+        give(i, kSlides && link.slides ? sum.f.z : sum.n.z);
+        sum.f = turn_in_z<V>(sines.sine(i), sines.cosine(i), sum.f);
+        if (link.has_a) sum.n.z = sum.n.z + constant<V>(link.a) * sum.f.y;
+        sum.f = sum.f + loads[i - 1].f;
+        sum.n.z = sum.n.z + loads[i - 1].n.z;
       });
-  give(0, kSlides && plan.links[0].slides ? f.z : moment.z);
+  give(0, kSlides && plan.links[0].slides ? sum.f.z : sum.n.z);
 }
+
+// The links of the plane: one rate about the axis, and its change. Afterwards the links behind them
+// follow from `a` and `spin`, which are those of the frame behind.
+template <class V, bool kSlides, class Sines, class Rates>
+[[gnu::always_inline]] inline void flat_outward(const DynamicsPlan& plan, int n, int flat,
+                                                const Sines& sines, const Rates& rates,
+                                                Triple<V>& a, Triple<Duo<V>>& spin,
+                                                LinkLoad<V>* loads) {
+  const V zero = constant<V>(0.0);
+  V rate = zero, change = zero, square = zero;
+  const auto shift = [&](const PlanLink& link) __attribute__((always_inline)) {
+    if (!link.has_a) return;
+    const V length = constant<V>(link.a);
+    a.x = a.x - length * square;
+    a.y = a.y + length * change;
+  };
+  upward<0>(
+      0, flat, [&](int i) __attribute__((always_inline)) {
+        const PlanLink& link = plan.links[i];
+        if (i > 0) shift(link);
+        const V sine = sines.sine(i), cosine = sines.cosine(i);
+        a = {cosine * a.x + sine * a.y, cosine * a.y - sine * a.x, a.z};
+        if (kSlides && link.slides) {
+          a.z = a.z + rates.change(i);
+        } else {
+          rate = i > 0 ? rate + rates.rate(i) : rates.rate(i);
+          change = i > 0 ? change + rates.change(i) : rates.change(i);
+          square = rate * rate;
+        }
+        loads[i] = flat_load<V, kSlides>(link, square, change, a);
+      });
+  if (flat >= n) return;
+  const PlanLink& link = plan.links[flat];
+  const V sine = sines.sine(flat), cosine = sines.cosine(flat);
+  shift(link);
+  a = turn_out<V>(link, sine, cosine, a);
+  spin = turn_axis_out<V>(link, sine, cosine, Duo<V>{rate, change});
+}
+
+// The rates of the joints, and their changes if they accelerate.
+template <class V, bool kAccel, class Motion>
+struct JointRates {
+  const Motion& motion;
+  [[gnu::always_inline]] V rate(int i) const { return motion.qd(i); }
+  [[gnu::always_inline]] V change(int i) const {
+    if constexpr (kAccel) return motion.qdd(i);
+    return constant<V>(0.0);
+  }
+};
 
 // Joint forces of a rigid arm, without motors and friction.
 //
-// kSlides   whether there may be sliding joints.
+// kSlides   whether there may be sliding joints, or a second axis parallel to the first.
 // kAccel    whether the joints accelerate; otherwise qdd is not asked for.
 // sines     sine(i), cosine(i) of the rotation of Z_i.
 // motion    q(i), qd(i), qdd(i), already with the plan's sign; q only of sliding joints.
@@ -131,49 +217,42 @@ template <class V, int N, bool kSlides, bool kAccel, class Sines, class Motion, 
                                                 const Motion& motion, const double* gravity,
                                                 const Give& give) {
   const int n = N == 0 ? static_cast<int>(plan.n) : N;
+  const int flat = flat_links<N, kSlides>(plan);
   constexpr int kCapacity = N == 0 ? static_cast<int>(kPlanJoints) : N;
   LinkLoad<V> loads[kCapacity];
+  const JointRates<V, kAccel, Motion> rates = {motion};
   Triple<V> a = {constant<V>(gravity[0]), constant<V>(gravity[1]), constant<V>(gravity[2])};
-  const auto rate_rate = [&](int i) __attribute__((always_inline)) {
-    if constexpr (kAccel) return motion.qdd(i);
-    return constant<V>(0.0);
-  };
-  Triple<Duo<V>> spin = first_spin<V, kSlides>(plan.links[0], motion.qd(0), rate_rate(0));
-  SpinMatrix<V> A(spin);
-  {
-    const PlanLink& link = plan.links[0];
-    a = {sines.cosine(0) * a.x + sines.sine(0) * a.y, sines.cosine(0) * a.y - sines.sine(0) * a.x,
-         a.z};
-    if (kSlides && link.slides) a.z = a.z + rate_rate(0);
-    loads[0] = link_load<V, kSlides>(link, A, a);
-  }
-  upward<N>(
-      1, n, [&](int i) __attribute__((always_inline)) {
+  Triple<Duo<V>> spin;
+  flat_outward<V, kSlides>(plan, n, flat, sines, rates, a, spin, loads);
+  upward<kSlides ? 0 : N>(
+      flat, n, [&](int i) __attribute__((always_inline)) {
         const PlanLink& link = plan.links[i];
-        const V sine = sines.sine(i), cosine = sines.cosine(i);
-        if (link.has_a) {
-          const V length = constant<V>(link.a);
-          a = {a.x + length * A.xx, a.y + length * A.yx, a.z + length * A.zx};
-        }
-        a = turn_out<V>(link, sine, cosine, a);
-        spin = turn_out<V>(link, sine, cosine, spin);
-        const V rate = motion.qd(i);
+        const V rate = rates.rate(i);
         if (!kSlides || !link.slides) {
-          const V zero = constant<V>(0.0);
-          spin.x = spin.x + Duo<V>{zero, spin.y.first() * rate};
-          spin.y = spin.y - Duo<V>{zero, spin.x.first() * rate};
-          spin.z = spin.z + Duo<V>{rate, rate_rate(i)};
+          const V nothing = constant<V>(-0.0);  // added it leaves every number as it is
+          spin.x = spin.x + Duo<V>{nothing, spin.y.first() * rate};
+          spin.y = spin.y - Duo<V>{-nothing, spin.x.first() * rate};
+          spin.z = spin.z + Duo<V>{rate, rates.change(i)};
         }
-        A = SpinMatrix<V>(spin);
+        const SpinMatrix<V> A(spin);
         if (link.has_d) {
           const V d = shift_along<V, kSlides>(link, motion, i);
-          a = {a.x + d * A.xz, a.y + d * A.yz, a.z + d * A.zz};
+          a = {a.x + d * A.xz, a.y + d * A.yz, a.z - d * A.minus_zz};
         }
         if (kSlides && link.slides) {
           const V twice = rate + rate;
-          a = {a.x + spin.y.first() * twice, a.y - spin.x.first() * twice, a.z + rate_rate(i)};
+          a = {a.x + spin.y.first() * twice, a.y - spin.x.first() * twice, a.z + rates.change(i)};
         }
         loads[i] = link_load<V, kSlides>(link, A, a);
+        if (i + 1 == n) return;
+        const PlanLink& next = plan.links[i + 1];
+        const V sine = sines.sine(i + 1), cosine = sines.cosine(i + 1);
+        if (next.has_a) {
+          const V length = constant<V>(next.a);
+          a = {a.x - length * A.minus_xx, a.y + length * A.yx, a.z + length * A.zx};
+        }
+        a = turn_out<V>(next, sine, cosine, a);
+        spin = turn_out<V>(next, sine, cosine, spin);
       });
   bring_in<V, N, kSlides>(plan, sines, motion, loads, give);
 }

@@ -20,13 +20,6 @@ Isometry3d x_step(const Numbers& numbers, std::size_t i) {
   return X;
 }
 
-// Of a mass with its centre and its inertia about the centre.
-Moments moments_of(double mass, const Vector3d& com, const Matrix3d& inertia) {
-  const Matrix3d even = 0.5 * (inertia + inertia.transpose());
-  const Matrix3d about_centre = 0.5 * even.trace() * Matrix3d::Identity() - even;
-  return {mass, mass * com, about_centre + mass * com * com.transpose()};
-}
-
 void put_geometry(const WalkPlan& walk, std::size_t i, PlanLink& link) {
   link.sin_alpha = walk.sin_alpha[i];
   link.cos_alpha = walk.cos_alpha[i];
@@ -86,6 +79,12 @@ Vector3d fixed_moment(const PlanLink& link) {
 }
 
 }  // namespace
+
+Moments moments_of(double mass, const Vector3d& com, const Matrix3d& inertia) {
+  const Matrix3d even = 0.5 * (inertia + inertia.transpose());
+  const Matrix3d about_centre = 0.5 * even.trace() * Matrix3d::Identity() - even;
+  return {mass, mass * com, about_centre + mass * com * com.transpose()};
+}
 
 Moments Moments::operator+(const Moments& other) const {
   return {mass + other.mass, h + other.h, S + other.S};
@@ -157,6 +156,8 @@ RobotDynamics::RobotDynamics(const Robot& robot) {
     for (int r = 0; r < 3; ++r) link.gravity.h[r] = body.h[r] + fixed_behind[r];
     fixed_behind = fixed_moment(link);
   }
+  plan.flat = 1;
+  while (plan.flat < n && plan.links[plan.flat].twist == 0) ++plan.flat;
 }
 
 }  // namespace armlet

@@ -23,6 +23,9 @@ struct Moments {
   Moments seen_from(const Eigen::Isometry3d& T_to_from) const;
 };
 
+// Of a mass with its centre and its inertia about the centre.
+Moments moments_of(double mass, const Eigen::Vector3d& com, const Eigen::Matrix3d& inertia);
+
 // The frame of link i in the frame after Z_i of the robot's WalkPlan.
 Eigen::Isometry3d link_in_joint(const Robot& robot, int i);
 

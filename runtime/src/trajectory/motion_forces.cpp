@@ -62,21 +62,32 @@ class ForceSearch {
     return std::abs(qd_[i]) < kAtRest && std::abs(qdd_[i]) > kStands;
   }
 
+  // What the motion asks then. Whether no joint is beyond its limit.
+  bool measure(double t) {
+    motion_.sample(t, q_, qd_, qdd_);
+    tau_ = inverse_dynamics(robot_, q_, qd_, qdd_);
+    bool within = true;
+    for (int i = 0; i < robot_.n(); ++i) {
+      PeakForce& peak = found_.peaks[static_cast<std::size_t>(i)];
+      if (turns_back(i)) continue;
+      within = within && std::abs(tau_[i]) <= peak.limit;
+      if (std::abs(tau_[i]) <= std::abs(peak.force)) continue;
+      peak.force = tau_[i];
+      peak.t = t;
+    }
+    return within;
+  }
+
   // How much slower the motion has to be for what it asks then.
   double look_at(double t) {
-    motion_.sample(t, q_, qd_, qdd_);
-    const JointVector tau = inverse_dynamics(robot_, q_, qd_, qdd_);
+    (void)measure(t);
+    const JointVector& tau = tau_;
     const JointVector gravity = gravity_forces(robot_, q_);
     const JointVector friction = friction_forces(robot_, qd_);
     double slower = 0.0;
     for (int i = 0; i < robot_.n(); ++i) {
-      PeakForce& peak = found_.peaks[static_cast<std::size_t>(i)];
-      if (turns_back(i)) continue;
-      if (std::abs(tau[i]) > std::abs(peak.force)) {
-        peak.force = tau[i];
-        peak.t = t;
-      }
-      if (!std::isfinite(peak.limit)) continue;
+      const PeakForce& peak = found_.peaks[static_cast<std::size_t>(i)];
+      if (turns_back(i) || !std::isfinite(peak.limit)) continue;
       const JointFriction f = friction_of(robot_.link(i), qd_[i]);
       const double moving = tau[i] - gravity[i] - friction[i];
       slower =
@@ -103,6 +114,7 @@ class ForceSearch {
   const Robot& robot_;
   const Trajectory& motion_;
   VectorXd q_, qd_, qdd_;
+  JointVector tau_;
   MotionForces found_;
 };
 
@@ -201,6 +213,27 @@ MotionForces motion_forces(const Robot& robot, const Trajectory& motion) {
   std::vector<Instant> seen;
   for (const double t : instants_of(motion)) seen.push_back({t, search.look_at(t)});
   look_closer(search, seen);
+  return search.result();
+}
+
+MotionForces command_forces(const Robot& robot, const Trajectory& motion, double until) {
+  constexpr double kStep = 5e-3;  // s
+  constexpr double kMost = 10'000;
+  check_size("paths of the motion", motion.n(), robot.n());
+  const double held = std::min(until, motion.duration());
+  ForceSearch search(robot, motion);
+  const auto look = [&](double t) {
+    if (!search.measure(t)) search.look_at(t);
+  };
+  const double steps = std::clamp(std::ceil(held / kStep), 1.0, kMost);
+  for (int k = 0; k <= static_cast<int>(steps); ++k) look(held * k / steps);
+  for (int i = 0; i < motion.n(); ++i) {
+    for (const Segment& piece : motion.joint(i).segments) {
+      if (piece.start <= kBeside || piece.start > held) continue;
+      look(piece.start - kBeside);
+      look(std::min(piece.start + kBeside, held));
+    }
+  }
   return search.result();
 }
 

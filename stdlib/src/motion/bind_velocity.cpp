@@ -8,6 +8,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/velocity.hpp"
 #include "messages/library_messages.hpp"
+#include "motion/motion_torques.hpp"
 #include "motion/moves.hpp"
 #include "session/bind.hpp"
 #include "session/time_left.hpp"
@@ -131,6 +132,7 @@ Answer<std::int64_t> holding_time(Vm& vm, double seconds, int parameter) {
 Started drive(Vm& vm, const MoveCall& call, VelocityPlan plan, std::int64_t during_ns) {
   if (!plan.motion) return fail_velocity(vm, call, plan);
   if (!check_time_left(vm, "a motion", plan.motion->duration(), kMarkCallee)) return Failed{};
+  if (!check_velocity_torques(vm, call, *plan.motion, during_ns)) return Failed{};
   Host& host = Host::of(vm);
   const int motion =
       host.cell().drive(call.robot, *std::move(plan.motion), host.now_ns() + during_ns);

@@ -19,6 +19,22 @@ std::string remedy(const MotionForces& forces, double duration) {
   return fmt::format("let it take {} s, or carry less", format_number(1e-3 * milliseconds, 3));
 }
 
+// Whether a motor would have to give more than it can.
+bool is_beyond(const MotionForces& forces) {
+  constexpr double kRounding = 1e-9;
+  return forces.nearest >= 0 &&
+         forces.peaks[static_cast<std::size_t>(forces.nearest)].share() > 1.0 + kRounding;
+}
+
+// Whether a command that follows at once on another one counts.
+bool is_looked_at(const Host& host, int robot, std::int64_t during_ns) {
+  constexpr std::int64_t kEvery = 5'000'000;  // ns
+  const std::int64_t now = host.now_ns();
+  const int last = host.cell().robot(robot).motion_id;
+  const bool goes_on = last >= 0 && host.cell().report(last).held_ns == now;
+  return !goes_on || (now - 1) / kEvery != (now + during_ns - 1) / kEvery;
+}
+
 Failure about(const MoveCall& call) {
   Failure f;
   f.mark_parameter = kMarkCallee;
@@ -33,7 +49,7 @@ Failed refuse(Vm& vm, const MoveCall& call, Failure f) {
 }
 
 Failure too_strong(const MoveCall& call, const Robot& robot, const MotionForces& forces,
-                   double duration, bool refused) {
+                   std::string fix, bool refused) {
   const PeakForce& peak = forces.peaks[static_cast<std::size_t>(forces.nearest)];
   Failure f = about(call);
   const std::vector<std::string> words = {
@@ -44,7 +60,7 @@ Failure too_strong(const MoveCall& call, const Robot& robot, const MotionForces&
   } else {
     f.headline = {row("W0721"), {words[0], words[1], words[2], words[3]}};
   }
-  f.fix = remedy(forces, duration);
+  f.fix = std::move(fix);
   if (!std::isfinite(forces.slower)) f.why = "holding the arm there takes more than that already";
   return f;
 }
@@ -70,25 +86,46 @@ std::string force_text(const Robot& robot, int joint, double force) {
 }
 
 Answer<double> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion) {
-  constexpr double kRounding = 1e-9;
   const TorqueCheck wanted = settings_of(vm).torques;
   const Robot& robot = *Host::of(vm).cell().robot(call.robot).loaded;
   if (wanted == TorqueCheck::kIgnore || !has_force_limits(robot) || motion.duration() <= 0.0)
     return 1.0;
   try {
     const MotionForces forces = motion_forces(robot, motion);
-    if (forces.nearest < 0) return 1.0;
-    const PeakForce& peak = forces.peaks[static_cast<std::size_t>(forces.nearest)];
-    if (peak.share() <= 1.0 + kRounding) return 1.0;
+    if (!is_beyond(forces)) return 1.0;
     const bool slows = wanted == TorqueCheck::kLimit && !call.fixed_time;
     if (slows && std::isfinite(forces.slower)) return forces.slower;
     const bool refused = wanted != TorqueCheck::kReport;
-    Failure f = too_strong(call, robot, forces, motion.duration(), refused);
+    Failure f = too_strong(call, robot, forces, remedy(forces, motion.duration()), refused);
     if (refused) return refuse(vm, call, std::move(f));
     vm.advise(f);
     return 1.0;
   } catch (const ArgumentError& error) {
     return beyond_numbers(vm, call, wanted, error);
+  }
+}
+
+Answer<void> check_velocity_torques(Vm& vm, const MoveCall& call, const Trajectory& motion,
+                                    std::int64_t during_ns) {
+  const TorqueCheck wanted = settings_of(vm).torques;
+  const Robot& robot = *Host::of(vm).cell().robot(call.robot).loaded;
+  if (wanted == TorqueCheck::kIgnore || !has_force_limits(robot)) return {};
+  if (!is_looked_at(Host::of(vm), call.robot, during_ns)) return {};
+  try {
+    const MotionForces forces = command_forces(robot, motion, to_seconds(during_ns));
+    if (!is_beyond(forces)) return {};
+    const bool refused = wanted != TorqueCheck::kReport;
+    Failure f =
+        too_strong(call, robot, forces,
+                   std::isfinite(forces.slower) ? "change the speed in smaller steps, or carry less"
+                                                : "carry less, or go where the arm holds it",
+                   refused);
+    if (refused) return refuse(vm, call, std::move(f));
+    vm.advise(f);
+    return {};
+  } catch (const ArgumentError& error) {
+    if (!beyond_numbers(vm, call, wanted, error)) return Failed{};
+    return {};
   }
 }
 

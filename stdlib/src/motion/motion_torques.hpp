@@ -1,6 +1,7 @@
 #pragma once
 // What motions ask of the motors, against what these give.
 
+#include <cstdint>
 #include <string>
 
 #include "armlet/trajectory/trajectory.hpp"
@@ -11,6 +12,12 @@ namespace armlet::bind {
 // Says, as `with (torques:)` wants it, that a motor of the robot of the call cannot do this motion:
 // as advice, or as R0642. Gives by how much slower it has to be made, 1 if not at all.
 Answer<double> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion);
+
+// The same of a velocity command that holds for so long, which nothing makes slower: where moves
+// would be, it is refused. Of commands that go on with one another, those are looked at during
+// which the clock comes to a multiple of 5 ms, as densely as moves are, and the first.
+Answer<void> check_velocity_torques(Vm& vm, const MoveCall& call, const Trajectory& motion,
+                                    std::int64_t during_ns);
 
 // "120 Nm" or "30 N".
 [[nodiscard]] std::string force_text(const Robot& robot, int joint, double force);

@@ -243,6 +243,7 @@ struct OdeSettings {
   std::string_view method{};
   double tolerance = 0.0;
   std::span<const Slot> when{};
+  const Type* record = nullptr;  // the struct that states are; null: lists
 };
 
 Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> start,
@@ -269,7 +270,7 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
   const int size = static_cast<int>(start.size());
   OdeIntegrator integrator(size, *method, tolerance);
   Integration integration(vm, rate, *instants, integrator);
-  WitnessesOfProgram program(vm, settings.when, marks.when);
+  WitnessesOfProgram program(vm, settings.when, marks.when, settings.record);
   if (program.empty()) return integration.run(start, tolerance);
   auto witnesses = program.witnesses();
   if (!witnesses) return Failed{};
@@ -299,7 +300,7 @@ Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, d
 }
 
 // The state is a struct of quantities; so is what the function gives, the rates of its fields.
-Answer<ListObj*> solve_structs(Vm& vm, FunctionValue f, Slot from, const OdeSettings& settings) {
+Answer<RecordObj*> solve_structs(Vm& vm, FunctionValue f, Slot from, OdeSettings settings) {
   const RecordObj& start = *static_cast<const RecordObj*>(from.o);  // S fits structs alone
   const std::span<const double> values(reinterpret_cast<const double*>(start.fields()),
                                        start.layout->size);
@@ -307,21 +308,24 @@ Answer<ListObj*> solve_structs(Vm& vm, FunctionValue f, Slot from, const OdeSett
   const OdeRate call = [&rate](double t, std::span<const double> y, std::span<double> out) {
     return static_cast<bool>(rate(t, y, out));
   };
+  settings.record = start.layout->type;
   const auto solution = solve(vm, call, values, settings);
   if (!solution) return Failed{};
-  ListObj* const states = structs_of(vm, **solution, *start.layout->type);
+  RecordObj* const out = with_structs(vm, **solution, *settings.record);
   release(vm, *solution);
-  if (states == nullptr) return Failed{};
-  return states;
+  if (out == nullptr) return Failed{};
+  return out;
 }
 
-Answer<ListObj*> ode_with_units(Vm& vm, FunctionValue f, Slot from, double t0, double t1,
-                                double step, std::string_view method, double tolerance,
-                                std::optional<std::span<const double>> knots) {
+Answer<RecordObj*> ode_with_units(Vm& vm, FunctionValue f, Slot from, double t0, double t1,
+                                  double step, std::string_view method, double tolerance,
+                                  std::optional<std::span<const double>> knots,
+                                  std::optional<std::span<const Slot>> when) {
   return solve_structs(vm, f, from,
                        {.stretch = {t0, t1, step, knots.value_or(std::span<const double>())},
                         .method = method,
-                        .tolerance = tolerance});
+                        .tolerance = tolerance,
+                        .when = when.value_or(std::span<const Slot>())});
 }
 
 // Where a call says how long, it may leave the steps to a method that chooses them.
@@ -356,11 +360,13 @@ Answer<RecordObj*> ode_during(Vm& vm, FunctionValue f, std::span<const double> s
   return solve_lists(vm, f, start, settings);
 }
 
-Answer<ListObj*> ode_with_units_during(Vm& vm, FunctionValue f, Slot from, double during,
-                                       std::optional<double> step,
-                                       std::optional<std::string_view> method, double tolerance,
-                                       std::optional<std::span<const double>> knots) {
-  const OdeSettings settings = during_settings(during, step, method, tolerance, knots);
+Answer<RecordObj*> ode_with_units_during(Vm& vm, FunctionValue f, Slot from, double during,
+                                         std::optional<double> step,
+                                         std::optional<std::string_view> method, double tolerance,
+                                         std::optional<std::span<const double>> knots,
+                                         std::optional<std::span<const Slot>> when) {
+  OdeSettings settings = during_settings(during, step, method, tolerance, knots);
+  settings.when = when.value_or(std::span<const Slot>());
   if (!check_step(vm, settings, step.has_value())) return Failed{};
   return solve_structs(vm, f, from, settings);
 }
@@ -421,15 +427,19 @@ constexpr NativeFunction kOdeFunctions[] = {
         "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows"),
     def<ode_with_units>(
         "ode(f: fn(time, S) -> U, y0: S, t0: time, t1: time, step: time, method: string = \"rk4\", "
-        "tol: double = 1e-8, knots: time[]?) -> S[]",
+        "tol: double = 1e-8, knots: time[]?, when: OdeEvent<S>{g: fn(time, S) -> double, "
+        "direction: string, stop: bool}[]?) -> OdeSolution<S>{t: time[], y: S[], events: "
+        "OdeCrossing<S>{t: time, event: int, y: S}[]}",
         "The same for a state with units, a struct of quantities: f(t, y) gives a struct whose "
-        "fields have the same names and are the rates of those of y. Gives the state at the start "
-        "and at the end of every step.",
+        "fields have the same names and are the rates of those of y. y of the solution and of its "
+        "events are such structs.",
         "ode(fn(t: double, y: double[]) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last",
         {.check = check_rates}),
     def<ode_with_units_during>(
         "ode(f: fn(time, S) -> U, y0: S, during: time, step: time?, method: string?, tolerance: "
-        "double = 1e-8, knots: time[]?) -> S[]",
+        "double = 1e-8, knots: time[]?, when: OdeEvent<S>{g: fn(time, S) -> double, direction: "
+        "string, stop: bool}[]?) -> OdeSolution<S>{t: time[], y: S[], events: OdeCrossing<S>{t: "
+        "time, event: int, y: S}[]}",
         "A state with units from 0 s on, for so long; steps and methods are those of a state "
         "without.",
         "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows",
@@ -450,6 +460,11 @@ constexpr NativeFunction kOdeFunctions[] = {
         "ode(fn(t, y) => [y[1], -9.81], [1.0, 0.0], 0s, 1s, step: 10ms, when: [event(fn(t, y) => "
         "y[0], "
         "stop: true)]).t.last"),
+    def<event>(
+        "event(g: fn(time, S) -> D, direction: string = \"both\", stop: bool = false) -> "
+        "OdeEvent<S>{g: fn(time, S) -> double, direction: string, stop: bool}",
+        "The same for a state with units: g takes the struct, and gives a quantity or a number.",
+        "event(fn(t, y) => y[0], direction: \"falling\").stop"),
 };
 
 }  // namespace

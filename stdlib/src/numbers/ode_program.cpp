@@ -9,26 +9,32 @@ namespace armlet::bind {
 namespace {
 
 enum EventField { kFunction, kDirection, kStop };
+enum CrossingField { kTime, kEvent, kState };
+enum SolutionField { kTimes, kStates, kEvents };
 constexpr std::array<std::string_view, 3> kDirections = {"both", "rising", "falling"};
 
 }  // namespace
 
-ListObj* StateArgument::fill(std::span<const double> y) {
-  if (list_ == nullptr || list_->refs != 1) {  // the program may have kept the last one
-    release(vm_, list_);
-    list_ = new_list(vm_, static_cast<std::uint32_t>(y.size()), false);
-    if (list_ == nullptr) return nullptr;
+Obj* StateArgument::fill(std::span<const double> y) {
+  if (state_ == nullptr || state_->refs != 1) {  // the program may have kept the last one
+    release(vm_, state_);
+    state_ = type_ != nullptr
+                 ? static_cast<Obj*>(new_record(vm_, type_))
+                 : static_cast<Obj*>(new_list(vm_, static_cast<std::uint32_t>(y.size()), false));
+    if (state_ == nullptr) return nullptr;
   }
+  Slot* const values = type_ != nullptr ? static_cast<RecordObj*>(state_)->fields()
+                                        : static_cast<ListObj*>(state_)->data;
   const auto copy = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) list_->data[i].d = y[i];
+    for (std::size_t i = begin; i < end; ++i) values[i].d = y[i];
   };
   // With the sums that the method makes of them.
-  return in_blocks(vm_, y.size(), 4 * kCost, copy) ? list_ : nullptr;
+  return in_blocks(vm_, y.size(), 4 * kCost, copy) ? state_ : nullptr;
 }
 
 Answer<void> RateOfProgram::operator()(double t, std::span<const double> y,
                                        std::span<double> rate) {
-  ListObj* const state = y_.fill(y);
+  Obj* const state = y_.fill(y);
   if (state == nullptr) return Failed{};
   const Slot arguments[] = {slot_of(t), slot_of(state)};
   Slot result;
@@ -46,13 +52,9 @@ Answer<void> RateOfProgram::operator()(double t, std::span<const double> y,
 
 Answer<void> RateOfStructs::operator()(double t, std::span<const double> y,
                                        std::span<double> rate) {
-  if (state_ == nullptr || state_->refs != 1) {  // the program may have kept the last one
-    release(vm_, state_);
-    state_ = new_record(vm_, &type_);
-    if (state_ == nullptr) return Failed{};
-  }
-  for (std::size_t i = 0; i < y.size(); ++i) state_->fields()[i].d = y[i];
-  const Slot arguments[] = {slot_of(t), slot_of(state_)};
+  Obj* const state = y_.fill(y);
+  if (state == nullptr) return Failed{};
+  const Slot arguments[] = {slot_of(t), slot_of(state)};
   Slot result;
   if (!vm_.call(f_, arguments, result)) return Failed{};
   const auto* rates = static_cast<const RecordObj*>(result.o);
@@ -102,6 +104,9 @@ void check_rates(CheckCall& call) {
   }
 }
 
+namespace {
+
+// The rows of a solution as structs; null: the failure is set.
 ListObj* structs_of(Vm& vm, const RecordObj& solution, const Type& type) {
   const MatrixObj& states = states_of(solution);
   ListObj* const list = new_list(vm, states.rows, true);
@@ -119,6 +124,53 @@ ListObj* structs_of(Vm& vm, const RecordObj& solution, const Type& type) {
   return list;
 }
 
+// An OdeCrossing with its state as a struct; null: the failure is set.
+RecordObj* crossing_with_struct(Vm& vm, const RecordObj& crossing, const Type& state) {
+  RecordObj* const out = new_record(vm, vm.program().library_record("OdeCrossing", &state));
+  if (out == nullptr) return nullptr;
+  out->fields()[kTime] = crossing.fields()[kTime];
+  out->fields()[kEvent] = crossing.fields()[kEvent];
+  RecordObj* const y = new_record(vm, &state);
+  out->fields()[kState].o = y;
+  if (y == nullptr) {
+    release(vm, out);
+    return nullptr;
+  }
+  const auto values = reals_value(crossing.fields()[kState]);
+  for (std::size_t i = 0; i < values.size(); ++i) y->fields()[i].d = values[i];
+  return out;
+}
+
+// Those of a solution; null: the failure is set.
+ListObj* crossings_with_structs(Vm& vm, const RecordObj& solution, const Type& type) {
+  const auto crossings = items_value(solution.fields()[kEvents]);
+  ListObj* const list = new_list(vm, static_cast<std::uint32_t>(crossings.size()), true);
+  for (std::size_t k = 0; list != nullptr && k < crossings.size(); ++k) {
+    list->data[k].o =
+        crossing_with_struct(vm, *static_cast<const RecordObj*>(crossings[k].o), type);
+    if (list->data[k].o != nullptr) continue;
+    release(vm, list);
+    return nullptr;
+  }
+  return list;
+}
+
+}  // namespace
+
+RecordObj* with_structs(Vm& vm, const RecordObj& solution, const Type& type) {
+  RecordObj* const out = new_record(vm, vm.program().library_record("OdeSolution", &type));
+  if (out == nullptr) return nullptr;
+  retain(solution.fields()[kTimes].o);
+  out->fields()[kTimes] = solution.fields()[kTimes];
+  ListObj* const states = structs_of(vm, solution, type);
+  out->fields()[kStates].o = states;
+  ListObj* const events = states != nullptr ? crossings_with_structs(vm, solution, type) : nullptr;
+  out->fields()[kEvents].o = events;
+  if (events != nullptr) return out;
+  release(vm, out);
+  return nullptr;
+}
+
 Answer<std::vector<OdeWitness>> WitnessesOfProgram::witnesses() {
   std::vector<OdeWitness> out;
   for (const Slot event : events_) {
@@ -132,7 +184,7 @@ Answer<std::vector<OdeWitness>> WitnessesOfProgram::witnesses() {
     Obj* const g = record->fields()[kFunction].o;
     out.push_back({.g =
                        [this, g](double t, std::span<const double> y, double& value) {
-                         ListObj* const state = y_.fill(y);
+                         Obj* const state = y_.fill(y);
                          if (state == nullptr) return false;
                          const Slot arguments[] = {slot_of(t), slot_of(state)};
                          Slot result;

@@ -12,27 +12,31 @@
 
 namespace armlet::bind {
 
-// The state as a list that a function of the program gets; made anew if the program keeps it.
+// The state as a list that a function of the program gets, or as a struct of quantities; made anew
+// if the program keeps it.
 class StateArgument {
  public:
-  explicit StateArgument(Vm& vm) : vm_(vm) {}
-  ~StateArgument() { release(vm_, list_); }
+  // `record`: the type of the struct; null: a list.
+  StateArgument(Vm& vm, const Type* record) : vm_(vm), type_(record) {}
+  ~StateArgument() { release(vm_, state_); }
   StateArgument(const StateArgument&) = delete;
   StateArgument& operator=(const StateArgument&) = delete;
 
   // Null: the failure is set.
-  [[nodiscard]] ListObj* fill(std::span<const double> y);
+  [[nodiscard]] Obj* fill(std::span<const double> y);
 
  private:
   Vm& vm_;
-  ListObj* list_ = nullptr;
+  const Type* type_;
+  Obj* state_ = nullptr;
 };
 
 // The program's f(t, y), its result copied out of the list that it gives. `parameter` is marked in
 // failures.
 class RateOfProgram {
  public:
-  RateOfProgram(Vm& vm, Obj* f, int parameter) : vm_(vm), f_(f), parameter_(parameter), y_(vm) {}
+  RateOfProgram(Vm& vm, Obj* f, int parameter)
+      : vm_(vm), f_(f), parameter_(parameter), y_(vm, nullptr) {}
   Answer<void> operator()(double t, std::span<const double> y, std::span<double> rate);
 
  private:
@@ -45,29 +49,27 @@ class RateOfProgram {
 // The same where the state and its rates are structs of quantities, field by field.
 class RateOfStructs {
  public:
-  RateOfStructs(Vm& vm, Obj* f, const Type& state) : vm_(vm), f_(f), type_(state) {}
-  ~RateOfStructs() { release(vm_, state_); }
-  RateOfStructs(const RateOfStructs&) = delete;
-  RateOfStructs& operator=(const RateOfStructs&) = delete;
+  RateOfStructs(Vm& vm, Obj* f, const Type& state) : vm_(vm), f_(f), y_(vm, &state) {}
   Answer<void> operator()(double t, std::span<const double> y, std::span<double> rate);
 
  private:
   Vm& vm_;
   Obj* f_;
-  const Type& type_;
-  RecordObj* state_ = nullptr;
+  StateArgument y_;
 };
 // Each field of what f gives has the name of one of y0 and its unit per second.
 void check_rates(CheckCall& call);
-// The rows of a solution as structs; null: the failure is set.
-[[nodiscard]] ListObj* structs_of(Vm& vm, const RecordObj& solution, const Type& type);
+// An OdeSolution<S> with the times of a solution, its rows and the states of its events as structs
+// of this type; null: the failure is set.
+[[nodiscard]] RecordObj* with_structs(Vm& vm, const RecordObj& solution, const Type& type);
 
-// What a program waits for in an integration: a list of OdeEvent.
+// What a program waits for in an integration: a list of OdeEvent, or of OdeEvent<S>.
 class WitnessesOfProgram {
  public:
-  // `events` is borrowed; `parameter` is the one of the call that holds them.
-  WitnessesOfProgram(Vm& vm, std::span<const Slot> events, int parameter)
-      : vm_(vm), events_(events), parameter_(parameter), y_(vm) {}
+  // `events` is borrowed; `parameter` is the one of the call that holds them; `record`: the struct
+  // that states are, null: lists.
+  WitnessesOfProgram(Vm& vm, std::span<const Slot> events, int parameter, const Type* record)
+      : vm_(vm), events_(events), parameter_(parameter), y_(vm, record) {}
 
   [[nodiscard]] bool empty() const { return events_.empty(); }
   // Fails for a direction that there is not.

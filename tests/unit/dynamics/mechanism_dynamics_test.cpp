@@ -8,6 +8,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/dynamics/energy.hpp"
 #include "armlet/dynamics/forward_dynamics.hpp"
+#include "armlet/dynamics/identification.hpp"
 #include "armlet/dynamics/inverse_dynamics.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
@@ -150,6 +151,87 @@ TEST_CASE("the power of the actuators is what the energy gains") {
       CHECK(std::abs(slope - g[i]) < 1e-5 * (1.0 + g.norm()));
     }
   }
+}
+
+TEST_CASE("inverse dynamics of a tree is its regressor times its parameters") {
+  Random random(44);
+  for (int k = 0; k < 600; ++k) {
+    CAPTURE(k);
+    const Mechanism tree = random_tree(random, k % 2 == 1, k % 3 == 0);
+    const Sample at = random_sample(random, tree);
+    const MechanismMotion motion = {at.q, at.qd, at.qdd};
+    const VectorXd tau = inverse_dynamics(tree, motion, at.gravity);
+    const MatrixXd Y = dynamics_regressor(tree, motion, at.gravity);
+    const VectorXd p = dynamic_parameters(tree);
+    // What is added up, which may be larger than the sum.
+    const double scale = 1.0 + (Y.cwiseAbs() * p.cwiseAbs()).norm();
+    CHECK((Y * p - tau).norm() < 1e-12 * scale);
+    // Nothing in it depends on the masses: that of another mechanism of the same geometry is the
+    // same.
+    MechanismSpec heavier = tree.spec();
+    for (Body& body : heavier.bodies) {
+      body.link.mass *= 2.0;
+      body.link.inertia *= 2.0;
+    }
+    const Mechanism other(heavier);
+    CHECK((dynamics_regressor(other, motion, at.gravity) - Y).norm() < 1e-12 * (1.0 + Y.norm()));
+    CHECK((Y * dynamic_parameters(other) - inverse_dynamics(other, motion, at.gravity)).norm() <
+          2e-12 * scale);
+  }
+}
+
+TEST_CASE("the regressor of an arm and of the mechanism made of it are the same") {
+  Random random(45);
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(name);
+    const Robot robot = *make_robot(name);
+    const Mechanism mechanism(mechanism_of(robot));
+    VectorXd q(robot.n());
+    for (int i = 0; i < robot.n(); ++i) q[i] = random.uniform(robot.lower()[i], robot.upper()[i]);
+    const VectorXd qd = random_rates(random, robot.n()), qdd = random_rates(random, robot.n());
+    const VectorXd tau = dynamics_regressor(mechanism, {q, qd, qdd}, robot.gravity()) *
+                         dynamic_parameters(mechanism);
+    const VectorXd known = dynamics_regressor(robot, q, qd, qdd) * dynamic_parameters(robot);
+    CHECK((tau - known).norm() < 1e-10 * (1.0 + known.norm()));
+  }
+}
+
+TEST_CASE("a payload is a body that is fixed to the tip") {
+  Random random(46);
+  for (int k = 0; k < 300; ++k) {
+    CAPTURE(k);
+    MechanismSpec spec = random_tree(random, k % 2 == 1, k % 3 == 0).spec();
+    const int carrier = static_cast<int>(random.below(spec.bodies.size()));
+    const Eigen::Isometry3d T_body_tip =
+        make_translation(random_vector(random, 0.3)) *
+        Eigen::AngleAxisd(random.uniform(-3.0, 3.0), random_vector(random, 1.0).normalized());
+    spec.tips.push_back({.name = "hand", .body = carrier, .T_body_tip = T_body_tip});
+    const Link load = random_link(random);
+    const Payload payload{.mass = load.mass, .com = load.com, .inertia = load.inertia};
+    const Mechanism loaded = with_payload(Mechanism(spec), "hand", payload);
+    // Behind the others, so that the order of the joints stays.
+    spec.bodies.push_back({.name = "load",
+                           .parent = carrier,
+                           .T_parent_joint = T_body_tip,
+                           .link = {.mass = load.mass, .com = load.com, .inertia = load.inertia}});
+    const Mechanism merged(spec);
+    const Sample at = random_sample(random, merged);
+    const MechanismMotion motion = {at.q, at.qd, at.qdd};
+    const VectorXd tau = inverse_dynamics(merged, motion, at.gravity);
+    CHECK((inverse_dynamics(loaded, motion, at.gravity) - tau).norm() < 1e-12 * (1.0 + tau.norm()));
+    const MatrixXd M = mass_matrix(merged, at.q);
+    CHECK((mass_matrix(loaded, at.q) - M).norm() < 1e-12 * (1.0 + M.norm()));
+  }
+}
+
+TEST_CASE("a payload on no tip, or of no body, is refused") {
+  Random random(47);
+  const Mechanism tree = random_tree(random, false, false);
+  CHECK_THROWS_AS((void)with_payload(tree, "hand", {.mass = 1.0}), ArgumentError);
+  MechanismSpec spec = tree.spec();
+  spec.tips.push_back({.name = "hand", .body = 0});
+  CHECK_THROWS_AS((void)with_payload(Mechanism(spec), "hand", {.mass = -100.0}), ArgumentError);
+  CHECK_THROWS_AS((void)with_payload(Mechanism(spec), "hand", {.mass = NAN}), ArgumentError);
 }
 
 // Two equal fingers that one motor closes against each other, 0.1 kg at 50 mm each.

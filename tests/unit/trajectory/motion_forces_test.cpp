@@ -5,6 +5,7 @@
 #include "armlet/dynamics/inverse_dynamics.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/trajectory/joint_move.hpp"
+#include "armlet/trajectory/velocity.hpp"
 #include "random_mass.hpp"
 
 using namespace armlet;
@@ -74,6 +75,35 @@ TEST_CASE("a motion that is so many times slower keeps the limits, one a little 
     CHECK(share(forces.slower * 0.98) > 1.0);
   }
   CHECK(tried > 30);
+}
+
+// Against motion_forces, which looks closer, of the same motion.
+TEST_CASE("what a velocity command asks for while it holds is found") {
+  constexpr double kHolds = 0.7;  // s
+  Random random(32);
+  int before = 0, after = 0;
+  for (int k = 0; k < 80; ++k) {
+    CAPTURE(k);
+    const int n = 2 + k % 5;
+    RobotSpec spec = random_heavy_arm(random, n).spec();
+    for (Joint& joint : spec.joints) joint.max_effort = 10.0;
+    const Robot robot(spec);
+    const VelocityPlan plan = plan_joint_velocity(
+        robot, {.q = random_values(random, n), .qd = VectorXd::Zero(n), .during = kHolds},
+        0.3 * random_values(random, n));
+    if (!plan.motion) continue;
+    const MotionForces all = motion_forces(robot, *plan.motion);
+    const MotionForces held = command_forces(robot, *plan.motion, kHolds);
+    for (std::size_t i = 0; i < all.peaks.size(); ++i) {
+      const double most = std::abs(all.peaks[i].force);
+      CHECK(std::abs(held.peaks[i].force) <= most * (1.0 + 1e-6));
+      CHECK(held.peaks[i].t <= kHolds);
+      ++(all.peaks[i].t > kHolds ? after : before);
+      if (all.peaks[i].t < kHolds) CHECK(std::abs(held.peaks[i].force) >= 0.98 * most - 1e-9);
+    }
+  }
+  CHECK(before > 20);
+  CHECK(after > 20);
 }
 
 TEST_CASE("where the weight alone is too much no speed helps") {

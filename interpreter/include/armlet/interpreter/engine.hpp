@@ -3,8 +3,8 @@
 // runs one.
 //
 // An Engine is set up once and then only read, so threads may share it. A Program never changes. A
-// Vm belongs to one thread at a time; `cancel` is the only call that another thread may make.
-// Nothing here throws for what a script does.
+// Vm belongs to one thread at a time; only `cancel` may be called by another thread. Nothing here
+// throws for what a script does.
 
 #include <atomic>
 #include <concepts>
@@ -59,8 +59,8 @@ class Program {
   [[nodiscard]] bool is_entry() const;
   [[nodiscard]] const std::shared_ptr<const Program>& after() const;
   [[nodiscard]] std::string disassemble() const;
-  // The type of a record of the library, such as Move, in this program.
-  [[nodiscard]] const Type* library_record(std::string_view name) const;
+  // The type of a record of the library, or of `name<S>{...}` in signatures with `of` for S; or null.
+  [[nodiscard]] const Type* library_record(std::string_view name, const Type* of = nullptr) const;
   [[nodiscard]] const Code& compiled() const { return *compiled_; }
 
  private:

@@ -73,6 +73,12 @@ hir::Expr* call_native(Checker& checker, std::string_view name,
 
 namespace {
 
+// Whether this is a lambda that gives a type for its parameter `i`.
+bool is_written_with_type(const ast::Expr& written, std::size_t i) {
+  return written.kind == ast::ExprKind::kLambda &&
+         written.as<ast::LambdaExpr>().params[i].type != nullptr;
+}
+
 // A lambda or the name of a function, now that its parameter's type is known as far as it will be.
 hir::Expr* waiting_argument(Checker& checker, std::string_view name, const Argument& argument,
                             const TypePattern& pattern, Bindings& bindings) {
@@ -82,6 +88,9 @@ hir::Expr* waiting_argument(Checker& checker, std::string_view name, const Argum
     std::vector<const Type*> parameters;
     for (std::size_t i = 0; i + 1 < pattern.parts.size(); ++i) {
       parameters.push_back(instantiate(pattern.parts[i], bindings, checker.types));
+      // Its own type takes the place of one that is not known.
+      if (parameters.back() == nullptr && is_written_with_type(*argument.written, i))
+        parameters.back() = checker.types.any();
     }
     if (std::ranges::find(parameters, nullptr) == parameters.end()) {
       expected = checker.types.function(std::move(parameters), checker.types.any());

@@ -6,6 +6,7 @@
 #include "check/checker.hpp"
 #include "check/explain/misfits.hpp"
 #include "check/names/function_names.hpp"
+#include "check/types/any_table.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -96,27 +97,57 @@ bool place_arguments(const Signature& signature, const std::vector<Argument>& ar
 
 namespace {
 
-// A lambda or the name of a function fits a function type with as many parameters.
-bool fit_waiting(Checker& checker, const ast::Expr& written, const TypePattern& pattern) {
+// How far the types that the parameters of a function are written with, null where none is, are
+// those of a pattern: 0 if none differs, 1 otherwise; -1 where a struct is asked for and none is
+// written, unless the other arguments say which.
+int cost_of_parameters(const TypePattern& pattern, const std::vector<const Type*>& written,
+                       const Bindings& known) {
+  if (pattern.form != TypePattern::Form::kFunction) return 0;
+  int cost = 0;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const TypePattern& part = pattern.parts[i];
+    Bindings bindings = known;
+    if (written[i] != nullptr) {
+      if (match(part, written[i], false, bindings) != 0) cost = 1;
+    } else if (part.is_struct && !is_bound(part, known)) {
+      return -1;
+    }
+  }
+  return cost;
+}
+
+// A lambda or the name of a function fits a function type with as many parameters; better one
+// whose parameters are written with its types. -1: it does not.
+int fit_waiting(Checker& checker, const ast::Expr& written, const TypePattern& pattern,
+                const Bindings& known) {
   std::size_t wanted = 0;
   if (pattern.form == TypePattern::Form::kFunction) {
     wanted = pattern.parts.size() - 1;
   } else if (pattern.form == TypePattern::Form::kType && pattern.type->is(Kind::kFunction)) {
     wanted = pattern.type->parameters.size();
   } else {
-    return false;
+    return -1;
   }
-  if (written.kind == ast::ExprKind::kLambda)
-    return written.as<ast::LambdaExpr>().params.size() == wanted;
+  if (written.kind == ast::ExprKind::kLambda) {
+    const auto& params = written.as<ast::LambdaExpr>().params;
+    if (params.size() != wanted) return -1;
+    std::vector<const Type*> types;
+    for (const ast::Param& param : params) types.push_back(resolve_open(checker, param.type));
+    return cost_of_parameters(pattern, types, known);
+  }
   if (const std::string name = library_function(checker, written); !name.empty()) {
-    if (name == kToText) return wanted == 1;
-    return std::ranges::any_of(
-        checker.registry.functions(name), [&](const NativeFunction* function) {
-          return takes_values(checker.shared.signatures.of(*function), wanted);
-        });
+    const bool fits =
+        name == kToText
+            ? wanted == 1
+            : std::ranges::any_of(
+                  checker.registry.functions(name), [&](const NativeFunction* function) {
+                    return takes_values(checker.shared.signatures.of(*function), wanted);
+                  });
+    return fits ? 0 : -1;
   }
   const FunctionDecl* function = written_function(checker, written);
-  return function != nullptr && function->node->params.size() == wanted;
+  if (function == nullptr || function->node->params.size() != wanted) return -1;
+  return cost_of_parameters(pattern, function->parameters, known);
 }
 
 void match_argument(Checker& checker, const Signature& signature,
@@ -126,7 +157,7 @@ void match_argument(Checker& checker, const Signature& signature,
   const TypePattern& pattern = target.variadic ? target.type.parts[0] : target.type;
   int cost = 0;
   if (given.waits()) {
-    cost = fit_waiting(checker, *given.written, pattern) ? 0 : -1;
+    cost = fit_waiting(checker, *given.written, pattern, fit.bindings);
   } else if (target.any_number) {
     cost = given.value->type->is_number() ? 0 : -1;
   } else {

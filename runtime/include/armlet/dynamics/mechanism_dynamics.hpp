@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
 
 #include "armlet/model/mechanism.hpp"
 
@@ -43,6 +44,20 @@ Eigen::MatrixXd mass_matrix(const Mechanism& mechanism, const Eigen::VectorXd& q
 Eigen::VectorXd forward_dynamics(const Mechanism& mechanism, const Eigen::VectorXd& q,
                                  const Eigen::VectorXd& qd, const Eigen::VectorXd& tau,
                                  const Eigen::Vector3d& gravity);
+
+// inverse_dynamics(q, qd, qdd) = Y p without Stribeck's part, which is not linear: p, the
+// parameters of all bodies one after the other, kLinkParameters each as in identification.hpp, in
+// their own frames; those of motors and friction are zero for bodies that are fixed. Y is actuators
+// x p.size() and depends on the geometry and on gravity alone.
+Eigen::VectorXd dynamic_parameters(const Mechanism& mechanism);
+Eigen::MatrixXd dynamics_regressor(const Mechanism& mechanism, const MechanismMotion& motion,
+                                   const Eigen::Vector3d& gravity);
+
+// The mechanism with a payload that is fixed to a tip, in whose frame its centre and its inertia
+// are.
+//
+// throws  ArgumentError if there is no such tip, and for a payload that no body has.
+Mechanism with_payload(const Mechanism& mechanism, std::string_view tip, const Payload& payload);
 
 // 1/2 qd' M qd, and minus the sum of mass times gravity times centre of mass, J.
 double kinetic_energy(const Mechanism& mechanism, const Eigen::VectorXd& q,

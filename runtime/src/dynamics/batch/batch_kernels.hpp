@@ -40,10 +40,20 @@ template <class V>
   return all_lanes<V>(link.friction.viscous) * qd + dry;
 }
 
+template <class V>
+[[gnu::always_inline]] inline bool is_zero(V v) {
+  double sum = 0.0;
+  for (std::size_t lane = 0; lane < kLanesOf<V>; ++lane) sum += v[lane];
+  return sum == 0.0;
+}
+
+// doubt  stays zero in every lane while all forces are finite: what is not, leaves NaN in its
+//        difference with itself.
 template <class V, bool kSlides>
 struct InverseBlock {
   const MotionBatch& batch;
   double* tau;
+  V& doubt;
 
   template <class Block>
   [[gnu::always_inline]] void operator()(const Block& block, std::size_t k) const {
@@ -59,27 +69,34 @@ struct InverseBlock {
             sum = sum + lane_friction(link, motion.plain(batch.qd, i));
           }
           store_lanes(tau + static_cast<std::size_t>(i) * batch.count + k, sum);
+          doubt = doubt + (sum - sum);
         });
   }
 };
 
 template <class V, bool kSlides>
-[[gnu::noinline]] static void inverse_few(const MotionBatch& batch, double* tau) {
-  few_configurations<V>(batch.arm, batch.q, batch.count, InverseBlock<V, kSlides>{batch, tau});
+[[gnu::noinline]] static bool inverse_few(const MotionBatch& batch, double* tau) {
+  V doubt{};
+  few_configurations<V>(batch.arm, batch.q, batch.count,
+                        InverseBlock<V, kSlides>{batch, tau, doubt});
+  return is_zero(doubt);
 }
 
 template <class V, bool kSlides>
-[[gnu::noinline]] static void inverse_many(const MotionBatch& batch, double* tau) {
-  all_configurations<V>(batch.arm, batch.q, batch.count, InverseBlock<V, kSlides>{batch, tau});
+[[gnu::noinline]] static bool inverse_many(const MotionBatch& batch, double* tau) {
+  V doubt{};
+  all_configurations<V>(batch.arm, batch.q, batch.count,
+                        InverseBlock<V, kSlides>{batch, tau, doubt});
+  return is_zero(doubt);
 }
 
 template <class V>
-void inverse_batch_kernel(const MotionBatch& batch, double* tau) {
+bool inverse_batch_kernel(const MotionBatch& batch, double* tau) {
   if (are_few<V>(batch.count)) {
-    return batch.plan.any_slides ? inverse_few<V, true>(batch, tau)
+    return batch.plan.is_mixed() ? inverse_few<V, true>(batch, tau)
                                  : inverse_few<V, false>(batch, tau);
   }
-  return batch.plan.any_slides ? inverse_many<V, true>(batch, tau)
+  return batch.plan.is_mixed() ? inverse_many<V, true>(batch, tau)
                                : inverse_many<V, false>(batch, tau);
 }
 

@@ -14,8 +14,8 @@ struct MotionBatch {
 };
 
 // Writes the joint forces of all motions, friction included unless the plan has that of Stribeck;
-// `count` is at least the number of lanes.
-using MotionKernel = void(const MotionBatch& batch, double* tau);
+// `count` is at least the number of lanes. Gives whether all of them are finite.
+using MotionKernel = bool(const MotionBatch& batch, double* tau);
 
 struct DynamicsBatchKernels {
   std::size_t lanes;

@@ -16,25 +16,27 @@ const DynamicsBatchKernels& kernels_for(InstructionSet set, std::size_t count) {
 }
 
 // The baseline has two lanes, of which a single motion fills one.
-void one_motion(const Robot& robot, const DynamicsPlan& plan, const MotionBatch& batch,
+bool one_motion(const Robot& robot, const DynamicsPlan& plan, const MotionBatch& batch,
                 double* tau) {
   kernel_for(kInverseKernels, plan)(
       {robot.walk_plan(), plan, batch.q, batch.qd, batch.qdd, plan.base_acceleration}, tau);
   if (plan.friction == FrictionKind::kCoulomb) add_friction(plan, batch.qd, tau);
+  return all_finite(tau, static_cast<Eigen::Index>(plan.n));
 }
 
-void add_stribeck(const DynamicsPlan& plan, const MotionBatch& batch, double* tau) {
+bool add_stribeck(const DynamicsPlan& plan, const MotionBatch& batch, double* tau) {
   for (std::size_t i = 0; i < plan.n; ++i) {
     for (std::size_t at = i * batch.count; at < (i + 1) * batch.count; ++at) {
       tau[at] += joint_friction(plan.links[i], batch.qd[at]);
     }
   }
+  return all_finite(tau, static_cast<Eigen::Index>(plan.n * batch.count));
 }
 
-void check_result(const Robot& robot, std::span<const double> tau, std::size_t count) {
-  if (all_finite(tau.data(), static_cast<Eigen::Index>(tau.size()))) return;
+[[noreturn]] void refuse_result(const Robot& robot, std::span<const double> tau,
+                                std::size_t count) {
   std::size_t at = 0;
-  while (std::isfinite(tau[at])) ++at;
+  while (at + 1 < tau.size() && std::isfinite(tau[at])) ++at;
   throw ArgumentError(fmt::format(
       "The force of joint {} of robot `{}` in motion {} is not finite; expected finite values and "
       "rates of ordinary size.",
@@ -57,13 +59,12 @@ void inverse_dynamics_batch(const Robot& robot, std::span<const double> q,
   const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   const BatchArm arm = batch_arm(robot.walk_plan());
   const MotionBatch batch = {arm, plan, q.data(), qd.data(), qdd.data(), count};
-  if (count == 1) {
-    one_motion(robot, plan, batch, tau.data());
-  } else {
-    kernels_for(set, count).inverse(batch, tau.data());
-  }
-  if (plan.friction == FrictionKind::kStribeck) add_stribeck(plan, batch, tau.data());
-  check_result(robot, tau, count);
+  bool finite = count == 1 ? one_motion(robot, plan, batch, tau.data())
+                           : kernels_for(set, count).inverse(batch, tau.data());
+  if (plan.friction == FrictionKind::kStribeck)
+    finite = add_stribeck(plan, batch, tau.data()) && finite;
+  if (!finite) [[unlikely]]
+    refuse_result(robot, tau, count);
 }
 
 }  // namespace armlet

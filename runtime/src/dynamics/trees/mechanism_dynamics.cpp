@@ -9,22 +9,15 @@
 #include "armlet/core/error.hpp"
 #include "armlet/math/check_finite.hpp"
 #include "armlet/math/det_math.hpp"
-#include "dynamics/spatial_arm.hpp"
-#include "model/body_inertia.hpp"
+#include "spatial_tree.hpp"
 
 namespace armlet {
 namespace {
 
 using Eigen::Isometry3d;
-using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-void check_values(std::string_view name, const VectorXd& values, const Mechanism& mechanism) {
-  check_size(name, values.size(), mechanism.actuator_count());
-  check_finite(name, values);
-}
 
 void check_result(const Mechanism& mechanism, const VectorXd& result, std::string_view what) {
   for (Eigen::Index i = 0; i < result.size(); ++i) {
@@ -35,8 +28,6 @@ void check_result(const Mechanism& mechanism, const VectorXd& result, std::strin
         what, mechanism.actuators()[static_cast<std::size_t>(i)].name, mechanism.name()));
   }
 }
-
-double squared_gear(const Link& link) { return link.gear * link.gear; }
 
 // As Link::friction describes it, at the joint.
 double friction_of(const Link& link, double qd) {
@@ -49,98 +40,6 @@ double friction_of(const Link& link, double qd) {
   }
   return squared_gear(link) * f.viscous * qd + std::abs(link.gear) * dry;
 }
-
-// A tree at one configuration, in spatial vectors about the origin of the base and in its axes, so
-// that no vector is ever moved from body to body.
-class SpatialTree {
- public:
-  SpatialTree(const Mechanism& mechanism, const VectorXd& q) : mechanism_(mechanism) {
-    const VectorXd values = mechanism.joint_values(q);
-    for (std::size_t i = 0; i < mechanism.bodies().size(); ++i) {
-      const Body& body = mechanism.bodies()[i];
-      const int joint = mechanism.joint_of(at(i));
-      Isometry3d T = body.parent >= 0 ? frames_[index(body.parent)] * body.T_parent_joint
-                                      : body.T_parent_joint;
-      frames_.push_back(joint >= 0 ? T * joint_motion(body, values[joint]) : T);
-      axes_.push_back(axis_of(body, frames_[i]));
-      inertias_.push_back(inertia_of(body.link, frames_[i]));
-    }
-  }
-
-  // The forces of all joints; motors and friction are not in them.
-  VectorXd joint_forces(const VectorXd& rates, const VectorXd& accelerations,
-                        const Vector3d& gravity) const {
-    const std::size_t count = frames_.size();
-    Vector6d falling;
-    falling << -gravity, Vector3d::Zero();
-    std::vector<Vector6d> v(count), a(count), f(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const int parent = mechanism_.bodies()[i].parent, joint = mechanism_.joint_of(at(i));
-      v[i] = parent < 0 ? Vector6d(Vector6d::Zero()) : v[index(parent)];
-      a[i] = parent < 0 ? falling : a[index(parent)];
-      if (joint >= 0) {
-        const Vector6d own = axes_[i] * rates[joint];
-        v[i] += own;
-        a[i] += axes_[i] * accelerations[joint] + spatial_cross(v[i], own);
-      }
-      f[i] = inertias_[i] * a[i] + spatial_cross_force(v[i], inertias_[i] * v[i]);
-    }
-    VectorXd tau(mechanism_.joint_count());
-    for (std::size_t i = count; i-- > 0;) {
-      const int parent = mechanism_.bodies()[i].parent, joint = mechanism_.joint_of(at(i));
-      if (joint >= 0) tau[joint] = axes_[i].dot(f[i]);
-      if (parent >= 0) f[index(parent)] += f[i];
-    }
-    return tau;
-  }
-
-  // The inertia matrix of all joints, with the rotors.
-  MatrixXd joint_inertia() const {
-    MatrixXd H = MatrixXd::Zero(mechanism_.joint_count(), mechanism_.joint_count());
-    std::vector<Matrix6d> composite = inertias_;
-    for (std::size_t i = frames_.size(); i-- > 0;) {
-      const Body& body = mechanism_.bodies()[i];
-      if (body.parent >= 0) composite[index(body.parent)] += composite[i];
-      const int joint = mechanism_.joint_of(at(i));
-      if (joint < 0) continue;
-      const Vector6d force = composite[i] * axes_[i];
-      H(joint, joint) = axes_[i].dot(force) + squared_gear(body.link) * body.link.motor_inertia;
-      for (int k = body.parent; k >= 0; k = mechanism_.bodies()[index(k)].parent) {
-        const int other = mechanism_.joint_of(k);
-        if (other >= 0) H(joint, other) = H(other, joint) = axes_[index(k)].dot(force);
-      }
-    }
-    return H;
-  }
-
-  [[nodiscard]] const std::vector<Isometry3d>& frames() const { return frames_; }
-
- private:
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  static int at(std::size_t i) { return static_cast<int>(i); }
-
-  static Vector6d axis_of(const Body& body, const Isometry3d& T) {
-    const Vector3d z = T.linear() * body.axis;
-    Vector6d axis = Vector6d::Zero();
-    if (body.joint == BodyJoint::kRevolute) axis << T.translation().cross(z), z;
-    if (body.joint == BodyJoint::kPrismatic) axis.head<3>() = z;
-    return axis;
-  }
-
-  static Matrix6d inertia_of(const Link& link, const Isometry3d& T) {
-    const Vector3d c = T * link.com;
-    const Matrix3d h = hat(link.mass * c);
-    Matrix6d I;
-    I << link.mass * Matrix3d::Identity(), -h, h,
-        T.linear() * link.inertia * T.linear().transpose() - h * hat(c);
-    return I;
-  }
-
-  const Mechanism& mechanism_;
-  std::vector<Isometry3d> frames_;
-  std::vector<Vector6d> axes_;
-  std::vector<Matrix6d> inertias_;
-};
 
 // What the motors at the joints take for themselves.
 VectorXd motor_forces(const Mechanism& mechanism, const VectorXd& rates,
@@ -159,10 +58,7 @@ VectorXd motor_forces(const Mechanism& mechanism, const VectorXd& rates,
 
 VectorXd inverse_dynamics(const Mechanism& mechanism, const MechanismMotion& motion,
                           const Vector3d& gravity) {
-  check_values("q", motion.q, mechanism);
-  check_values("qd", motion.qd, mechanism);
-  check_values("qdd", motion.qdd, mechanism);
-  check_finite("gravity", gravity);
+  check_motion(mechanism, motion, gravity);
   const MatrixXd& C = mechanism.spec().coupling;
   const VectorXd rates = C * motion.qd, accelerations = C * motion.qdd;
   const VectorXd joints =

@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "armlet/core/random.hpp"
-#include "checks.hpp"
-#include "plan_dynamics.hpp"
-#include "spatial_arm.hpp"
+#include "dynamics/checks.hpp"
+#include "dynamics/plan_dynamics.hpp"
+#include "dynamics/spatial_arm.hpp"
+#include "link_parameters.hpp"
 
 namespace armlet {
 namespace {
@@ -15,27 +16,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr int kMassParameters = 10;
-
-// The second moment of a body whose inertia about the origin is 1 in this place and 0 elsewhere:
-// tr(I) / 2 - I.
-Moments unit_inertia(int row, int column) {
-  Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
-  I(row, column) = I(column, row) = 1.0;
-  Moments body;
-  body.S = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
-  return body;
-}
-
-// A body with 1 for the parameter k of the first ten, and 0 for the others.
-Moments unit_body(int k) {
-  constexpr int kPlaces[6][2] = {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
-  if (k >= 4) return unit_inertia(kPlaces[k - 4][0], kPlaces[k - 4][1]);
-  Moments body;
-  (k == 0 ? body.mass : body.h[k - 1]) = 1.0;
-  return body;
-}
 
 // A few motions through all places, at all speeds.
 class RandomMotions {
@@ -104,12 +84,10 @@ VectorXd dynamic_parameters(const Robot& robot) {
   const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   VectorXd p(kLinkParameters * robot.n());
   for (int i = 0; i < robot.n(); ++i) {
-    const Moments body = moments_in_link(robot, i);
-    const Eigen::Matrix3d I = body.S.trace() * Eigen::Matrix3d::Identity() - body.S;
     const PlanLink& link = plan.links[i];
-    p.segment<kLinkParameters>(kLinkParameters * i) << body.mass, body.h, I(0, 0), I(0, 1), I(0, 2),
-        I(1, 1), I(1, 2), I(2, 2), link.motor_inertia, link.friction.viscous,
-        link.friction.coulomb_plus, link.friction.coulomb_minus;
+    p.segment<kLinkParameters>(kLinkParameters * i) << mass_parameters(moments_in_link(robot, i)),
+        link.motor_inertia, link.friction.viscous, link.friction.coulomb_plus,
+        link.friction.coulomb_minus;
   }
   return p;
 }
