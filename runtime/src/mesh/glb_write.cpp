@@ -13,7 +13,7 @@
 namespace armlet {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 void append_u32(std::string& bytes, std::uint32_t value) {
   for (int k = 0; k < 4; ++k) bytes += static_cast<char>((value >> (8 * k)) & 0xffU);
@@ -23,7 +23,7 @@ void pad(std::string& bytes, char with) {
   while (bytes.size() % 4 != 0) bytes += with;
 }
 
-Json rotation_of(const Eigen::Isometry3d& T) {
+OrderedJson rotation_of(const Eigen::Isometry3d& T) {
   Eigen::Quaterniond turn(T.linear());
   turn.normalize();
   if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
@@ -48,16 +48,16 @@ class Writer {
 
   std::string bytes() {
     for (const GlbMaterial& each : scene_.materials) add_material(each);
-    Json roots = Json::array();
+    OrderedJson roots = OrderedJson::array();
     for (std::size_t i = 0; i < scene_.nodes.size(); ++i) add_node(static_cast<int>(i), roots);
-    Json upright = {{"name", "z up"},
-                    {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}},
-                    {"children", roots}};
+    OrderedJson upright = {{"name", "z up"},
+                           {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}},
+                           {"children", roots}};
     nodes_.push_back(upright);
-    Json json = {{"asset", {{"version", "2.0"}, {"generator", "armlet"}}},
-                 {"scene", 0},
-                 {"scenes", {{{"nodes", {nodes_.size() - 1}}}}},
-                 {"nodes", nodes_}};
+    OrderedJson json = {{"asset", {{"version", "2.0"}, {"generator", "armlet"}}},
+                        {"scene", 0},
+                        {"scenes", {{{"nodes", {nodes_.size() - 1}}}}},
+                        {"nodes", nodes_}};
     if (!meshes_.empty()) {
       json["meshes"] = meshes_;
       json["materials"] = materials_;
@@ -100,32 +100,32 @@ class Writer {
   }
 
   // With its place in its parent, or in `roots`.
-  void add_node(int index, Json& roots) {
+  void add_node(int index, OrderedJson& roots) {
     const GlbNode& node = scene_.nodes[static_cast<std::size_t>(index)];
     if (node.parent >= index || node.parent < -1)
       throw ArgumentError(
           fmt::format("The parent of node \"{}\" does not come before it.", node.name));
     const Eigen::Vector3d& p = node.T_parent_node.translation();
-    Json json = {{"name", node.name},
-                 {"translation", {p.x(), p.y(), p.z()}},
-                 {"rotation", rotation_of(node.T_parent_node)}};
+    OrderedJson json = {{"name", node.name},
+                        {"translation", {p.x(), p.y(), p.z()}},
+                        {"rotation", rotation_of(node.T_parent_node)}};
     if (!node.parts.empty()) json["mesh"] = add_mesh(node);
     if (node.joint) json["extras"] = extras_of(*node.joint);
     nodes_.push_back(json);
-    Json& siblings =
+    OrderedJson& siblings =
         node.parent < 0 ? roots : nodes_[static_cast<std::size_t>(node.parent)]["children"];
     siblings.push_back(index);
   }
 
-  static Json extras_of(const GlbJoint& joint) {
-    Json extras = {{"joint", joint.turns ? "revolute" : "prismatic"}, {"q", joint.q}};
+  static OrderedJson extras_of(const GlbJoint& joint) {
+    OrderedJson extras = {{"joint", joint.turns ? "revolute" : "prismatic"}, {"q", joint.q}};
     if (std::isfinite(joint.lower)) extras["lower"] = joint.lower;
     if (std::isfinite(joint.upper)) extras["upper"] = joint.upper;
     return extras;
   }
 
   std::size_t add_mesh(const GlbNode& node) {
-    Json primitives = Json::array();
+    OrderedJson primitives = OrderedJson::array();
     for (const GlbPart& part : node.parts) {
       check_part(scene_, node, part);
       primitives.push_back({{"attributes",
@@ -154,10 +154,10 @@ class Writer {
       high = high.cwiseMax(each);
       for (const float x : each) append_u32(binary_, std::bit_cast<std::uint32_t>(x));
     }
-    Json accessor = {{"bufferView", add_view(offset, glb::kArrayBuffer)},
-                     {"componentType", glb::kFloat},
-                     {"count", vectors.size()},
-                     {"type", "VEC3"}};
+    OrderedJson accessor = {{"bufferView", add_view(offset, glb::kArrayBuffer)},
+                            {"componentType", glb::kFloat},
+                            {"count", vectors.size()},
+                            {"type", "VEC3"}};
     if (with_bounds) {
       accessor["min"] = {low.x(), low.y(), low.z()};
       accessor["max"] = {high.x(), high.y(), high.z()};
@@ -178,8 +178,9 @@ class Writer {
 
   const GlbScene& scene_;
   std::string binary_;
-  Json nodes_ = Json::array(), meshes_ = Json::array(), materials_ = Json::array(),
-       accessors_ = Json::array(), views_ = Json::array();
+  OrderedJson nodes_ = OrderedJson::array(), meshes_ = OrderedJson::array(),
+              materials_ = OrderedJson::array(), accessors_ = OrderedJson::array(),
+              views_ = OrderedJson::array();
 };
 
 }  // namespace

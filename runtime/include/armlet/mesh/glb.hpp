@@ -6,7 +6,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "armlet/core/error.hpp"
+#include "armlet/mesh/triangle_mesh.hpp"
 
 namespace armlet {
 
@@ -63,5 +67,15 @@ struct GlbScene {
 //         there, parts whose arrays do not fit together, and a file of more than 4 GB.
 // source  Khronos Group, glTF 2.0 specification, 2021, chapters 3 and 4.4 (GLB).
 std::string write_glb(const GlbScene& scene);
+
+// The triangles of a scene, all nodes together, z up, in the frame of the file. Points and lines
+// are left out. Only the bytes are read: nothing that they name is opened. Every number is checked
+// before it is used; a file takes at most 40 times its size, and 300 MB.
+//
+// returns  an error whose message says what is wrong, as a sentence without an end: a file that is
+//          none or is cut off, sizes and indices that do not fit, extensions that the geometry
+//          needs, and what TriangleMesh refuses.
+// source   as write_glb.
+Result<TriangleMesh> read_glb(std::string_view bytes);
 
 }  // namespace armlet
