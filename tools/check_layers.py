@@ -9,19 +9,20 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-RUNTIME = ["core", "math", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "collision", "planning", "vision", "plot", "backend"]
+RUNTIME = ["core", "math", "mesh", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "collision", "planning", "vision", "plot", "backend"]
 
 # layer: the layers whose public headers it may include, besides its own.
 MAY_INCLUDE = {
     "core": [],
     "math": ["core"],
+    "mesh": ["core", "math"],
     "chain": ["core", "math"],
-    "model": ["core", "math", "chain"],
+    "model": ["core", "math", "mesh", "chain"],
     "kinematics": ["core", "math", "chain", "model"],
     "dynamics": ["core", "math", "chain", "model"],
     "trajectory": ["core", "math", "chain", "model", "kinematics", "dynamics"],
-    "world": ["core", "math"],
-    "collision": ["core", "math", "chain", "model", "kinematics", "trajectory", "world"],
+    "world": ["core", "math", "mesh"],
+    "collision": ["core", "math", "mesh", "chain", "model", "kinematics", "trajectory", "world"],
     "planning": ["core", "math", "chain", "model", "kinematics", "trajectory", "world", "collision"],
     "vision": ["core", "math", "world"],
     "plot": ["core", "math"],
@@ -36,6 +37,7 @@ EVERYTHING = list(MAY_INCLUDE)
 FENCES = {
     "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax/"]),
     "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp"]),
+    "nlohmann": (r"nlohmann/", ["runtime/src/mesh/", "interpreter/src/diagnostic/", "apps/", "tests/"]),
     "OMPL": (r"ompl/|boost/", ["runtime/src/planning/ompl/"]),
     "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
     "the system": (r"^(sys/.*|(dirent|dlfcn|fcntl|poll|pthread|sched|signal|termios|time|ucontext|unistd)\.h"

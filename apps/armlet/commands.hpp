@@ -75,6 +75,8 @@ struct RobotOptions {
   bool json = false;
   bool urdf = false;       // write a URDF
   bool block = false;      // write a robot block
+  bool glb = false;        // write its shapes as GLB
+  std::string glb_file;    // to this file; empty: to standard output
   bool published = false;  // keep inertias that no rigid body has
 };
 

@@ -161,7 +161,20 @@ void add_robot_options(CLI::App& command, Asked& asked) {
   CLI::Option* block =
       command.add_flag("--rbt", asked.robot.block, "as a robot block for a program")
           ->excludes(urdf);
-  json->excludes(urdf)->excludes(block);
+  CLI::Option* glb = command
+                         .add_option_function<std::string>(
+                             "--glb",
+                             [&asked](const std::string& file) {
+                               asked.robot.glb = true;
+                               asked.robot.glb_file = file;
+                             },
+                             "its shapes, as the page draws them, as a GLB file (default: to "
+                             "standard output)")
+                         ->type_name("FILE")
+                         ->expected(0, 1)
+                         ->excludes(urdf)
+                         ->excludes(block);
+  json->excludes(urdf)->excludes(block)->excludes(glb);
   command.add_option("--tip", asked.robot.tip, "of a .urdf file: the link at the end of the arm")
       ->type_name("LINK");
   command.add_flag("--published", asked.robot.published,

@@ -1,18 +1,22 @@
 // armlet robot: the catalogue, the table of one robot, and robots as files.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/format.hpp"
+#include "armlet/mesh/glb.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/model/hands.hpp"
+#include "armlet/model/robot_scene.hpp"
 #include "armlet/model/serial_arm.hpp"
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/robot_text.hpp"
 #include "console.hpp"
+#include "output_file.hpp"
 #include "robot_table.hpp"
 
 namespace armlet::cli {
@@ -112,6 +116,32 @@ int print_block(const Found& found) {
   return finish_output() ? kDone : kFailed;
 }
 
+int print_glb(const Found& found, const RobotOptions& options) {
+  if (found.arm == nullptr) {
+    return refuse(
+        found.hand ? fmt::format("{} is a hand; shapes are made for arms", found.hand->name)
+                   : fmt::format("{} is no single chain; shapes are made for arms", options.name),
+        kUsage);
+  }
+  const std::string bytes = write_glb(robot_scene(*found.arm));
+  if (options.glb_file.empty()) {
+    if (isatty(STDOUT_FILENO) != 0) {
+      return refuse(
+          fmt::format("a GLB is not text; write it to a file: --glb {}.glb", found.arm->name()),
+          kUsage);
+    }
+    print_out(bytes);
+    return finish_output() ? kDone : kFailed;
+  }
+  OutputFile file("scene");
+  file.set_path(options.glb_file);
+  std::vector<std::string> read;
+  if (found.file) read.push_back(options.name);
+  if (const int exit = file.open(read); exit != kDone) return exit;
+  file.file().write(bytes);
+  return file.finish();
+}
+
 }  // namespace
 
 std::shared_ptr<const Robot> find_robot(const std::string& name) {
@@ -128,11 +158,15 @@ std::shared_ptr<const Robot> find_robot(const std::string& name) {
 }
 
 int robot(const RobotOptions& options) {
+  if (options.name.empty() && options.glb) {
+    return refuse("the robot goes before the file: armlet robot puma560 --glb puma560.glb", kUsage);
+  }
   if (options.name.empty()) return list_robots(options.json);
   const Found found = find(options);
   if (found.exit != kDone) return found.exit;
   if (options.urdf) return print_urdf(found);
   if (options.block) return print_block(found);
+  if (options.glb) return print_glb(found, options);
   if (found.hand) {
     print_out(hand_text(*found.hand));
   } else {

@@ -7,6 +7,10 @@ struct ShapeSize {
   std::vector<double> operator()(const Box& box) const {
     return {box.size.x(), box.size.y(), box.size.z()};
   }
+  std::vector<double> operator()(const Mesh& mesh) const {
+    const Eigen::Vector3d size = mesh.triangles->high() - mesh.triangles->low();
+    return {size.x(), size.y(), size.z()};
+  }
   std::vector<double> operator()(const Sphere& sphere) const { return {sphere.radius}; }
   std::vector<double> operator()(const Plane& plane) const {
     return {plane.size.x(), plane.size.y()};

@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "collision/contact_patch.hpp"
+#include "collision/difference.hpp"
 
 namespace armlet {
 namespace {
@@ -21,6 +22,10 @@ double extent(const Solid& solid, const Vector3d& n) {
     case Solid::Core::kSegment:
     case Solid::Core::kBox:
       break;
+    case Solid::Core::kHull:
+    case Solid::Core::kTriangle:
+    case Solid::Core::kMesh:
+      return reach + core_support(solid, d).dot(d);
     case Solid::Core::kCylinder:
       return reach + across * solid.half.x() + std::abs(d.z()) * solid.half.z();
     case Solid::Core::kCone:
@@ -36,6 +41,26 @@ double slab(const Solid& a, const Solid& b, const Vector3d& n) {
   return -extent(a, -n) - extent(b, n);
 }
 
+// The normal of the face of a hull whose direction is that of `n` to 1e-6, towards a.
+std::optional<Vector3d> face_normal(const Solid& a, const Solid& b, const Solid& hull,
+                                    const Vector3d& n) {
+  (void)b;
+  const Vector3d out = hull.T.linear().transpose() * (&hull == &a ? Vector3d(-n) : n);
+  const TriangleMesh& mesh = *hull.mesh;
+  const double height = mesh.farthest(out).dot(out);
+  constexpr double kFlat = 1e-8;  // m
+  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+    if (mesh.corner(i, 0).dot(out) < height - kFlat ||
+        mesh.corner(i, 1).dot(out) < height - kFlat || mesh.corner(i, 2).dot(out) < height - kFlat)
+      continue;
+    const Vector3d face = (mesh.corner(i, 1) - mesh.corner(i, 0))
+                              .cross(mesh.corner(i, 2) - mesh.corner(i, 0))
+                              .normalized();
+    if (face.dot(out) > 1.0 - 1e-9) return hull.T.linear() * (&hull == &a ? Vector3d(-face) : face);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Vector3d contact_normal(const Solid& a, const Solid& b) {
@@ -43,8 +68,13 @@ Vector3d contact_normal(const Solid& a, const Solid& b) {
   const Gap gap = gap_between(a, b);
   double widest = gap.distance - kAsGood;
   Vector3d normal = gap.away;
+  if (!a.is_convex() || !b.is_convex()) return normal;
   for (const Solid* body : {&a, &b}) {
     const bool is_box = body->core == Solid::Core::kBox;
+    if (body->core == Solid::Core::kHull) {
+      if (const auto n = face_normal(a, b, *body, normal)) normal = *n;
+      continue;
+    }
     const bool has_cap = body->core == Solid::Core::kCylinder || body->core == Solid::Core::kCone;
     for (int axis = is_box ? 0 : 2; axis < 3 && (is_box || has_cap); ++axis) {
       for (const double sign : {1.0, -1.0}) {
@@ -60,16 +90,18 @@ Vector3d contact_normal(const Solid& a, const Solid& b) {
 }
 
 double depth_along(const Solid& a, const Solid& b, const Vector3d& n) {
-  constexpr int kMostSteps = 60;
+  // What is not convex may come back by the gap alone.
+  const bool is_convex = a.is_convex() && b.is_convex();
+  const int most_steps = is_convex ? 60 : 400;
   constexpr double kExact = 1e-10;  // m
   double depth = -slab(a, b, n);
   Solid moved = a;
   // Moved so far it touches at most. As long as there is a gap it may come back by what that gap
   // is, measured along n.
-  for (int step = 0; step < kMostSteps && depth > 0.0; ++step) {
+  for (int step = 0; step < most_steps && depth > 0.0; ++step) {
     moved.T.translation() = a.T.translation() + depth * n;
     const Gap gap = gap_between(moved, b);
-    const double rate = gap.away.dot(n);
+    const double rate = is_convex ? gap.away.dot(n) : 1.0;
     if (gap.distance <= kExact || rate <= 0.0) break;
     depth -= gap.distance / rate;
   }
@@ -77,8 +109,10 @@ double depth_along(const Solid& a, const Solid& b, const Vector3d& n) {
 }
 
 Vector3d pressure_point(const Solid& a, const Solid& b, const Vector3d& n) {
-  const ContactPatch lower = contact_patch(a, -n), upper = contact_patch(b, n);
-  if (const auto common = middle_of_both(lower, upper, n)) return *common;
+  if (a.is_convex() && b.is_convex()) {
+    const ContactPatch lower = contact_patch(a, -n), upper = contact_patch(b, n);
+    if (const auto common = middle_of_both(lower, upper, n)) return *common;
+  }
   Solid free = a;
   free.T.translation() += depth_along(a, b, n) * n;
   return gap_between(free, b).p_a + a.T.translation() - free.T.translation();

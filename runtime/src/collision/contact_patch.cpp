@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "armlet/math/det_math.hpp"
+#include "collision/difference.hpp"
 
 namespace armlet {
 namespace {
@@ -60,6 +61,39 @@ ContactPatch round_feature(const Solid& solid, const Vector3d& d) {
   const double rise = (top - bottom).dot(d);
   if (std::abs(rise) <= kFlat) return {.points = {bottom, top}};
   return {.points = {rise > 0.0 ? top : bottom}};
+}
+
+// The vertices of a mesh that are as high along d as the highest one, around them (the chains of A.
+// M. Andrew 1979).
+ContactPatch mesh_feature(const Solid& solid, const Vector3d& d) {
+  const double height = core_support(solid, d).dot(d) - kFlat;
+  std::vector<Vector3d> high;
+  for (const Vector3d& each : solid.mesh->vertices()) {
+    if (each.dot(d) >= height) high.push_back(each);
+  }
+  if (high.size() < 3) return {.points = high};
+  const Vector3d u = d.unitOrthogonal(), v = d.normalized().cross(u);
+  const auto seen = [&](const Vector3d& p) { return Vector2d(p.dot(u), p.dot(v)); };
+  std::ranges::sort(high, [&](const Vector3d& p, const Vector3d& q) {
+    const Vector2d a = seen(p), b = seen(q);
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  const auto turns_left = [&](const Vector3d& p, const Vector3d& q, const Vector3d& r) {
+    const Vector2d a = seen(q) - seen(p), b = seen(r) - seen(p);
+    return a.x() * b.y() - a.y() * b.x() > 1e-14;
+  };
+  std::vector<Vector3d> around;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t begin = around.size();
+    for (const Vector3d& each : high) {
+      while (around.size() >= begin + 2 && !turns_left(*(around.end() - 2), around.back(), each))
+        around.pop_back();
+      around.push_back(each);
+    }
+    around.pop_back();
+    std::ranges::reverse(high);
+  }
+  return {.points = around};
 }
 
 double area_of(const Polygon& polygon) {
@@ -150,8 +184,9 @@ bool holds_disc(const ContactPatch& face, const Polygon& outline, const Vector2d
 ContactPatch contact_patch(const Solid& solid, const Vector3d& along) {
   const Vector3d d = solid.T.linear().transpose() * along;
   const bool is_round = solid.core == Solid::Core::kCylinder || solid.core == Solid::Core::kCone;
-  ContactPatch patch =
-      is_round ? round_feature(solid, d) : ContactPatch{.points = straight_feature(solid.half, d)};
+  ContactPatch patch = solid.mesh != nullptr ? mesh_feature(solid, d)
+                       : is_round            ? round_feature(solid, d)
+                                  : ContactPatch{.points = straight_feature(solid.half, d)};
   for (Vector3d& point : patch.points) point = solid.T * point + solid.margin * along;
   patch.centre = solid.T * patch.centre + solid.margin * along;
   return patch;

@@ -8,6 +8,9 @@
 
 namespace armlet {
 
+// The point of a core that lies farthest along d, in its own frame.
+Eigen::Vector3d core_support(const Solid& solid, const Eigen::Vector3d& d);
+
 // A point of the difference, w = a - b, and the points of both cores that give it; all in the frame
 // of the first body.
 struct DifferencePoint {

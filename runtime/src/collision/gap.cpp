@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "collision/difference.hpp"
+#include "collision/mesh_gap.hpp"
 
 namespace armlet {
 namespace {
@@ -41,12 +42,14 @@ Gap apart(const Solid& a, const Solid& b, const Nearest& nearest) {
 }  // namespace
 
 Gap gap_between(const Solid& a, const Solid& b) {
+  if (!a.is_convex() || !b.is_convex()) return mesh_gap(a, b);
   const CoreDifference difference(a, b);
   const Nearest nearest = nearest_point(difference);
   return nearest.overlap ? overlapping(a, b, difference, nearest.simplex) : apart(a, b, nearest);
 }
 
 bool is_farther(const Solid& a, const Solid& b, double distance) {
+  if (!a.is_convex() || !b.is_convex()) return is_mesh_farther(a, b, distance);
   const double wanted = distance + a.margin + b.margin;
   return nearest_point(CoreDifference(a, b), wanted).at_least > wanted;
 }

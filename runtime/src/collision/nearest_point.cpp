@@ -12,27 +12,13 @@ using Eigen::Vector3d;
 
 double with_sign(double size, double d) { return d < 0.0 ? -size : size; }
 
-// The point of a core that lies farthest along d, in its own frame.
-Vector3d core_support(const Solid& solid, const Vector3d& d) {
-  const Vector3d& half = solid.half;
-  switch (solid.core) {
-    case Solid::Core::kPoint:
-      return Vector3d::Zero();
-    case Solid::Core::kSegment:
-      return {0.0, 0.0, with_sign(half.z(), d.z())};
-    case Solid::Core::kBox:
-      return {with_sign(half.x(), d.x()), with_sign(half.y(), d.y()), with_sign(half.z(), d.z())};
-    case Solid::Core::kCylinder:
-    case Solid::Core::kCone:
-      break;
-  }
-  const double across = std::sqrt(d.x() * d.x() + d.y() * d.y());
-  const double part = across > 0.0 ? half.x() / across : 0.0;
-  const bool is_tip =
-      solid.core == Solid::Core::kCone && half.z() * d.z() >= half.x() * across - half.z() * d.z();
-  if (is_tip) return {0.0, 0.0, half.z()};
-  const double z = solid.core == Solid::Core::kCone ? -half.z() : with_sign(half.z(), d.z());
-  return {part * d.x(), part * d.y(), z};
+const Vector3d& triangle_support(const TriangleMesh& mesh, std::size_t triangle,
+                                 const Vector3d& d) {
+  const Vector3d &a = mesh.corner(triangle, 0), &b = mesh.corner(triangle, 1),
+                 &c = mesh.corner(triangle, 2);
+  const double at_a = d.dot(a), at_b = d.dot(b), at_c = d.dot(c);
+  if (at_a >= at_b) return at_a >= at_c ? a : c;
+  return at_b >= at_c ? b : c;
 }
 
 // Barycentric weights of a simplex's point nearest to the origin; zero: the corner is not needed.
@@ -104,6 +90,33 @@ bool is_outside(const Points& points, std::size_t i, std::size_t j, std::size_t 
 }
 
 }  // namespace
+
+Vector3d core_support(const Solid& solid, const Vector3d& d) {
+  const Vector3d& half = solid.half;
+  switch (solid.core) {
+    case Solid::Core::kPoint:
+      return Vector3d::Zero();
+    case Solid::Core::kSegment:
+      return {0.0, 0.0, with_sign(half.z(), d.z())};
+    case Solid::Core::kBox:
+      return {with_sign(half.x(), d.x()), with_sign(half.y(), d.y()), with_sign(half.z(), d.z())};
+    case Solid::Core::kTriangle:
+      return triangle_support(*solid.mesh, solid.triangle, d);
+    case Solid::Core::kHull:
+    case Solid::Core::kMesh:
+      return solid.mesh->farthest(d);
+    case Solid::Core::kCylinder:
+    case Solid::Core::kCone:
+      break;
+  }
+  const double across = std::sqrt(d.x() * d.x() + d.y() * d.y());
+  const double part = across > 0.0 ? half.x() / across : 0.0;
+  const bool is_tip =
+      solid.core == Solid::Core::kCone && half.z() * d.z() >= half.x() * across - half.z() * d.z();
+  if (is_tip) return {0.0, 0.0, half.z()};
+  const double z = solid.core == Solid::Core::kCone ? -half.z() : with_sign(half.z(), d.z());
+  return {part * d.x(), part * d.y(), z};
+}
 
 CoreDifference::CoreDifference(const Solid& a, const Solid& b)
     : a_(a),

@@ -20,12 +20,14 @@ struct OfShape {
   Solid operator()(const Plane& plane) const {
     return {.core = Solid::Core::kBox, .half = {0.5 * plane.size.x(), 0.5 * plane.size.y(), 0.0}};
   }
+  Solid operator()(const Mesh& mesh) const { return solid_of(*mesh.triangles); }
   Solid operator()(const Sphere& sphere) const { return {.margin = sphere.radius}; }
 };
 
 }  // namespace
 
 double Solid::reach() const {
+  if (mesh != nullptr) return mesh->reach() + margin;
   // A box reaches its corner; what is round has the radius twice in `half`.
   const bool round = core == Core::kCylinder || core == Core::kCone;
   const double across = round ? half.x() : std::sqrt(half.x() * half.x() + half.y() * half.y());
@@ -33,6 +35,12 @@ double Solid::reach() const {
 }
 
 Solid solid_of(const Shape& shape) { return std::visit(OfShape{}, shape); }
+
+Solid solid_of(const TriangleMesh& mesh) {
+  return {.core = mesh.is_convex() ? Solid::Core::kHull : Solid::Core::kMesh,
+          .half = 0.5 * (mesh.high() - mesh.low()),
+          .mesh = &mesh};
+}
 
 Solid solid_of(const LinkShape& shape) {
   Solid solid;

@@ -12,6 +12,9 @@
 namespace armlet {
 namespace {
 
+// Of the box around it.
+Eigen::Vector3d size_of(const Mesh& mesh) { return mesh.triangles->high() - mesh.triangles->low(); }
+
 void check_size(const Object& object, const char* what, double value) {
   const char* expected = nullptr;
   if (!(value > 0.0)) {
@@ -43,6 +46,11 @@ struct CheckShape {
   void operator()(const Plane& plane) const {
     for (const double side : plane.size) check_size(object, "size", side);
   }
+  void operator()(const Mesh& mesh) const {
+    if (mesh.triangles == nullptr || !mesh.triangles->is_closed())
+      throw ArgumentError(fmt::format("\"{}\" needs a closed mesh.", object.name));
+    for (const double side : size_of(mesh)) check_size(object, "size", side);
+  }
   // Cylinders and cones.
   void operator()(const auto& round) const {
     check_size(object, "radius", round.radius);
@@ -51,6 +59,8 @@ struct CheckShape {
 };
 
 struct InertiaPerMass {
+  // About its own axes; a mesh has none.
+  Eigen::Vector3d operator()(const Mesh&) const { return Eigen::Vector3d::Zero(); }
   Eigen::Vector3d operator()(const Box& box) const {
     const Eigen::Vector3d square = box.size.cwiseAbs2();
     return (Eigen::Vector3d::Constant(square.sum()) - square) / 12.0;
@@ -84,6 +94,7 @@ double smallest_across(const Eigen::Vector3d& size, const Eigen::Vector3d& appro
 struct GraspWidth {
   Eigen::Vector3d approach;  // in the object's axes
   double operator()(const Box& box) const { return smallest_across(box.size, approach); }
+  double operator()(const Mesh& mesh) const { return smallest_across(size_of(mesh), approach); }
   double operator()(const Plane& plane) const {
     return smallest_across({plane.size.x(), plane.size.y(), 0.0}, approach);
   }
@@ -97,6 +108,7 @@ struct GraspWidth {
 };
 
 struct GraspLine {
+  Eigen::Vector3d operator()(const Mesh& mesh) const { return (*this)(Box{size_of(mesh)}); }
   Eigen::Vector3d operator()(const Box& box) const {
     int longest = 0;
     const double length = box.size.maxCoeff(&longest);
@@ -134,11 +146,34 @@ void check_place(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
 }
 
 Eigen::Vector3d center_of_mass(const Object& object) {
+  if (const Mesh* mesh = std::get_if<Mesh>(&object.shape))
+    return mesh->triangles->mass_properties()->center_of_mass;
   const Cone* cone = std::get_if<Cone>(&object.shape);
   return {0.0, 0.0, cone != nullptr ? -0.25 * cone->height : 0.0};
 }
 
+Mesh make_mesh(const TriangleMesh& triangles, double density, std::string file) {
+  if (!triangles.is_closed()) throw ArgumentError(triangles.open_because());
+  if (!std::isfinite(density) || density < 0.0)
+    throw ArgumentError(fmt::format("its density is {} kg/m^3; expected 0 or more", density));
+  const Eigen::Vector3d middle = 0.5 * (triangles.low() + triangles.high());
+  Mesh mesh{.density = density, .file = std::move(file)};
+  mesh.triangles = std::make_shared<const TriangleMesh>(
+      triangles.moved(Eigen::Isometry3d(Eigen::Translation3d(-middle))));
+  if (!mesh.triangles->is_closed()) throw ArgumentError(mesh.triangles->open_because());
+  return mesh;
+}
+
+double mass_of(const Shape& shape) {
+  const Mesh* mesh = std::get_if<Mesh>(&shape);
+  return mesh == nullptr ? 0.0 : mesh->density * mesh->triangles->mass_properties()->volume;
+}
+
 Eigen::Matrix3d inertia(const Object& object) {
+  if (const Mesh* mesh = std::get_if<Mesh>(&object.shape)) {
+    const MassProperties& even = *mesh->triangles->mass_properties();
+    return object.mass / even.volume * even.inertia;
+  }
   return (object.mass * std::visit(InertiaPerMass{}, object.shape)).asDiagonal();
 }
 
@@ -167,7 +202,7 @@ Eigen::Vector3d grasp_from_above(const Object& object) {
 }
 
 std::string shape_name(const Shape& shape) {
-  constexpr const char* kNames[] = {"box", "cylinder", "sphere", "cone", "plane"};
+  constexpr const char* kNames[] = {"box", "cylinder", "sphere", "cone", "plane", "mesh"};
   return kNames[shape.index()];
 }
 

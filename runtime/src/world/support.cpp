@@ -46,6 +46,10 @@ Footprint box_footprint(const Eigen::Matrix3d& R, const Eigen::Vector3d& half) {
 struct MakeFootprint {
   const Eigen::Matrix3d& R;
   Footprint operator()(const Box& box) const { return box_footprint(R, 0.5 * box.size); }
+  // The box around it.
+  Footprint operator()(const Mesh& mesh) const {
+    return box_footprint(R, 0.5 * (mesh.triangles->high() - mesh.triangles->low()));
+  }
   Footprint operator()(const Plane& plane) const {
     return box_footprint(R, {0.5 * plane.size.x(), 0.5 * plane.size.y(), 0.0});
   }

@@ -42,12 +42,11 @@ Result<fs::path> Host::write(const FileKind& kind, const std::string& name,
   return options_.folder / *clean;
 }
 
-Result<std::string> Host::read(const std::string& name) const {
-  constexpr std::size_t kMaxBytes = 16 << 20;
+Result<std::string> Host::read(const std::string& name, std::size_t most) const {
   if (options_.folder.empty()) return refuse("this host lets programs read no files");
   const Result<Folder> folder = Folder::open(options_.folder.string());
   if (!folder.ok()) return refuse("the folder of the program cannot be opened");
-  Result<std::string> text = folder->read(name, kMaxBytes);
+  Result<std::string> text = folder->read(name, most);
   if (!text.ok()) return refusal(text.error(), "read");
   return text;
 }
@@ -89,9 +88,9 @@ Result<fs::path> Host::save_file(const FileKind& kind, const std::string& name,
   return fs::path(reply.text);
 }
 
-Result<std::string> Host::load_file(const std::string& name) const {
-  if (options_.journal == nullptr) return read(name);
-  Reply reply = options_.journal->load(name, [&] { return reply_of(read(name)); });
+Result<std::string> Host::load_file(const std::string& name, std::size_t most) const {
+  if (options_.journal == nullptr) return read(name, most);
+  Reply reply = options_.journal->load(name, [&] { return reply_of(read(name, most)); });
   if (reply.error) return *reply.error;
   return std::move(reply.text);
 }

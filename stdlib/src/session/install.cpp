@@ -22,7 +22,7 @@ constexpr NativeConstant kConstants[] = {
 };
 
 // Names of the language reference without even a signature yet.
-constexpr std::string_view kPlanned[] = {"mesh"};
+constexpr std::span<const std::string_view> kPlanned = {};
 
 }  // namespace
 

@@ -7,6 +7,8 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/model/catalog.hpp"
+#include "armlet/model/robot_scene.hpp"
+#include "armlet/model/tool.hpp"
 
 namespace armlet {
 namespace {
@@ -58,6 +60,38 @@ TEST_CASE("an arm has no holes, in whatever convention its table is") {
         if (has) CHECK(nearest < 0.05 * robot->reach());
       }
     }
+  }
+}
+
+TEST_CASE("the bodies of an arm are the shapes that are drawn, where they are drawn") {
+  for (const std::string_view name : catalog_names()) {
+    CAPTURE(name);
+    const Robot robot = make_robot(name)->with_tool(
+        {.kind = ToolKind::kParallelGripper, .stroke = 0.08, .length = 0.12});
+    std::vector<Eigen::Isometry3d> nodes;
+    for (const GlbNode& node : robot_scene(robot).nodes) {
+      nodes.push_back(node.parent < 0
+                          ? node.T_parent_node
+                          : nodes[static_cast<std::size_t>(node.parent)] * node.T_parent_node);
+    }
+    const ArmSolids bodies(robot);
+    std::size_t drawn = 0;
+    for (const LinkShape& shape : link_shapes(robot)) {
+      if (shape.role == LinkShapeRole::kMark) continue;
+      ++drawn;
+      const bool is_rod = shape.kind == LinkShapeKind::kCylinder &&
+                          shape.role == LinkShapeRole::kLink;  // ends at the next frame
+      const Eigen::Isometry3d T_world_shape =
+          nodes[static_cast<std::size_t>(shape.link)] * shape.T_link_shape;
+      const bool found = std::ranges::any_of(bodies.solids(), [&](const ArmSolid& each) {
+        const Solid solid = placed(robot, each, robot.home());
+        const Solid own = solid_of(shape);
+        return each.role == shape.role && solid.core == own.core && solid.margin == own.margin &&
+               (is_rod || (solid.half == own.half && solid.T.isApprox(T_world_shape, 1e-12)));
+      });
+      CHECK(found);
+    }
+    CHECK(drawn == bodies.solids().size());
   }
 }
 

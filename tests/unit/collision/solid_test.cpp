@@ -52,6 +52,8 @@ Solid random_solid(Random& random, Core core, double spread) {
     case Core::kCone:
       solid.half = {r, r, size()};
       break;
+    default:  // meshes: mesh_gap_test.cpp
+      break;
   }
   return solid;
 }
@@ -71,6 +73,8 @@ double extent(const Solid& solid, const Vector3d& direction) {
     case Core::kCone:
       return reach +
              std::max(d.z() * solid.half.z(), across * solid.half.x() - d.z() * solid.half.z());
+    default:
+      break;
   }
   return reach;
 }
@@ -92,6 +96,8 @@ double outside(const Solid& solid, const Vector3d& p_world) {
       const double side = (2.0 * half.z() * across + half.x() * (p.z() - half.z())) / slope;
       return std::max({side, -half.z() - p.z(), 0.0});
     }
+    default:
+      break;
   }
   return 0.0;
 }

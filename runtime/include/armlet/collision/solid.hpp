@@ -1,29 +1,45 @@
-// Convex bodies and how far they are apart.
+// Bodies and how far they are apart.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <cstdint>
 
+#include "armlet/mesh/triangle_mesh.hpp"
 #include "armlet/model/link_shapes.hpp"
 #include "armlet/world/object.hpp"
 
 namespace armlet {
 
 // A convex core and all points up to `margin` from it. A ball is a point with a margin, a capsule a
-// segment with one. The core lies in the middle of its frame, along z.
+// segment with one. The core lies in the middle of its frame, along z. Meshes lie in theirs as
+// their vertices say: a hull is all of a mesh that is convex, a triangle one piece of it, and the
+// core kMesh, which alone need not be convex, the set of all its triangles and what they enclose.
 //
-// half    half the sides of a box; (radius, radius, half height) of a cylinder and a cone, whose
-// tip
+// half    half the sides of a box, and of the box around a mesh; (radius, radius, half height) of a
+// cylinder and a cone, whose tip
 //         is at +z; (0, 0, half length) of a segment. m
-// margin  m, >= 0.
+// margin  m, >= 0; none of meshes.
+// mesh    not owned; null unless the core is one of it.
 // T       its frame, in the frame that both bodies of a question share.
 struct Solid {
-  enum class Core : std::uint8_t { kPoint, kSegment, kBox, kCylinder, kCone };
+  enum class Core : std::uint8_t {
+    kPoint,
+    kSegment,
+    kBox,
+    kCylinder,
+    kCone,
+    kHull,
+    kTriangle,
+    kMesh
+  };
   Core core = Core::kPoint;
+  std::uint32_t triangle = 0;
   Eigen::Vector3d half = Eigen::Vector3d::Zero();
   double margin = 0.0;
+  const TriangleMesh* mesh = nullptr;
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
 
+  [[nodiscard]] bool is_convex() const { return core != Core::kMesh; }
   // Radius of a ball about the origin of its frame that holds it, m.
   [[nodiscard]] double reach() const;
   // The body has no inside: nothing can be in its way.
@@ -34,6 +50,8 @@ struct Solid {
 // ring counts as the cylinder that it surrounds: an arm fills it.
 Solid solid_of(const Shape& shape);
 Solid solid_of(const LinkShape& shape);
+// The whole mesh, which has to live as long: a hull if it is convex.
+Solid solid_of(const TriangleMesh& mesh);
 
 // How two bodies lie to each other.
 //
@@ -50,7 +68,11 @@ struct Gap {
 
 // The distance is right to 1e-9 m, or 1e-9 of itself, where the bodies are apart, and to 1e-7 m or
 // 1e-7 of their size where they overlap; there it is never less deep than the truth. The same bits
-// on every machine.
+// on every machine. Of meshes that are not convex (core kMesh) the distance is that of the nearest
+// triangles. Where they overlap with something convex, the depth is that of the triangle which is
+// deepest in it, towards the outside of the mesh, and at most that of the hull; two such meshes
+// overlap as deep as the deepest vertex of one lies in the other. What lies inside of a closed mesh
+// overlaps it.
 //
 // source  E. G. Gilbert, D. W. Johnson, S. S. Keerthi, A fast procedure for computing the distance
 //         between complex objects in three-dimensional space, IEEE J. Robotics and Automation 4,

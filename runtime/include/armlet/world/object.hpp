@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
+
+#include "armlet/mesh/triangle_mesh.hpp"
 
 namespace armlet {
 
@@ -32,7 +35,26 @@ struct Plane {
   Eigen::Vector2d size{0.1, 0.1};
   bool operator==(const Plane&) const = default;
 };
-using Shape = std::variant<Box, Cylinder, Sphere, Cone, Plane>;
+// A closed surface of triangles about the middle of the box around it, in which its frame lies.
+//
+// triangles  shared by all objects of the shape; never null in an object.
+// density    kg/m^3; 0: not known.
+// file       where it comes from, for people.
+struct Mesh {
+  std::shared_ptr<const TriangleMesh> triangles;
+  double density = 0.0;
+  std::string file;
+  bool operator==(const Mesh&) const = default;
+};
+using Shape = std::variant<Box, Cylinder, Sphere, Cone, Plane, Mesh>;
+
+// Moves the middle of the box around a mesh into the origin.
+//
+// throws  ArgumentError if the surface is open or holds nothing, and why.
+Mesh make_mesh(const TriangleMesh& triangles, double density = 0.0, std::string file = {});
+
+// Mass that follows from the density of a shape, kg; 0 if it has none.
+double mass_of(const Shape& shape);
 
 // Sizes from kSmallest to kLargest and positions up to kLargest from the origin can be computed
 // with: distances are right to nanometres next to the origin and to micrometres there.
@@ -67,7 +89,7 @@ void check_object(const Object& object);
 // The same for a pose alone.
 void check_place(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
-// Centre of mass of a body of even density in its own frame, m: the origin, but for a cone.
+// Centre of mass of a body of even density in its own frame, m: the origin, but for a cone or mesh.
 Eigen::Vector3d center_of_mass(const Object& object);
 
 // Inertia about the centre of mass in the object's axes, kg m^2, for a body of even density.
@@ -93,7 +115,7 @@ double grasp_distance(const Object& object, const Eigen::Vector3d& p_world);
 // otherwise its centre, or for a long body that does not lie the upper part of its grasp line.
 Eigen::Vector3d grasp_from_above(const Object& object);
 
-// "box", "cylinder", "sphere", "cone" or "plane".
+// "box", "cylinder", "sphere", "cone", "plane" or "mesh".
 std::string shape_name(const Shape& shape);
 
 }  // namespace armlet

@@ -172,7 +172,9 @@ class Host : public Timeline {
                                                         std::string_view content) const;
 
   // The text of a file of the program, under the same rule. Fails with the reason.
-  [[nodiscard]] Result<std::string> load_file(const std::string& name) const;
+  // most  bytes; a larger file is refused.
+  [[nodiscard]] Result<std::string> load_file(const std::string& name,
+                                              std::size_t most = 16 << 20) const;
   // Whether a mesh exists that a file of the program names, the program itself if `file` is empty.
   [[nodiscard]] bool has_mesh(const std::string& file, const std::string& mesh) const;
 
@@ -215,7 +217,7 @@ class Host : public Timeline {
   // Nothing of `content` is written where the run keeps no files; the name is checked alike.
   [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
                                                     std::string_view content) const;
-  [[nodiscard]] Result<std::string> read(const std::string& name) const;
+  [[nodiscard]] Result<std::string> read(const std::string& name, std::size_t most) const;
   [[nodiscard]] bool finds_mesh(const std::string& file, const std::string& mesh) const;
   bool pace_to(std::int64_t t_ns);
 

@@ -1,0 +1,110 @@
+#include "mesh/edges.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace armlet {
+namespace {
+
+using Eigen::Vector3d;
+
+// An edge of a triangle: its ends, lower number first, whether it is gone from there, and the
+// corner on the other side of the triangle.
+struct HalfEdge {
+  std::uint64_t ends;
+  bool forward;
+  std::uint32_t triangle;
+  std::uint32_t opposite;
+};
+
+std::vector<HalfEdge> half_edges(std::span<const Corners> triangles) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(3 * triangles.size());
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const Corners& c = triangles[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t from = c[k], to = c[(k + 1) % 3];
+      edges.push_back({.ends = std::min(from, to) << 32 | std::max(from, to),
+                       .forward = from < to,
+                       .triangle = i,
+                       .opposite = c[(k + 2) % 3]});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
+  });
+  return edges;
+}
+
+// Sets of triangles that are connected by edges.
+class Pieces {
+ public:
+  explicit Pieces(std::size_t n) : parent_(n), count_(n) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = root(a);
+    b = root(b);
+    if (a == b) return;
+    parent_[std::max(a, b)] = std::min(a, b);
+    --count_;
+  }
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  std::uint32_t root(std::uint32_t a) {
+    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+    return a;
+  }
+  std::vector<std::uint32_t> parent_;
+  std::size_t count_;
+};
+
+// Whether a vertex lies behind the plane of a triangle, or in it but for rounding.
+bool is_behind(std::span<const Vector3d> vertices, const Corners& c, std::uint32_t vertex) {
+  const Vector3d &a = vertices[c[0]], u = vertices[c[1]] - a, v = vertices[c[2]] - a;
+  const Vector3d w = vertices[vertex] - a, n = u.cross(v);
+  return w.dot(n) <= 1e-9 * n.norm() * std::max({u.norm(), v.norm(), w.norm()});
+}
+
+std::string why_open(std::size_t single, std::size_t turned) {
+  const auto edges = [](std::size_t n) { return n == 1 ? "1 edge" : fmt::format("{} edges", n); };
+  if (single > 0) {
+    return fmt::format("its surface is open: {} {} to one triangle alone", edges(single),
+                       single == 1 ? "belongs" : "belong");
+  }
+  if (turned > 0) {
+    return fmt::format(
+        "its triangles do not agree which side is outside: {} {} gone twice the same way",
+        edges(turned), turned == 1 ? "is" : "are");
+  }
+  return {};
+}
+
+}  // namespace
+
+EdgeReport look_at(std::span<const Vector3d> vertices, std::span<const Corners> triangles) {
+  const std::vector<HalfEdge> edges = half_edges(triangles);
+  Pieces pieces(triangles.size());
+  std::size_t count = 0, single = 0, turned = 0;
+  bool convex = true;
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end, ++count) {
+    long balance = 0;
+    for (end = i; end < edges.size() && edges[end].ends == edges[i].ends; ++end) {
+      balance += edges[end].forward ? 1 : -1;
+      pieces.join(edges[i].triangle, edges[end].triangle);
+    }
+    if (balance != 0) ++(end - i == 1 ? single : turned);
+    convex = convex && end - i == 2 && balance == 0 &&
+             is_behind(vertices, triangles[edges[i].triangle], edges[i + 1].opposite) &&
+             is_behind(vertices, triangles[edges[i + 1].triangle], edges[i].opposite);
+  }
+  // A sphere has V - E + F = 2 (Euler).
+  const bool sphere = vertices.size() + triangles.size() == count + 2 && pieces.count() == 1;
+  return {.open_because = why_open(single, turned), .is_convex = convex && sphere};
+}
+
+}  // namespace armlet

@@ -1,0 +1,397 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "armlet/mesh/glb.hpp"
+#include "mesh/glb_format.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Affine3d;
+using Eigen::Vector3d;
+using Json = nlohmann::json;
+
+constexpr std::size_t kMostJson = 8 << 20;       // bytes
+constexpr int kDeepest = 64;                     // of values in one another
+constexpr std::uint64_t kMostNumber = 1U << 31;  // of counts, offsets and lengths
+constexpr std::size_t kMostVertices = 3 * kMostTriangles;
+constexpr std::size_t kMostParts = kMostTriangles;
+
+[[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
+
+std::uint32_t u32(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t k = 4; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  return value;
+}
+
+// ---- the file: a header and chunks
+
+struct Chunks {
+  std::string_view json;
+  std::string_view binary;
+};
+
+Chunks chunks_of(std::string_view bytes) {
+  if (bytes.size() < 4 || u32(bytes, 0) != glb::kMagic)
+    refuse("it is no GLB file: it does not begin with \"glTF\"");
+  if (bytes.size() < 20) refuse(fmt::format("it is cut off: it has {} bytes", bytes.size()));
+  if (u32(bytes, 4) != 2) refuse(fmt::format("it is GLB of version {}; expected 2", u32(bytes, 4)));
+  if (u32(bytes, 8) != bytes.size()) {
+    refuse(fmt::format("its header says {} bytes, but it has {}", u32(bytes, 8), bytes.size()));
+  }
+  Chunks chunks;
+  for (std::size_t at = 12; at < bytes.size();) {
+    if (bytes.size() - at < 8) refuse("it is cut off in the header of a chunk");
+    const std::size_t length = u32(bytes, at);
+    const std::uint32_t kind = u32(bytes, at + 4);
+    if (length > bytes.size() - at - 8) {
+      refuse(fmt::format("a chunk of {} bytes does not fit into it", length));
+    }
+    const std::string_view chunk = bytes.substr(at + 8, length);
+    if (at == 12 && kind != glb::kJsonChunk) refuse("its first chunk is not JSON");
+    if (at == 12) chunks.json = chunk;
+    if (kind == glb::kBinaryChunk && chunks.binary.empty()) chunks.binary = chunk;
+    at += 8 + length;
+  }
+  return chunks;
+}
+
+// ---- what the JSON part says
+
+// A description with the checks that every access needs.
+class Document {
+ public:
+  explicit Document(std::string_view text) {
+    if (text.size() > kMostJson)
+      refuse(fmt::format("its JSON part has {} bytes; expected 8 MB at most", text.size()));
+    bool deep = false;
+    const auto look = [&](int depth, Json::parse_event_t, Json&) {
+      deep = deep || depth > kDeepest;
+      return !deep;
+    };
+    root_ = Json::parse(text.begin(), text.end(), look, false);
+    if (deep) refuse(fmt::format("its JSON part has more than {} values in one another", kDeepest));
+    if (!root_.is_object()) refuse("its JSON part is broken");
+  }
+
+  [[nodiscard]] const Json& root() const { return root_; }
+
+  // Element `index` of a list at the top; `what` as messages call it.
+  [[nodiscard]] const Json& element(const char* list, std::uint64_t index, const char* what) const {
+    const Json& all = member(root_, list);
+    if (!all.is_array() || index >= all.size()) {
+      refuse(fmt::format("{} {} is not there; it has {}", what, index,
+                         all.is_array() ? all.size() : 0));
+    }
+    if (!all[index].is_object()) refuse(fmt::format("{} {} is broken", what, index));
+    return all[index];
+  }
+  [[nodiscard]] std::size_t count(const char* list) const {
+    const Json& all = member(root_, list);
+    return all.is_array() ? all.size() : 0;
+  }
+
+  // Null if it is not there.
+  [[nodiscard]] static const Json& member(const Json& object, const char* key) {
+    static const Json kNothing;
+    const auto found = object.find(key);
+    return found == object.end() ? kNothing : *found;
+  }
+  // A whole number from 0 on, or `otherwise` if it is not there.
+  [[nodiscard]] static std::uint64_t number(const Json& object, const char* key,
+                                            std::optional<std::uint64_t> otherwise = {}) {
+    const Json& value = member(object, key);
+    if (value.is_null() && otherwise) return *otherwise;
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMostNumber)
+      refuse(fmt::format(
+          "`{}` is {}; expected a whole number up to 2^31", key,
+          value.is_null()
+              ? "missing"
+              : value.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40)));
+    return value.get<std::uint64_t>();
+  }
+  // `size` finite numbers; false if the list is not there.
+  [[nodiscard]] static bool numbers(const Json& object, const char* key, double* out,
+                                    std::size_t size) {
+    const Json& list = member(object, key);
+    if (list.is_null()) return false;
+    if (!list.is_array() || list.size() != size)
+      refuse(fmt::format("`{}` has not {} numbers", key, size));
+    for (std::size_t k = 0; k < size; ++k) {
+      if (!list[k].is_number()) refuse(fmt::format("`{}` has not {} numbers", key, size));
+      out[k] = list[k].get<double>();
+      if (!std::isfinite(out[k])) refuse(fmt::format("`{}` has a number that is too large", key));
+    }
+    return true;
+  }
+
+ private:
+  Json root_;
+};
+
+// ---- the numbers of the binary part
+
+// A list of `count` elements, `stride` bytes apart, all inside of the binary part.
+struct Elements {
+  const char* bytes = nullptr;
+  std::size_t count = 0;
+  std::size_t stride = 0;
+  int component = 0;
+};
+
+std::size_t size_of(int component) {
+  switch (component) {
+    case glb::kUnsignedByte:
+      return 1;
+    case glb::kUnsignedShort:
+      return 2;
+    default:
+      return 4;
+  }
+}
+
+class Binary {
+ public:
+  Binary(const Document& document, std::string_view bytes) : document_(document), bytes_(bytes) {}
+
+  // type, width  of an element: "VEC3" of 3 numbers.
+  [[nodiscard]] Elements elements(std::uint64_t accessor, const std::string& type,
+                                  std::size_t width, std::initializer_list<int> components) const {
+    const Json& json = document_.element("accessors", accessor, "accessor");
+    const auto wrong = [&](const std::string& why) {
+      refuse(fmt::format("accessor {} {}", accessor, why));
+    };
+    if (json.contains("sparse")) wrong("is sparse, which is not read");
+    if (Document::member(json, "type") != type) wrong(fmt::format("has not the type {}", type));
+    const int component = static_cast<int>(Document::number(json, "componentType"));
+    if (std::find(components.begin(), components.end(), component) == components.end())
+      wrong(fmt::format("has numbers of the kind {}, which is not read there", component));
+    if (Document::member(json, "normalized") == true) wrong("is normalized, which is not read");
+    const std::uint64_t count = Document::number(json, "count");
+    if (count == 0 || !json.contains("bufferView")) wrong("has no elements");
+    const std::uint64_t size = size_of(component) * width;
+    const std::uint64_t at = Document::number(json, "bufferView");
+    const Json& view = document_.element("bufferViews", at, "bufferView");
+    const std::uint64_t stride = Document::number(view, "byteStride", size);
+    if (stride < size || stride > 252) wrong(fmt::format("has elements {} bytes apart", stride));
+    const std::uint64_t offset = Document::number(json, "byteOffset", 0);
+    const std::string_view part = view_of(view, at);
+    if (offset + (count - 1) * stride + size > part.size()) {
+      wrong(fmt::format("has {} elements, more than the {} bytes of its view hold", count,
+                        part.size()));
+    }
+    return {part.data() + offset, count, stride, component};
+  }
+
+ private:
+  [[nodiscard]] std::string_view view_of(const Json& view, std::uint64_t number) const {
+    const std::uint64_t buffer = Document::number(view, "buffer");
+    const Json& json = document_.element("buffers", buffer, "buffer");
+    if (buffer != 0 || json.contains("uri"))
+      refuse("its geometry lies in another file; a GLB for programs has everything in itself");
+    const std::uint64_t length = Document::number(json, "byteLength");
+    if (length > bytes_.size()) {
+      refuse(fmt::format("its buffer has {} bytes, but its binary part only {}", length,
+                         bytes_.size()));
+    }
+    const std::uint64_t offset = Document::number(view, "byteOffset", 0);
+    const std::uint64_t size = Document::number(view, "byteLength");
+    if (offset + size > length)
+      refuse(fmt::format("bufferView {} does not fit into its buffer", number));
+    return bytes_.substr(offset, size);
+  }
+
+  const Document& document_;
+  std::string_view bytes_;
+};
+
+// ---- the scene
+
+Affine3d placement_of(const Json& node) {
+  double m[16];
+  Affine3d T = Affine3d::Identity();
+  if (Document::numbers(node, "matrix", m, 16)) {
+    for (int k = 0; k < 12; ++k) T(k % 3, k / 3) = m[k / 3 * 4 + k % 3];
+    return T;
+  }
+  if (Document::numbers(node, "translation", m, 3)) T.translate(Vector3d(m[0], m[1], m[2]));
+  if (Document::numbers(node, "rotation", m, 4)) {
+    const Eigen::Quaterniond turn(m[3], m[0], m[1], m[2]);
+    if (!(std::abs(turn.norm() - 1.0) < 1e-2))
+      refuse("the rotation of a node is no unit quaternion");
+    T.rotate(turn.normalized());
+  }
+  if (Document::numbers(node, "scale", m, 3)) T.scale(Vector3d(m[0], m[1], m[2]));
+  return T;
+}
+
+class SceneReader {
+ public:
+  SceneReader(const Document& document, std::string_view binary)
+      : document_(document), binary_(document, binary), seen_(document.count("nodes"), false) {}
+
+  TriangleMesh read() {
+    check_extensions();
+    struct Open {
+      std::uint64_t node;
+      Affine3d T;
+    };
+    // z up.
+    Affine3d T_up = Affine3d::Identity();
+    T_up.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    std::vector<Open> open;
+    for (const std::uint64_t root : roots()) open.push_back({root, T_up});
+    std::reverse(open.begin(), open.end());
+    while (!open.empty()) {
+      const Open next = open.back();
+      open.pop_back();
+      const Json& node = document_.element("nodes", next.node, "node");
+      if (seen_[next.node])
+        refuse(fmt::format("node {} is below itself or below two others", next.node));
+      seen_[next.node] = true;
+      const Affine3d T = next.T * placement_of(node);
+      if (node.contains("mesh")) add_mesh(Document::number(node, "mesh"), T);
+      const Json& children = Document::member(node, "children");
+      for (std::size_t k = children.is_array() ? children.size() : 0; k-- > 0;)
+        open.push_back({index(children[k], "child of a node"), T});
+    }
+    if (triangles_.empty()) refuse("there are no triangles in it");
+    return {std::move(vertices_), std::move(triangles_)};
+  }
+
+ private:
+  void check_extensions() const {
+    const Json& required = Document::member(document_.root(), "extensionsRequired");
+    if (!required.is_array()) return;
+    for (const Json& each : required) {
+      const std::string name = each.is_string() ? each.get<std::string>() : std::string("?");
+      if (name.starts_with("KHR_materials_") || name.starts_with("KHR_texture_") ||
+          name.starts_with("EXT_texture_") || name.starts_with("KHR_lights_"))
+        continue;
+      refuse(fmt::format("it needs the extension \"{:.60}\", which is not read", name));
+    }
+  }
+
+  static std::uint64_t index(const Json& value, const char* what) {
+    if (!value.is_number_unsigned()) refuse(fmt::format("the {} is no index", what));
+    return value.get<std::uint64_t>();
+  }
+
+  // Of the scene that is to be shown; without scenes, all nodes that are below no other.
+  [[nodiscard]] std::vector<std::uint64_t> roots() const {
+    std::vector<std::uint64_t> found;
+    if (document_.count("scenes") > 0) {
+      const std::uint64_t at = Document::number(document_.root(), "scene", 0);
+      const Json& nodes = Document::member(document_.element("scenes", at, "scene"), "nodes");
+      if (nodes.is_array()) {
+        for (const Json& each : nodes) found.push_back(index(each, "node of a scene"));
+      }
+      return found;
+    }
+    std::vector<bool> below(document_.count("nodes"), false);
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      const Json& children = Document::member(document_.element("nodes", i, "node"), "children");
+      if (!children.is_array()) continue;
+      for (const Json& each : children) {
+        const std::uint64_t child = index(each, "child of a node");
+        if (child < below.size()) below[child] = true;
+      }
+    }
+    for (std::size_t i = 0; i < below.size(); ++i) {
+      if (!below[i]) found.push_back(i);
+    }
+    return found;
+  }
+
+  void add_mesh(std::uint64_t number, const Affine3d& T) {
+    const Json& parts = Document::member(document_.element("meshes", number, "mesh"), "primitives");
+    if (!parts.is_array()) refuse(fmt::format("mesh {} has no primitives", number));
+    for (const Json& part : parts) {
+      if (++parts_ > kMostParts) refuse("it has more than a million parts");
+      if (!part.is_object()) refuse(fmt::format("a primitive of mesh {} is broken", number));
+      const std::uint64_t mode = Document::number(part, "mode", glb::kTriangles);
+      if (mode >= glb::kTriangles && mode <= 6) add_part(part, mode, T);
+    }
+  }
+
+  void add_part(const Json& part, std::uint64_t mode, const Affine3d& T) {
+    const Json& attributes = Document::member(part, "attributes");
+    if (!attributes.is_object() || !attributes.contains("POSITION")) return;  // as glTF wants it
+    const Elements positions =
+        binary_.elements(Document::number(attributes, "POSITION"), "VEC3", 3, {glb::kFloat});
+    std::optional<Elements> indices;
+    if (part.contains("indices")) {
+      indices = binary_.elements(Document::number(part, "indices"), "SCALAR", 1,
+                                 {glb::kUnsignedByte, glb::kUnsignedShort, glb::kUnsignedInt});
+    }
+    const std::size_t corners = indices ? indices->count : positions.count;
+    const bool single = mode == glb::kTriangles;
+    if (single && corners % 3 != 0) refuse(fmt::format("{} corners make no triangles", corners));
+    const std::size_t count = single ? corners / 3 : std::max<std::size_t>(corners, 2) - 2;
+    if (triangles_.size() + count > kMostTriangles) {
+      refuse(fmt::format("it has more than {} triangles", kMostTriangles));
+    }
+    if (vertices_.size() + positions.count > kMostVertices)
+      refuse(fmt::format("it has more than {} vertices", kMostVertices));
+    const auto first = static_cast<std::uint32_t>(vertices_.size());
+    add_vertices(positions, T);
+    const bool mirrored = T.linear().determinant() < 0.0;
+    const auto corner = [&](std::size_t k) {
+      return first +
+             (indices ? index_at(*indices, k, positions.count) : static_cast<std::uint32_t>(k));
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      Corners c = single       ? Corners{corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)}
+                  : mode == 6  ? Corners{corner(0), corner(i + 1), corner(i + 2)}
+                  : i % 2 == 0 ? Corners{corner(i), corner(i + 1), corner(i + 2)}
+                               : Corners{corner(i + 1), corner(i), corner(i + 2)};
+      if (mirrored) std::swap(c[1], c[2]);
+      triangles_.push_back(c);
+    }
+  }
+
+  void add_vertices(const Elements& positions, const Affine3d& T) {
+    for (std::size_t i = 0; i < positions.count; ++i) {
+      float p[3];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::string_view bytes(positions.bytes + i * positions.stride + 4 * k, 4);
+        p[k] = std::bit_cast<float>(u32(bytes, 0));
+      }
+      vertices_.emplace_back(T * Vector3d(p[0], p[1], p[2]));
+    }
+  }
+
+  static std::uint32_t index_at(const Elements& indices, std::size_t k, std::size_t vertices) {
+    std::uint32_t value = 0;
+    const char* bytes = indices.bytes + k * indices.stride;
+    for (std::size_t byte = size_of(indices.component); byte-- > 0;)
+      value = value << 8 | static_cast<unsigned char>(bytes[byte]);
+    if (value >= vertices)
+      refuse(fmt::format("index {} is {}, but there are {} vertices", k, value, vertices));
+    return value;
+  }
+
+  const Document& document_;
+  Binary binary_;
+  std::vector<bool> seen_;
+  std::size_t parts_ = 0;
+  std::vector<Vector3d> vertices_;
+  std::vector<Corners> triangles_;
+};
+
+}  // namespace
+
+Result<TriangleMesh> read_glb(std::string_view bytes) try {
+  const Chunks chunks = chunks_of(bytes);
+  const Document document(chunks.json);
+  return SceneReader(document, chunks.binary).read();
+} catch (const ArgumentError& error) {
+  return Error{"mesh", error.what()};
+}
+
+}  // namespace armlet

@@ -1,0 +1,246 @@
+#include "armlet/mesh/triangle_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "armlet/core/error.hpp"
+#include "mesh/edges.hpp"
+#include "mesh/triangle_tree.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kFarthest = 1e4;  // m
+
+void check_vertices(const std::vector<Vector3d>& vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (!vertices[i].allFinite())
+      throw ArgumentError(fmt::format("vertex {} has a coordinate that is no number", i));
+    if (vertices[i].cwiseAbs().maxCoeff() > kFarthest)
+      throw ArgumentError(
+          fmt::format("vertex {} is more than 10 km from the origin; lengths are metres", i));
+  }
+}
+
+void check_triangles(const std::vector<Corners>& triangles, std::size_t vertices) {
+  if (triangles.empty()) throw ArgumentError("it has no triangles");
+  if (triangles.size() > kMostTriangles) {
+    throw ArgumentError(
+        fmt::format("it has {} triangles; expected {} at most", triangles.size(), kMostTriangles));
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (const std::uint32_t k : triangles[i]) {
+      if (k < vertices) continue;
+      throw ArgumentError(
+          fmt::format("triangle {} has the corner {}; there are {} vertices", i, k, vertices));
+    }
+  }
+}
+
+bool comes_before(const Vector3d& p, const Vector3d& q) {
+  if (p.x() != q.x()) return p.x() < q.x();
+  if (p.y() != q.y()) return p.y() < q.y();
+  return p.z() < q.z();
+}
+
+// Whether a ray from p along d goes through a triangle: 1 from inside to outside, -1 the other
+// way, 0 not at all; `doubt` where it passes an edge too closely to tell.
+int crossing(const Vector3d& p, const Vector3d& d, const Vector3d& a, const Vector3d& b,
+             const Vector3d& c, bool& doubt) {
+  constexpr double kClose = 1e-9;
+  const Vector3d u = b - a, v = c - a, h = d.cross(v);
+  const double det = u.dot(h);
+  const double scale = std::sqrt(u.squaredNorm() * v.squaredNorm());
+  if (std::abs(det) <= kClose * scale) {
+    // Seen from the edge: it counts only if the ray comes near, which is not looked at closely.
+    if (scale > 0.0 && std::abs((p - a).dot(u.cross(v))) <= kClose * scale * (1.0 + (p - a).norm()))
+      doubt = true;
+    return 0;
+  }
+  const Vector3d s = p - a, q = s.cross(u);
+  const double x = s.dot(h) / det, y = d.dot(q) / det, t = v.dot(q) / det;
+  const double inner = std::min({x, y, 1.0 - x - y});
+  if (t <= 0.0 || inner < -kClose) return 0;
+  if (inner < kClose) doubt = true;
+  return det > 0.0 ? -1 : 1;
+}
+
+bool ray_meets(const TriangleTree::Node& node, const Vector3d& p, const Vector3d& d) {
+  double from = 0.0, to = 1e30;
+  for (int k = 0; k < 3; ++k) {
+    const double first = (node.low[k] - p[k]) / d[k], second = (node.high[k] - p[k]) / d[k];
+    const double pad = 1e-9 * (1.0 + std::abs(first) + std::abs(second));
+    from = std::max(from, std::min(first, second) - pad);
+    to = std::min(to, std::max(first, second) + pad);
+  }
+  return from <= to;
+}
+
+}  // namespace
+
+TriangleMesh::TriangleMesh(std::vector<Vector3d> vertices, std::vector<Corners> triangles)
+    : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {
+  check_vertices(vertices_);
+  check_triangles(triangles_, vertices_.size());
+  drop_doubles();
+  if (triangles_.empty()) throw ArgumentError("none of its triangles has three different corners");
+  tree_ = make_tree(vertices_, triangles_);
+  for (const Vector3d& each : vertices_) reach_ = std::max(reach_, each.norm());
+  look_at_edges();
+  if (!is_closed()) return;
+  weigh();
+  if (mass_->volume < 0.0) {
+    turn_inside_out();
+    look_at_edges();
+    weigh();
+  }
+  const double size = (high() - low()).maxCoeff();
+  if (!(mass_->volume > 1e-15 * size * size * size)) {
+    mass_.reset();
+    is_convex_ = false;
+    open_because_ = "its surface holds nothing";
+  }
+}
+
+// Vertices in order of their coordinates; those that are used, once each.
+void TriangleMesh::drop_doubles() {
+  std::vector<bool> used(vertices_.size(), false);
+  for (const Corners& each : triangles_) {
+    for (const std::uint32_t k : each) used[k] = true;
+  }
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
+    if (used[i]) order.push_back(i);
+  }
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (comes_before(vertices_[a], vertices_[b])) return true;
+    return !comes_before(vertices_[b], vertices_[a]) && a < b;
+  });
+  std::vector<std::uint32_t> number(vertices_.size(), 0);
+  std::vector<Vector3d> distinct;
+  for (const std::uint32_t i : order) {
+    if (distinct.empty() || distinct.back() != vertices_[i]) distinct.push_back(vertices_[i]);
+    number[i] = static_cast<std::uint32_t>(distinct.size() - 1);
+  }
+  vertices_ = std::move(distinct);
+  for (Corners& each : triangles_) {
+    for (std::uint32_t& k : each) k = number[k];
+  }
+  std::erase_if(triangles_,
+                [](const Corners& c) { return c[0] == c[1] || c[1] == c[2] || c[2] == c[0]; });
+}
+
+void TriangleMesh::look_at_edges() {
+  const EdgeReport report = look_at(vertices_, triangles_);
+  open_because_ = report.open_because;
+  is_convex_ = report.is_convex;
+}
+
+void TriangleMesh::turn_inside_out() {
+  for (Corners& each : triangles_) std::swap(each[1], each[2]);
+}
+
+// The integral of x x' over a tetrahedron with corners 0, a, b, c is
+// det / 120 (a a' + b b' + c c' + s s'), s = a + b + c.
+void TriangleMesh::weigh() {
+  const Vector3d origin = 0.5 * (low() + high());
+  double volume = 0.0;
+  Vector3d first = Vector3d::Zero();
+  Matrix3d second = Matrix3d::Zero();
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const Vector3d a = corner(i, 0) - origin, b = corner(i, 1) - origin, c = corner(i, 2) - origin;
+    const double det = a.dot(b.cross(c));
+    const Vector3d sum = a + b + c;
+    volume += det / 6.0;
+    first += det / 24.0 * sum;
+    second += det / 120.0 *
+              (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+  }
+  MassProperties mass{.volume = volume};
+  const Vector3d middle = first / volume;
+  mass.center_of_mass = origin + middle;
+  second -= volume * middle * middle.transpose();
+  mass.inertia = second.trace() * Matrix3d::Identity() - second;
+  mass_ = mass;
+}
+
+const Vector3d& TriangleMesh::farthest(const Vector3d& d) const {
+  const auto most = [&](const TriangleTree::Node& node) {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) sum += d[k] * (d[k] < 0.0 ? node.low[k] : node.high[k]);
+    return sum;
+  };
+  std::uint32_t best = triangles_[0][0];
+  double height = d.dot(vertices_[best]);
+  std::array<std::uint32_t, 64> open{};
+  std::size_t count = 1;
+  while (count > 0) {
+    const std::uint32_t at = open[--count];
+    const TriangleTree::Node& node = tree_.nodes[at];
+    if (most(node) <= height) continue;
+    if (node.second != 0) {
+      const bool second_first = most(tree_.nodes[node.second]) > most(tree_.nodes[at + 1]);
+      open[count++] = second_first ? at + 1 : node.second;
+      open[count++] = second_first ? node.second : at + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      for (const std::uint32_t k : triangles_[tree_.order[i]]) {
+        const double z = d.dot(vertices_[k]);
+        if (z <= height) continue;
+        height = z;
+        best = k;
+      }
+    }
+  }
+  return vertices_[best];
+}
+
+bool TriangleMesh::holds(const Vector3d& p) const {
+  if (!is_closed() || (p - low()).minCoeff() < 0.0 || (high() - p).minCoeff() < 0.0) return false;
+  // Directions that no edge of a drawing is likely to have.
+  static const Vector3d kRays[] = {{0.531, 0.273, 0.802},
+                                   {-0.613, 0.377, -0.694},
+                                   {0.217, -0.859, 0.464},
+                                   {-0.397, -0.661, 0.637},
+                                   {0.871, 0.413, -0.266}};
+  int inside = 0, outside = 0;
+  for (const Vector3d& ray : kRays) {
+    bool doubt = false;
+    int crossings = 0;
+    std::array<std::uint32_t, 64> open{};
+    std::size_t count = 1;
+    while (count > 0) {
+      const std::uint32_t at = open[--count];
+      const TriangleTree::Node& node = tree_.nodes[at];
+      if (!ray_meets(node, p, ray)) continue;
+      if (node.second != 0) {
+        open[count++] = node.second;
+        open[count++] = at + 1;
+        continue;
+      }
+      for (std::uint32_t i = node.begin; i < node.end; ++i) {
+        const std::size_t t = tree_.order[i];
+        crossings += crossing(p, ray, corner(t, 0), corner(t, 1), corner(t, 2), doubt);
+      }
+    }
+    if (!doubt) return crossings > 0;
+    ++(crossings > 0 ? inside : outside);
+  }
+  return inside > outside;
+}
+
+TriangleMesh TriangleMesh::moved(const Eigen::Isometry3d& T) const {
+  std::vector<Vector3d> vertices;
+  vertices.reserve(vertices_.size());
+  for (const Vector3d& each : vertices_) vertices.emplace_back(T * each);
+  return {std::move(vertices), triangles_};
+}
+
+}  // namespace armlet

@@ -1,0 +1,189 @@
+// GLB files read back, and broken ones: refused with a reason, never a crash, never out of bounds.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "armlet/core/random.hpp"
+#include "armlet/mesh/glb.hpp"
+#include "mesh_bodies.hpp"
+
+using namespace armlet;
+using Eigen::Vector3d;
+
+namespace {
+
+GlbPart part_of(const TriangleMesh& mesh) {
+  GlbPart part;
+  for (const Vector3d& each : mesh.vertices()) {
+    part.positions.emplace_back(each.cast<float>());
+    part.normals.emplace_back(0.0F, 0.0F, 1.0F);
+  }
+  for (const Corners& each : mesh.triangles())
+    part.corners.insert(part.corners.end(), each.begin(), each.end());
+  return part;
+}
+
+std::string file_of(const TriangleMesh& mesh,
+                    const Eigen::Isometry3d& T = Eigen::Isometry3d::Identity()) {
+  GlbScene scene{.materials = {{.name = "grey"}}};
+  scene.nodes.push_back({.name = "outer", .T_parent_node = T});
+  scene.nodes.push_back({.name = "body", .parent = 0, .parts = {part_of(mesh)}});
+  return write_glb(scene);
+}
+
+void put_u32(std::string& bytes, std::size_t at, std::uint32_t value) {
+  for (std::size_t k = 0; k < 4; ++k) bytes[at + k] = static_cast<char>(value >> (8 * k) & 0xffU);
+}
+
+std::string header(std::uint32_t json_bytes) {
+  std::string bytes(20, '\0');
+  put_u32(bytes, 0, 0x46546C67);
+  put_u32(bytes, 4, 2);
+  put_u32(bytes, 12, json_bytes);
+  put_u32(bytes, 16, 0x4E4F534A);
+  return bytes;
+}
+
+// A file with this JSON part, and so many bytes of zeros as its binary part.
+std::string with_json(std::string json, std::uint32_t binary = 0) {
+  while (json.size() % 4 != 0) json += ' ';
+  std::string bytes = header(static_cast<std::uint32_t>(json.size())) + json;
+  if (binary > 0) {
+    std::string chunk(8, '\0');
+    put_u32(chunk, 0, binary);
+    put_u32(chunk, 4, 0x004E4942);
+    bytes += chunk + std::string(binary, '\0');
+  }
+  put_u32(bytes, 8, static_cast<std::uint32_t>(bytes.size()));
+  return bytes;
+}
+
+std::string why(const std::string& bytes) {
+  const Result<TriangleMesh> read = read_glb(bytes);
+  return read.ok() ? "" : read.error().message;
+}
+
+// With one text in the JSON part in the place of another of the same length.
+std::string changed(std::string bytes, const std::string& from, std::string to) {
+  const std::size_t at = bytes.find(from);
+  REQUIRE(at != std::string::npos);
+  REQUIRE(to.size() <= from.size());
+  to.resize(from.size(), ' ');
+  return bytes.replace(at, from.size(), to);
+}
+
+bool says(const std::string& bytes, const std::string& text) {
+  const std::string reason = why(bytes);
+  CAPTURE(reason);
+  const bool found = reason.find(text) != std::string::npos;
+  CHECK(found);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("what is written is read back, z up, where its nodes put it") {
+  Eigen::Isometry3d T(Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()));
+  T.translation() = Vector3d(0.5, -0.25, 1.0);
+  const TriangleMesh iron = test::angle_iron();
+  const Result<TriangleMesh> read = read_glb(file_of(iron, T));
+  REQUIRE(read.ok());
+  CHECK(read->is_closed());
+  const MassProperties& mass = *read->mass_properties();
+  CHECK(mass.volume == doctest::Approx(iron.mass_properties()->volume).epsilon(1e-6));
+  CHECK((mass.center_of_mass - T * iron.mass_properties()->center_of_mass).norm() < 1e-7);
+}
+
+TEST_CASE("a file that is cut off is refused, wherever it is cut") {
+  const std::string bytes = file_of(test::angle_iron());
+  for (std::size_t n = 0; n < bytes.size(); ++n) {
+    CHECK_FALSE(why(bytes.substr(0, n)).empty());
+    // Also with a header that agrees.
+    if (n < 20) continue;
+    std::string shorter = bytes.substr(0, n);
+    put_u32(shorter, 8, static_cast<std::uint32_t>(n));
+    CHECK_FALSE(why(shorter).empty());
+  }
+}
+
+TEST_CASE("random bytes in a file make no crash") {
+  const std::string bytes = file_of(test::box_mesh({0.1, 0.1, 0.1}));
+  Random random(5);
+  int refused = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string broken = bytes;
+    for (std::uint64_t k = random.below(6) + 1; k > 0; --k)
+      broken[random.below(bytes.size())] = static_cast<char>(random.below(256));
+    if (!why(broken).empty()) ++refused;
+  }
+  CHECK(refused > 10000);
+}
+
+TEST_CASE("sizes that the file has not are refused before anything is taken") {
+  const std::string bytes = file_of(test::box_mesh({0.1, 0.1, 0.1}));
+  std::string large = bytes;
+  put_u32(large, 12, 0x7fffffff);
+  says(large, "a chunk of 2147483647 bytes does not fit into it");
+  put_u32(large = bytes, 8, 0x80000000);
+  says(large, "its header says 2147483648 bytes");
+  says(changed(bytes, "\"count\":36", "\"count\":99"), "more than the 144 bytes of its view hold");
+  says(changed(bytes, "\"byteLength\":96", "\"byteLength\":-1"), "expected a whole number");
+  says(changed(bytes, "\"count\":36", "\"count\":-1"), "expected a whole number");
+  says(changed(bytes, "\"componentType\":5126", "\"componentType\":5120"), "is not read there");
+  says(changed(bytes, "\"bufferView\":0", "\"bufferView\":9"), "bufferView 9 is not there; it has");
+  says(changed(bytes, "\"mesh\":0", "\"mesh\":1"), "mesh 1 is not there; it has 1");
+}
+
+TEST_CASE("an index that no vertex has is refused") {
+  std::string bytes = file_of(test::box_mesh({0.1, 0.1, 0.1}));
+  put_u32(bytes, bytes.size() - 4, 8);
+  says(bytes, "index 35 is 8, but there are 8 vertices");
+}
+
+TEST_CASE("a coordinate that is no number is refused") {
+  std::string bytes = file_of(test::box_mesh({0.1, 0.1, 0.1}));
+  put_u32(bytes, bytes.size() - 144 - 96 - 96, 0x7fc00000);
+  says(bytes, "a coordinate that is no number");
+}
+
+TEST_CASE("loops of nodes, other files and what is not read are told") {
+  const std::string bytes = file_of(test::box_mesh({0.1, 0.1, 0.1}));
+  says(changed(bytes, "\"children\":[1]", "\"children\":[0]"), "node 0 is below itself");
+  says(with_json("[]"), "its JSON part is broken");
+  says(with_json("{"), "its JSON part is broken");
+  says(with_json(R"({"nodes":[{}]})"), "there are no triangles in it");
+  says(with_json(R"({"extensionsRequired":["KHR_draco_mesh_compression"]})"),
+       "it needs the extension \"KHR_draco_mesh_compression\"");
+  says(with_json(
+           R"({"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],
+"buffers":[{"byteLength":36,"uri":"/etc/passwd"}]})"),
+       "its geometry lies in another file");
+  says(with_json(std::string(100000, '[')), "more than 64 values in one another");
+  says(with_json("{\"extras\":" + std::string(100, '[') + std::string(100, ']') + "}"),
+       "more than 64 values in one another");
+}
+
+TEST_CASE("a few bytes never stand for more than a million triangles") {
+  // One box, in each of 100,000 nodes.
+  std::string nodes, roots;
+  for (int i = 0; i < 100000; ++i) {
+    nodes += i > 0 ? ",{\"mesh\":0}" : "{\"mesh\":0}";
+    roots += (i > 0 ? "," : "") + std::to_string(i);
+  }
+  const std::string rest =
+      R"("accessors":[{"bufferView":0,"componentType":5126,"count":36,"type":"VEC3"}],
+"bufferViews":[{"buffer":0,"byteLength":432}],"buffers":[{"byteLength":432}],"nodes":[)" +
+      nodes + "]}";
+  says(with_json("{\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]," + rest, 432),
+       "it has more than 1000000 triangles");
+  says(
+      with_json("{\"meshes\":[{\"primitives\":[{\"mode\":0},{\"mode\":0},{\"mode\":0},{\"mode\":0},"
+                "{\"mode\":0},{\"mode\":0},{\"mode\":0},{\"mode\":0},{\"mode\":0},{\"mode\":0},"
+                "{\"mode\":0}]}]," +
+                    rest,
+                432),
+      "more than a million parts");
+}
