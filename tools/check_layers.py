@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-RUNTIME = ["core", "math", "mesh", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "collision", "planning", "vision", "plot", "backend"]
+RUNTIME = ["core", "math", "mesh", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "collision", "planning", "grasp", "vision", "plot", "backend"]
 
 # layer: the layers whose public headers it may include, besides its own.
 MAY_INCLUDE = {
@@ -24,6 +24,7 @@ MAY_INCLUDE = {
     "world": ["core", "math", "mesh"],
     "collision": ["core", "math", "mesh", "chain", "model", "kinematics", "trajectory", "world"],
     "planning": ["core", "math", "chain", "model", "kinematics", "trajectory", "world", "collision"],
+    "grasp": ["core", "math"],
     "vision": ["core", "math", "world"],
     "plot": ["core", "math"],
     "backend": ["core", "math", "plot"],
