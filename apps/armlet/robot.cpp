@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "armlet/core/files.hpp"
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/format.hpp"
 #include "armlet/mesh/glb.hpp"
@@ -57,6 +58,20 @@ int refuse(const std::string& message, int exit) {
   return exit;
 }
 
+// A mesh that a description names; null for a kind of file that is not read.
+Result<std::shared_ptr<const TriangleMesh>> read_mesh(const std::string& folder,
+                                                      const std::string& mesh) {
+  constexpr std::size_t kMostBytes = 128 << 20;
+  std::shared_ptr<const TriangleMesh> made;
+  if (!is_glb_name(mesh)) return made;
+  const Result<std::string> bytes = armlet::read_file(find_mesh(folder, {}, mesh), kMostBytes);
+  if (!bytes.ok()) return bytes.error();
+  Result<TriangleMesh> read = read_glb(*bytes);
+  if (!read.ok()) return read.error();
+  made = std::make_shared<const TriangleMesh>(std::move(read).value());
+  return made;
+}
+
 Found read_description(const RobotOptions& options) {
   Found found;
   const auto text = read_file(options.name, false);
@@ -69,6 +84,7 @@ Found read_description(const RobotOptions& options) {
   UrdfOptions urdf;
   if (options.published) urdf.inertia_check = InertiaCheck::kPublished;
   urdf.has_mesh = [&](const std::string& mesh) { return !find_mesh(folder, {}, mesh).empty(); };
+  urdf.load_mesh = [&](const std::string& mesh) { return read_mesh(folder, mesh); };
   Result<Mechanism> read = read_urdf(*text, urdf);
   if (!read.ok()) {
     found.exit = refuse(fmt::format("{}: {}", options.name, read.error().message), kRejected);

@@ -179,12 +179,29 @@ void add_needle(const Robot& robot, std::vector<ArmSolid>& bodies) {
   bodies.push_back(needle);
 }
 
+// Of what joint `link` moves, counted from 1.
+bool has_meshes(const Robot& robot, int link) {
+  return link > 0 && link <= robot.n() && !robot.spec().links.empty() &&
+         !robot.link(link - 1).bodies.empty();
+}
+
+void add_meshes(const Robot& robot, std::vector<ArmSolid>& bodies) {
+  for (int link = 1; link <= robot.n(); ++link) {
+    if (!has_meshes(robot, link)) continue;
+    for (const LinkMesh& each : robot.link(link - 1).bodies) {
+      ArmSolid body{.frame = link, .solid = solid_of(*each.triangles)};
+      body.solid.T = each.T_link_mesh;
+      bodies.push_back(std::move(body));
+    }
+  }
+}
+
 std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
   const std::vector<Eigen::Isometry3d> frames = link_frames(robot, robot.home());
   const Eigen::Isometry3d T_world_tool = forward(robot, robot.home());
   std::vector<ArmSolid> bodies;
   for (const LinkShape& shape : link_shapes(robot)) {
-    if (is_left_out(shape, bare)) continue;
+    if (is_left_out(shape, bare) || has_meshes(robot, shape.link)) continue;
     ArmSolid body{.frame = std::min(shape.link, robot.n()),
                   .role = shape.role,
                   .solid = solid_of(shape),
@@ -204,6 +221,7 @@ std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
     if (body.solid.is_empty()) continue;
     bodies.push_back(std::move(body));
   }
+  add_meshes(robot, bodies);
   if (bare) add_needle(robot, bodies);
   return bodies;
 }

@@ -236,11 +236,38 @@ bool TriangleMesh::holds(const Vector3d& p) const {
   return inside > outside;
 }
 
-TriangleMesh TriangleMesh::moved(const Eigen::Isometry3d& T) const {
+TriangleMesh TriangleMesh::scaled(const Vector3d& factors) const {
   std::vector<Vector3d> vertices;
   vertices.reserve(vertices_.size());
-  for (const Vector3d& each : vertices_) vertices.emplace_back(T * each);
-  return {std::move(vertices), triangles_};
+  for (const Vector3d& each : vertices_) vertices.emplace_back(factors.cwiseProduct(each));
+  std::vector<Corners> triangles = triangles_;
+  if (factors.prod() < 0.0) {
+    for (Corners& each : triangles) std::swap(each[1], each[2]);
+  }
+  return {std::move(vertices), std::move(triangles)};
+}
+
+TriangleMesh TriangleMesh::moved(const Eigen::Isometry3d& T) const {
+  if (T.linear() != Matrix3d::Identity()) {
+    std::vector<Vector3d> vertices;
+    vertices.reserve(vertices_.size());
+    for (const Vector3d& each : vertices_) vertices.emplace_back(T * each);
+    return {std::move(vertices), triangles_};
+  }
+  // Rounding keeps the order of numbers, so the boxes stay those of their triangles.
+  const Vector3d p = T.translation();
+  TriangleMesh mesh = *this;
+  mesh.reach_ = 0.0;
+  for (Vector3d& each : mesh.vertices_) {
+    each += p;
+    mesh.reach_ = std::max(mesh.reach_, each.norm());
+  }
+  for (TriangleTree::Node& each : mesh.tree_.nodes) {
+    each.low += p;
+    each.high += p;
+  }
+  if (mesh.mass_) mesh.mass_->center_of_mass += p;
+  return mesh;
 }
 
 }  // namespace armlet

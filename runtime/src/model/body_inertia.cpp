@@ -24,11 +24,14 @@ Link moved(const Link& link, const Eigen::Isometry3d& T_to_from) {
   const Matrix3d I = R * link.inertia * R.transpose();
   result.inertia = 0.5 * (I + I.transpose());
   result.mesh = link.mesh;
+  result.bodies = link.bodies;
+  for (LinkMesh& each : result.bodies) each.T_link_mesh = T_to_from * each.T_link_mesh;
   return result;
 }
 
 void add_body(Link& link, const Link& body) {
   if (link.mesh.empty()) link.mesh = body.mesh;
+  link.bodies.insert(link.bodies.end(), body.bodies.begin(), body.bodies.end());
   if (link.mass + body.mass == 0.0) {
     link.inertia += body.inertia;
     if (link.com.isZero()) link.com = body.com;

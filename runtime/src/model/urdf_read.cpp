@@ -144,6 +144,26 @@ Link link_of(const urdf::Link& source) {
   return link;
 }
 
+struct PlacedMesh {
+  std::string file;
+  Isometry3d T_link_mesh;
+  Vector3d scale;
+};
+
+// Those that are compared with other bodies.
+std::vector<PlacedMesh> collision_meshes_of(const urdf::Link& link) {
+  std::vector<PlacedMesh> found;
+  const auto add = [&](const urdf::GeometrySharedPtr& geometry, const urdf::Pose& origin) {
+    if (!geometry || geometry->type != urdf::Geometry::MESH) return;
+    const auto& mesh = static_cast<const urdf::Mesh&>(*geometry);
+    found.push_back({mesh.filename, pose_of(origin), {mesh.scale.x, mesh.scale.y, mesh.scale.z}});
+  };
+  for (const auto& each : link.collision_array) add(each->geometry, each->origin);
+  if (!link.collision_array.empty()) return found;
+  for (const auto& each : link.visual_array) add(each->geometry, each->origin);
+  return found;
+}
+
 std::vector<std::string> meshes_of(const urdf::Link& link) {
   std::vector<std::string> names;
   const auto add = [&](const urdf::GeometrySharedPtr& geometry) {
@@ -186,6 +206,29 @@ class Reader {
     return std::nullopt;
   }
 
+  std::optional<Error> load_meshes(const urdf::Link& link, Link& body) const {
+    if (!options_.load_mesh) return std::nullopt;
+    for (const PlacedMesh& each : collision_meshes_of(link)) {
+      auto mesh = options_.load_mesh(each.file);
+      if (!mesh.ok()) {
+        return broken(fmt::format("the mesh \"{}\" of link `{}` cannot be used: {}", each.file,
+                                  link.name, mesh.error().message));
+      }
+      if (*mesh == nullptr) continue;
+      try {
+        body.bodies.push_back(
+            {each.scale == Vector3d::Ones()
+                 ? *mesh
+                 : std::make_shared<const TriangleMesh>((*mesh)->scaled(each.scale)),
+             each.T_link_mesh});
+      } catch (const ArgumentError& error) {
+        return broken(fmt::format("the mesh \"{}\" of link `{}` cannot be used: {}", each.file,
+                                  link.name, error.what()));
+      }
+    }
+    return std::nullopt;
+  }
+
   // From the root outwards without recursion: chains may be long.
   std::optional<Error> add_children(const urdf::Link& root) {
     std::vector<std::pair<const urdf::Link*, int>> open{{&root, -1}};
@@ -213,6 +256,7 @@ class Reader {
               .link = link_of(child)};
     const std::vector<std::string> meshes = meshes_of(child);
     if (!meshes.empty()) body.link.mesh = meshes.front();
+    if (auto error = load_meshes(child, body.link)) return error;
     switch (joint.type) {
       case urdf::Joint::FIXED:
         break;

@@ -160,7 +160,6 @@ Mesh make_mesh(const TriangleMesh& triangles, double density, std::string file) 
   Mesh mesh{.density = density, .file = std::move(file)};
   mesh.triangles = std::make_shared<const TriangleMesh>(
       triangles.moved(Eigen::Isometry3d(Eigen::Translation3d(-middle))));
-  if (!mesh.triangles->is_closed()) throw ArgumentError(mesh.triangles->open_because());
   return mesh;
 }
 

@@ -15,6 +15,7 @@
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
+#include "world/meshes.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -170,6 +171,17 @@ void check_meshes(Vm& vm, const RobotSpec& spec) {
   }
 }
 
+// Reads those of the joints' rows into their links; R0656 for one that cannot be used.
+Answer<void> load_meshes(Vm& vm, RobotSpec& spec) {
+  for (Link& link : spec.links) {
+    if (link.mesh.empty()) continue;
+    const auto mesh = load_link_mesh(vm, {}, link.mesh);
+    if (!mesh.ok()) return fail_mesh(vm, link.mesh, mesh.error().message, {}, -1);
+    if (*mesh != nullptr) link.bodies.push_back({.triangles = *mesh});
+  }
+  return {};
+}
+
 // robot name { joint ...; base: ...; tool: ...; gravity: ...; convention: ... }
 Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> joints,
                              const PosC* base, const ToolValue* tool, Numbers gravity,
@@ -190,6 +202,7 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
   }
   spec.inertia_check = inertia_check_of(inertias);
   check_meshes(vm, spec);
+  if (!load_meshes(vm, spec)) return Failed{};
   if (!has_mass) spec.links.clear();
   if (!read_vector3(vm, gravity, kGravity, "gravity", spec.gravity)) return Failed{};
   if (home != nullptr) spec.home = home->vector();
@@ -213,6 +226,7 @@ Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::s
   UrdfOptions options;
   options.inertia_check = inertia_check_of(inertias);
   options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
+  options.load_mesh = [&](const std::string& mesh) { return load_link_mesh(vm, path, mesh); };
   const Result<Mechanism> mechanism = read_urdf(*text, options);
   if (!mechanism.ok()) {
     UrdfOptions published = options;

@@ -51,11 +51,15 @@ Result<std::string> Host::read(const std::string& name, std::size_t most) const 
   return text;
 }
 
-bool Host::finds_mesh(const std::string& file, const std::string& mesh) const {
-  if (options_.folder.empty()) return false;
+std::string Host::mesh_path(const std::string& file, const std::string& mesh) const {
+  if (options_.folder.empty()) return {};
   const fs::path folder = (options_.folder / file).parent_path();
   const fs::path from = file.empty() ? options_.folder : folder;
-  return !find_mesh(from.string(), options_.folder.string(), mesh).empty();
+  return find_mesh(from.string(), options_.folder.string(), mesh);
+}
+
+bool Host::finds_mesh(const std::string& file, const std::string& mesh) const {
+  return !mesh_path(file, mesh).empty();
 }
 
 // ---- through the journal
@@ -91,6 +95,20 @@ Result<fs::path> Host::save_file(const FileKind& kind, const std::string& name,
 Result<std::string> Host::load_file(const std::string& name, std::size_t most) const {
   if (options_.journal == nullptr) return read(name, most);
   Reply reply = options_.journal->load(name, [&] { return reply_of(read(name, most)); });
+  if (reply.error) return *reply.error;
+  return std::move(reply.text);
+}
+
+Result<std::string> Host::load_mesh(const std::string& file, const std::string& mesh) const {
+  constexpr std::size_t kMostBytes = 128 << 20;
+  const auto read_mesh = [&]() -> Result<std::string> {
+    const std::string path = mesh_path(file, mesh);
+    if (path.empty()) return refuse("there is no such file");
+    return read(path, kMostBytes);
+  };
+  if (options_.journal == nullptr) return read_mesh();
+  Reply reply = options_.journal->load(fmt::format("{} of {}", mesh, file),
+                                       [&] { return reply_of(read_mesh()); });
   if (reply.error) return *reply.error;
   return std::move(reply.text);
 }

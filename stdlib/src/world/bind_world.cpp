@@ -9,12 +9,12 @@
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
-#include "armlet/mesh/glb.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
+#include "world/meshes.hpp"
 #include "world/objects.hpp"
 
 namespace armlet::bind {
@@ -63,35 +63,6 @@ ShapeValue cylinder(double radius, double height) { return {Cylinder{radius, hei
 ShapeValue sphere(double radius) { return {Sphere{radius}}; }
 ShapeValue cone(double radius, double height) { return {Cone{radius, height}}; }
 ShapeValue plane(double x, double y) { return {Plane{{x, y}}}; }
-
-// R0656.
-Failed fail_mesh(Vm& vm, const std::string& path, const std::string& why, std::string fix = {}) {
-  Failure f;
-  f.headline = {row("R0656"), {path, why}};
-  f.mark_parameter = 0;
-  f.fix = std::move(fix);
-  return fail(vm, std::move(f));
-}
-
-Answer<ShapeValue> mesh(Vm& vm, std::string_view path, std::optional<double> density) try {
-  constexpr std::size_t kMostBytes = 128 << 20;
-  const std::string file(path);
-  if (density && !(std::isfinite(*density) && *density > 0.0)) {
-    return fail_mesh(vm, file,
-                     fmt::format("its density is {} kg/m^3; expected more than 0", *density));
-  }
-  const Result<std::string> bytes = Host::of(vm).load_file(file, kMostBytes);
-  if (!bytes.ok()) return fail_mesh(vm, file, bytes.error().message);
-  const Result<TriangleMesh> triangles = read_glb(*bytes);
-  if (!triangles.ok()) return fail_mesh(vm, file, triangles.error().message);
-  if (!triangles->is_closed()) {
-    return fail_mesh(vm, file, triangles->open_because(),
-                     "close it where it was made: an object needs an inside to have a volume");
-  }
-  return ShapeValue{make_mesh(*triangles, density.value_or(0.0), file)};
-} catch (const ArgumentError& error) {
-  return fail_mesh(vm, std::string(path), error.what());
-}
 
 // W0723, once for each place of the program.
 void report_overlap(Vm& vm, const std::string& name) {
@@ -278,7 +249,7 @@ constexpr NativeFunction kWorldFunctions[] = {
     def<plane>("plane(x: length, y: length) -> shape",
                "A thin rectangle that faces up, its frame in the middle.", "plane(400mm, 300mm)",
                {.check = check_plane}),
-    def<mesh>(
+    def<mesh_shape>(
         "mesh(path: string, density: density?) -> shape",
         "The body whose surface is in a GLB file of the program's folder; its frame is in the "
         "middle of the box around it, z up. With a density its objects have a mass.",

@@ -90,6 +90,33 @@ TEST_CASE("an angle iron weighs as much as its two boxes") {
   CHECK((mass->center_of_mass - centre).norm() < 1e-15);
 }
 
+TEST_CASE("a moved or scaled mesh is what its vertices would make") {
+  const TriangleMesh iron = test::angle_iron(),
+                     shifted = iron.moved(Eigen::Isometry3d(Eigen::Translation3d(0.3, -0.2, 0.1)));
+  std::vector<Vector3d> vertices = iron.vertices();
+  for (Vector3d& each : vertices) each += Vector3d(0.3, -0.2, 0.1);
+  const TriangleMesh made(vertices, iron.triangles());
+  CHECK(shifted.low() == made.low());
+  CHECK(shifted.high() == made.high());
+  CHECK(shifted.reach() == made.reach());
+  CHECK(
+      (shifted.mass_properties()->center_of_mass - made.mass_properties()->center_of_mass).norm() <
+      1e-15);
+  for (std::size_t i = 0; i < made.tree().nodes.size(); ++i) {
+    CHECK(shifted.tree().nodes[i].low == made.tree().nodes[i].low);
+    CHECK(shifted.tree().nodes[i].high == made.tree().nodes[i].high);
+  }
+  const Eigen::Isometry3d T(Eigen::AngleAxisd(0.4, Vector3d(1, 2, 3).normalized()));
+  CHECK(
+      (iron.moved(T).mass_properties()->center_of_mass - T * iron.mass_properties()->center_of_mass)
+          .norm() < 1e-15);
+  const TriangleMesh mirrored = iron.scaled({-2.0, 1.0, 1.0});
+  CHECK(mirrored.is_closed());
+  CHECK(mirrored.mass_properties()->volume ==
+        doctest::Approx(2.0 * iron.mass_properties()->volume).epsilon(1e-12));
+  CHECK(mirrored.low().x() == -0.2);
+}
+
 TEST_CASE("a surface with the inside outside is turned") {
   TriangleMesh mesh = tetrahedron();
   auto triangles = mesh.triangles();

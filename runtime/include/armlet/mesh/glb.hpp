@@ -78,4 +78,7 @@ std::string write_glb(const GlbScene& scene);
 // source   as write_glb.
 Result<TriangleMesh> read_glb(std::string_view bytes);
 
+// Whether a file is one by its name, ".glb" in whatever case.
+bool is_glb_name(std::string_view name);
+
 }  // namespace armlet

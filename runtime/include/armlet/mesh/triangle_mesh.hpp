@@ -76,6 +76,10 @@ class TriangleMesh {
   // Whether a point lies inside of a closed surface; false for an open one. On the surface either.
   [[nodiscard]] bool holds(const Eigen::Vector3d& p) const;
 
+  // The same triangles, longer along each axis by a factor; a mirrored one is turned.
+  //
+  // throws  ArgumentError as when it is made.
+  [[nodiscard]] TriangleMesh scaled(const Eigen::Vector3d& factors) const;
   // The same triangles, moved.
   [[nodiscard]] TriangleMesh moved(const Eigen::Isometry3d& T) const;
 

@@ -1,7 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <memory>
 #include <string>
+#include <vector>
+
+#include "armlet/mesh/triangle_mesh.hpp"
 
 namespace armlet {
 
@@ -23,6 +27,12 @@ struct Friction {
   double stribeck_speed = 0.0;  // rad/s at the motor, > 0; 0: none
 };
 
+// A mesh fixed to a link; shared by all copies of the robot.
+struct LinkMesh {
+  std::shared_ptr<const TriangleMesh> triangles;
+  Eigen::Isometry3d T_link_mesh = Eigen::Isometry3d::Identity();
+};
+
 // The rigid body moved by a joint and the motor that moves it. Positions are in the link's own DH
 // frame: the far end of the link for the standard convention, the near end for the modified one.
 struct Link {
@@ -32,7 +42,8 @@ struct Link {
   double motor_inertia = 0.0;                         // of the rotor, kg m^2
   double gear = 1.0;                                  // motor turns per joint turn, may be negative
   Friction friction;
-  std::string mesh;  // file of the shape; empty: none
+  std::string mesh;              // file of the shape; empty: none
+  std::vector<LinkMesh> bodies;  // what was read of it: in the place of shapes from the table
 };
 
 // A rigid body fixed to the flange, besides the last link: what a hand holds.

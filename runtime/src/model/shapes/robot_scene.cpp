@@ -45,6 +45,12 @@ Isometry3d moved_by(const Robot& robot, int i, double q) {
   return Isometry3d(Eigen::Translation3d(0.0, 0.0, q));
 }
 
+// Of what joint `link` moves, counted from 1.
+bool has_meshes(const Robot& robot, int link) {
+  return link > 0 && link <= robot.n() && !robot.spec().links.empty() &&
+         !robot.link(link - 1).bodies.empty();
+}
+
 }  // namespace
 
 GlbScene robot_scene(const Robot& robot) {
@@ -70,8 +76,19 @@ GlbScene robot_scene(const Robot& robot) {
   scene.nodes.push_back(
       {.name = "tool point", .parent = n + 1, .T_parent_node = robot.T_flange_tool()});
   std::vector<std::array<GlbPart, kLooks>> parts(static_cast<std::size_t>(n) + 2);
-  for (const LinkShape& shape : link_shapes(robot))
-    add_triangles(shape, parts[static_cast<std::size_t>(shape.link)][look_of(shape.role)]);
+  for (const LinkShape& shape : link_shapes(robot)) {
+    if (!has_meshes(robot, shape.link))
+      add_triangles(shape, parts[static_cast<std::size_t>(shape.link)][look_of(shape.role)]);
+  }
+  for (int link = 1; link <= n; ++link) {
+    if (!has_meshes(robot, link)) continue;
+    const Isometry3d T_node_link = standard
+                                       ? dh_pose(DhConvention::kStandard, robot.joint(link - 1).dh)
+                                       : Isometry3d::Identity();
+    for (const LinkMesh& each : robot.link(link - 1).bodies)
+      add_triangles(*each.triangles, T_node_link * each.T_link_mesh,
+                    parts[static_cast<std::size_t>(link)][kLight]);
+  }
   for (std::size_t link = 0; link < parts.size(); ++link) {
     for (std::size_t look = 0; look < kLooks; ++look) {
       if (parts[link][look].corners.empty()) continue;

@@ -171,6 +171,9 @@ class Host : public Timeline {
                                                         const std::string& name,
                                                         std::string_view content) const;
 
+  // The bytes of a mesh, found as has_mesh finds it; 128 MB at most.
+  [[nodiscard]] Result<std::string> load_mesh(const std::string& file,
+                                              const std::string& mesh) const;
   // The text of a file of the program, under the same rule. Fails with the reason.
   // most  bytes; a larger file is refused.
   [[nodiscard]] Result<std::string> load_file(const std::string& name,
@@ -218,6 +221,7 @@ class Host : public Timeline {
   [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
                                                     std::string_view content) const;
   [[nodiscard]] Result<std::string> read(const std::string& name, std::size_t most) const;
+  [[nodiscard]] std::string mesh_path(const std::string& file, const std::string& mesh) const;
   [[nodiscard]] bool finds_mesh(const std::string& file, const std::string& mesh) const;
   bool pace_to(std::int64_t t_ns);
 

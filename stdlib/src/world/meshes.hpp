@@ -1,0 +1,27 @@
+#pragma once
+// Meshes in the files of a program.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "armlet/interpreter/engine.hpp"
+#include "armlet/mesh/triangle_mesh.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+
+// R0656: why the mesh of a file cannot be used. Marks argument `parameter`.
+Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::string fix = {},
+                 int parameter = 0);
+
+// mesh(path, density): a body.
+Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density);
+
+// The mesh of a link that `file` names, the program itself if it is empty; null if it is of a kind
+// that is not read.
+Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::string& file,
+                                                           const std::string& mesh);
+
+}  // namespace armlet::bind
