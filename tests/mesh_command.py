@@ -206,7 +206,7 @@ def check_broken(folder):
     done = folder.run('let part = mesh("nowhere.glb")\n')
     check(f"missing: {done.stderr}", done.returncode == 70 and "there is no such file" in done.stderr)
     lines, _ = folder.lines('try { let part = mesh("nowhere.glb") } catch (e) { print(e.kind) }\n')
-    check("a kind to catch", lines[0] == "Host")
+    check("a kind to catch", lines[0] == "BadMesh")
 
 
 def check_many(folder):

@@ -64,10 +64,11 @@ class Pieces {
 };
 
 // Whether a vertex lies behind the plane of a triangle, or in it but for rounding.
-bool is_behind(std::span<const Vector3d> vertices, const Corners& c, std::uint32_t vertex) {
+bool is_behind(std::span<const Vector3d> vertices, const Corners& c, std::uint32_t vertex,
+               double rounding) {
   const Vector3d &a = vertices[c[0]], u = vertices[c[1]] - a, v = vertices[c[2]] - a;
-  const Vector3d w = vertices[vertex] - a, n = u.cross(v);
-  return w.dot(n) <= 1e-9 * n.norm() * std::max({u.norm(), v.norm(), w.norm()});
+  const Vector3d n = u.cross(v);
+  return (vertices[vertex] - a).dot(n) <= rounding * n.norm();
 }
 
 std::string why_open(std::size_t single, std::size_t turned) {
@@ -86,7 +87,8 @@ std::string why_open(std::size_t single, std::size_t turned) {
 
 }  // namespace
 
-EdgeReport look_at(std::span<const Vector3d> vertices, std::span<const Corners> triangles) {
+EdgeReport look_at(std::span<const Vector3d> vertices, std::span<const Corners> triangles,
+                   double rounding) {
   const std::vector<HalfEdge> edges = half_edges(triangles);
   Pieces pieces(triangles.size());
   std::size_t count = 0, single = 0, turned = 0;
@@ -99,8 +101,8 @@ EdgeReport look_at(std::span<const Vector3d> vertices, std::span<const Corners> 
     }
     if (balance != 0) ++(end - i == 1 ? single : turned);
     convex = convex && end - i == 2 && balance == 0 &&
-             is_behind(vertices, triangles[edges[i].triangle], edges[i + 1].opposite) &&
-             is_behind(vertices, triangles[edges[i + 1].triangle], edges[i].opposite);
+             is_behind(vertices, triangles[edges[i].triangle], edges[i + 1].opposite, rounding) &&
+             is_behind(vertices, triangles[edges[i + 1].triangle], edges[i].opposite, rounding);
   }
   // A sphere has V - E + F = 2 (Euler).
   const bool sphere = vertices.size() + triangles.size() == count + 2 && pieces.count() == 1;

@@ -82,6 +82,21 @@ bool ray_meets(const TriangleTree::Node& node, const Vector3d& p, const Vector3d
   return from <= to;
 }
 
+// Whether no vertex is farther than `rounding` before the plane of a triangle; of very many
+// triangles, every so-manieth is looked at. Slivers have no plane.
+bool lies_behind_all(const TriangleMesh& mesh, double rounding) {
+  constexpr std::size_t kMostLooks = 5'000;
+  const std::size_t step = mesh.triangles().size() / kMostLooks + 1;
+  for (std::size_t i = 0; i < mesh.triangles().size(); i += step) {
+    const Vector3d &a = mesh.corner(i, 0), u = mesh.corner(i, 1) - a, v = mesh.corner(i, 2) - a;
+    const Vector3d n = u.cross(v);
+    const double area = n.norm();
+    if (area < 1e-5 * std::max(u.squaredNorm(), v.squaredNorm())) continue;
+    if ((mesh.farthest(n) - a).dot(n) > rounding * area) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 TriangleMesh::TriangleMesh(std::vector<Vector3d> vertices, std::vector<Corners> triangles)
@@ -137,9 +152,11 @@ void TriangleMesh::drop_doubles() {
 }
 
 void TriangleMesh::look_at_edges() {
-  const EdgeReport report = look_at(vertices_, triangles_);
+  // Files have single precision: corners that should lie in one plane miss it by as much.
+  const double rounding = 4e-7 * reach_;
+  const EdgeReport report = look_at(vertices_, triangles_, rounding);
   open_because_ = report.open_because;
-  is_convex_ = report.is_convex;
+  is_convex_ = report.is_convex && lies_behind_all(*this, rounding);
 }
 
 void TriangleMesh::turn_inside_out() {

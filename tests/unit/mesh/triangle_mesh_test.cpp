@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -115,6 +116,36 @@ TEST_CASE("a moved or scaled mesh is what its vertices would make") {
   CHECK(mirrored.mass_properties()->volume ==
         doctest::Approx(2.0 * iron.mass_properties()->volume).epsilon(1e-12));
   CHECK(mirrored.low().x() == -0.2);
+}
+
+TEST_CASE("what is convex but for the rounding of a file is convex, what has a dent is not") {
+  const auto rounded = [](const TriangleMesh& mesh, const Vector3d& p) {
+    std::vector<Vector3d> vertices;
+    for (const Vector3d& each : mesh.vertices())
+      vertices.emplace_back((each + p).cast<float>().cast<double>());
+    return TriangleMesh(vertices, mesh.triangles());
+  };
+  CHECK(rounded(test::box_mesh({0.08, 0.07, 0.09}), {3.1, -2.3, 1.7}).is_convex());
+  CHECK(rounded(test::ball_mesh(0.05, 200), {0.0, 0.0, 0.0}).is_convex());
+  CHECK_FALSE(rounded(test::angle_iron(), {0.0, 0.0, 0.0}).is_convex());
+  // The middle of a face 0.02 mm lower than its corners.
+  const TriangleMesh box = test::box_mesh({0.1, 0.1, 0.1});
+  std::vector<Vector3d> vertices = box.vertices();
+  vertices.emplace_back(0.0, 0.0, 0.04998);
+  std::vector<Corners> triangles = box.triangles();
+  const auto number = [&](const Vector3d& p) {
+    return static_cast<std::uint32_t>(std::ranges::find(vertices, p) - vertices.begin());
+  };
+  std::erase_if(triangles, [&](const Corners& c) {
+    return std::ranges::all_of(c, [&](std::uint32_t k) { return vertices[k].z() > 0.0; });
+  });
+  REQUIRE(triangles.size() == 10);
+  const std::uint32_t ring[] = {number({-0.05, -0.05, 0.05}), number({0.05, -0.05, 0.05}),
+                                number({0.05, 0.05, 0.05}), number({-0.05, 0.05, 0.05})};
+  for (std::size_t k = 0; k < 4; ++k) triangles.push_back({ring[k], ring[(k + 1) % 4], 8});
+  const TriangleMesh dented(vertices, triangles);
+  CHECK(dented.is_closed());
+  CHECK_FALSE(dented.is_convex());
 }
 
 TEST_CASE("a surface with the inside outside is turned") {
