@@ -90,6 +90,7 @@ std::string tool_text(const Robot& robot) {
     case ToolKind::kSuctionCup:
       return fmt::format("suction cup of radius {}, {}", format_mm(tool.radius), point);
     case ToolKind::kPoint:
+    case ToolKind::kFingers:
     case ToolKind::kNone:
       break;
   }

@@ -85,6 +85,7 @@ OrderedJson robot_json(const RecordedRobot& robot) {
   return {{"name", robot.info.name},
           {"home", robot.info.home},
           {"tool", tool_json(robot.info.tool)},
+          {"on", robot.info.on},
           {"T_world_base", matrix_json(robot.info.T_world_base)},
           {"joints", std::move(joints)},
           {"shapes", shapes_json(shapes_of(robot.model))},

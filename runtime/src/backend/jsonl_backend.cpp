@@ -265,6 +265,7 @@ class JsonlBackend final : public Backend {
     }
     sink_.text("]");
     field("home", std::span<const double>(robot.home));
+    if (robot.on >= 0) field("on", static_cast<double>(robot.on));
     field("base", pose_numbers(robot.T_world_base));
     describe(robot.tool);
   }

@@ -30,6 +30,7 @@ void add(Fnv1a& hash, const RobotInfo& robot) {
   }
   add(hash, robot.home);
   add(hash, robot.T_world_base);
+  if (robot.on >= 0) hash.add(static_cast<std::uint64_t>(robot.on));
   hash.add(robot.tool.kind);
   for (const double value : {robot.tool.stroke, robot.tool.radius, robot.tool.length})
     hash.add(value);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "armlet/cell/fingers.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/check_finite.hpp"
@@ -50,7 +51,9 @@ int Cell::add_robot(std::shared_ptr<const Robot> model, std::string name) {
                      .loaded = std::move(model),
                      .q = home,
                      .qd = zero,
-                     .qdd = zero});
+                     .qdd = zero,
+                     .on = mounting_.on,
+                     .hand = mounting_.hand});
   published_ns_.push_back(-1);
   const int index = robot_count() - 1;
   if (listening()) {
@@ -104,24 +107,38 @@ void Cell::set_joints(int index, const Eigen::VectorXd& q) {
   settle_contacts();
   contacts_.forget_robot(index);
   moved.q = q;
+  follow_hands();
   world_.move_carried(index, T_world_flange(index));
   published_ns_[static_cast<std::size_t>(index)] = -1;
   publish(index);
 }
 
+Eigen::Isometry3d Cell::T_world_base(int index) const {
+  const CellRobot& arm = robot(index);
+  if (arm.on < 0) return arm.model->T_world_base();
+  return T_world_flange(arm.on) * arm.model->T_world_base();
+}
+
 Eigen::Isometry3d Cell::T_world_flange(int index) const {
   const CellRobot& arm = robot(index);
-  return link_frame(*arm.model, arm.q, arm.model->n());
+  const Eigen::Isometry3d T_flange = link_frame(*arm.model, arm.q, arm.model->n());
+  return arm.on < 0 ? T_flange : T_world_flange(arm.on) * T_flange;
 }
 
 Eigen::Isometry3d Cell::T_world_tool(int index) const {
   const CellRobot& arm = robot(index);
-  return forward(*arm.model, arm.q);
+  if (!arm.fingers.empty()) return T_world_base(index) * arm.model->T_flange_tool();
+  const Eigen::Isometry3d T_tool = forward(*arm.model, arm.q);
+  return arm.on < 0 ? T_tool : T_world_flange(arm.on) * T_tool;
 }
 
 Vector6d Cell::contact_wrench(int index) const {
-  (void)robot(index);
-  return contacts_.wrench(robots_, world_, index, now_ns());
+  const CellRobot& arm = robot(index);
+  if (arm.on >= 0) return finger_wrench(*this, index);
+  Vector6d wrench = contacts_.wrench(robots_, world_, index, now_ns());
+  if (arm.model->tool().kind == ToolKind::kFingers)
+    wrench += finger_wrench(*this, hand_on(index), arm.held);
+  return wrench;
 }
 
 void Cell::settle_contacts() { contacts_.settle(robots_, world_, now_ns()); }
@@ -293,6 +310,10 @@ void Cell::publish(int index, int motion) {
   if (backend_->wants_link_poses()) {
     T_world_links_.resize(static_cast<std::size_t>(arm.model->n()));
     link_frames(*arm.model, arm.q, T_world_links_);
+    if (arm.on >= 0) {
+      const Eigen::Isometry3d T_world_flange_on = T_world_flange(arm.on);
+      for (Eigen::Isometry3d& each : T_world_links_) each = T_world_flange_on * each;
+    }
   }
   tell(JointSample{.t_ns = now_ns(),
                    .robot = index,
@@ -305,6 +326,9 @@ void Cell::publish(int index, int motion) {
   for (std::size_t i = 0; i < world_.size(); ++i) {
     const auto& carried = world_.attachment_of(i);
     if (carried && carried->carrier == index) publish_object(world_.object(i).name);
+  }
+  for (const int finger : arm.fingers) {
+    if (!robot(finger).motion) publish(finger, motion);
   }
 }
 

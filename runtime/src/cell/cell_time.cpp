@@ -38,11 +38,13 @@ int Cell::execute(int index, Trajectory trajectory, std::optional<std::int64_t> 
   CellRobot& arm = state(index);
   begin();
   settle_contacts();
+  if (arm.on >= 0) loosen_grip(index, trajectory);
   arm.motion.emplace(std::move(trajectory), now_ns());
   arm.motion_id = static_cast<int>(reports_.size());
   reports_.push_back(
       {.robot = index, .start_ns = now_ns(), .end_ns = arm.motion->end_ns(), .held_ns = held_ns});
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
+  follow_hands();
   publish(index, arm.motion_id);
   return arm.motion_id;
 }
@@ -183,6 +185,7 @@ void Cell::bring_to_now() {
     arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
     if (!arm.held.empty()) world_.move_carried(i, T_world_flange(i));
   }
+  follow_hands();
 }
 
 void Cell::end_due_motions() {
@@ -199,11 +202,13 @@ void Cell::end_motion(int index) {
   report.state = arm.motion->is_stopped() ? MotionState::kStopped : MotionState::kReached;
   settle_contacts();
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
+  follow_hands();
   arm.motion.reset();
   if (!arm.held.empty()) world_.move_carried(index, T_world_flange(index));
   publish(index, arm.motion_id);
   events_.push_back({.t_ns = now_ns(), .robot = index, .motion = arm.motion_id});
-  if (!options_.contact_picking) return;
+  if (const int carrier = arm.on >= 0 ? arm.on : index; hand_on(carrier) >= 0) review_grip(carrier);
+  if (!options_.contact_picking || arm.on >= 0) return;
   if (auto event = pick_or_put_down(*this, index)) events_.push_back(*std::move(event));
 }
 

@@ -18,18 +18,40 @@ bool takes_hold(const Robot& arm, const ArmSolid& body) {
   return arm.tool().kind == ToolKind::kParallelGripper ? is_finger(body.role) : is_hand(body.role);
 }
 
+// How near the tool point a thing is among the fingers of a hand, which may touch it.
+constexpr double kAmongFingers = 0.05;  // m
+
 // What feels of its own bodies; the stick of an arm without a hand ends in the tool point.
 bool is_feeler(const Robot& arm, int frame, LinkShapeRole role) {
   const ArmSolids& solids = arm.derived<ArmSolids>();
   return is_hand(role) || (solids.is_bare() && frame > solids.neighbour_of_last());
 }
 
-// A robot and what it carries as bodies of a scene.
+// A robot, the hand with fingers on it, and what it carries as bodies of a scene.
 struct ArmBodies {
   std::vector<ArmSolid> solids;
   std::vector<CellBody> bodies;
-  std::size_t own = 0;  // the first of them are its own, the others carried
+  std::size_t own = 0;      // the first of them are its own
+  std::size_t carried = 0;  // from here on, behind those of its hand
 };
+
+// A hand with fingers as it stands now, fixed to the last frame of the arm.
+void add_hand(const Cell& cell, int arm, ArmBodies& to) {
+  const int n = cell.robot(arm).model->n();
+  for (int i = 0; i < cell.robot_count(); ++i) {
+    const CellRobot& part = cell.robot(i);
+    if (part.on != arm) continue;
+    const std::vector<Eigen::Isometry3d> frames = link_frames(*part.model, part.q);
+    for (const ArmSolid& each : part.model->derived<ArmSolids>().solids()) {
+      ArmSolid body{.frame = n, .role = each.role, .solid = each.solid};
+      body.solid.T = (each.frame == 0 ? part.model->T_world_base()
+                                      : frames[static_cast<std::size_t>(each.frame - 1)]) *
+                     each.solid.T;
+      to.solids.push_back(std::move(body));
+      to.bodies.push_back({.robot = i, .frame = each.frame, .role = each.role});
+    }
+  }
+}
 
 ArmBodies bodies_of(const Cell& cell, int robot) {
   const Robot& model = *cell.robot(robot).model;
@@ -38,6 +60,8 @@ ArmBodies bodies_of(const Cell& cell, int robot) {
     arm.bodies.push_back({.robot = robot, .frame = each.frame, .role = each.role});
   close_fingers(cell.robot(robot), cell.world(), arm.solids);
   arm.own = arm.solids.size();
+  if (model.tool().kind == ToolKind::kFingers) add_hand(cell, robot, arm);
+  arm.carried = arm.solids.size();
   const World& world = cell.world();
   for (std::size_t i = 0; i < world.size(); ++i) {
     const auto& attachment = world.attachment_of(i);
@@ -60,6 +84,7 @@ std::vector<Solid> placed(const Cell& cell, int robot, const std::vector<ArmSoli
     solid.T = (each.frame == 0 ? arm.model->T_world_base()
                                : frames[static_cast<std::size_t>(each.frame - 1)]) *
               each.solid.T;
+    if (arm.on >= 0) solid.T = cell.T_world_flange(arm.on) * solid.T;
     all.push_back(std::move(solid));
   }
   return all;
@@ -79,7 +104,7 @@ class CellScene {
     names_.push_back(mine_.bodies);
     add_objects();
     for (int other = 0; other < cell.robot_count(); ++other) {
-      if (other != robot) add_robot(other);
+      if (other != robot && cell.robot(other).on < 0) add_robot(other);
     }
     add_own_pairs();
   }
@@ -106,9 +131,10 @@ class CellScene {
   // Whether the hand of this robot takes the object, or has let it go, at an end of the motion.
   [[nodiscard]] bool takes_here(const Object& object) const {
     const Tool& hand = arm_.tool();
-    if (object.fixed || !hand.can_grasp()) return false;
+    const bool has_fingers = hand.kind == ToolKind::kFingers;
+    if (object.fixed || !(hand.can_grasp() || has_fingers)) return false;
     return std::min(grasp_distance(object, p_start_), grasp_distance(object, p_end_)) <=
-           hand.grasp_distance;
+           (has_fingers ? kAmongFingers : hand.grasp_distance);
   }
 
   void add_fixed(Solid solid, CellBody name, bool is_taken) {
@@ -124,7 +150,7 @@ class CellScene {
   void pair_with(const BodyRef& other, bool is_taken, bool moves) {
     const CellBody name_of_other = body(other);
     for (std::size_t i = 0; i < mine_.solids.size(); ++i) {
-      const bool carried = i >= mine_.own;
+      const bool carried = i >= mine_.carried;
       if (!moves && mine_.solids[i].still) continue;
       if (is_taken && !carried && takes_hold(arm_, mine_.solids[i])) continue;
       if (carried && holds(name_of_other, mine_.bodies[i].object)) continue;
@@ -200,7 +226,7 @@ class CellScene {
     }
     for (const auto& [first, second] : arm.own_pairs())
       scene_.pairs.push_back({.a = {0, slim + first}, .b = {0, slim + second}});
-    for (std::size_t i = mine_.own; i < mine_.solids.size(); ++i) {
+    for (std::size_t i = mine_.carried; i < mine_.solids.size(); ++i) {
       for (std::size_t k = 0; k < mine_.own; ++k) {
         if (mine_.solids[k].frame >= arm.neighbour_of_last()) continue;
         scene_.pairs.push_back(
@@ -247,6 +273,7 @@ std::string body_text(const Cell& cell, const CellBody& body) {
   if (!body.object.empty()) return fmt::format("\"{}\"", body.object);
   const CellRobot& arm = cell.robot(body.robot);
   const auto part = [&]() -> std::string {
+    if (arm.on >= 0) return arm.hand < 0 ? "the palm" : "a link";
     if (is_finger(body.role)) return "a finger";
     if (body.role == LinkShapeRole::kTool)
       return arm.model->tool().kind == ToolKind::kParallelGripper ? "the gripper" : "the tool";

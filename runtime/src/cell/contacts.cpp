@@ -61,6 +61,7 @@ struct Contacts::Scene {
   [[nodiscard]] std::vector<Feeler> feelers(int robot) const {
     std::vector<Feeler> all;
     const CellRobot& arm = this->arm(robot);
+    if (arm.on >= 0) return all;  // fingers.hpp
     for (std::size_t i = 0; i < world.size(); ++i) {
       const auto& carried = world.attachment_of(i);
       if (!carried || carried->carrier != robot) continue;

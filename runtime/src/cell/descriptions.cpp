@@ -29,6 +29,8 @@ std::string tool_word(ToolKind kind) {
       return "suction cup";
     case ToolKind::kPoint:
       return "point";
+    case ToolKind::kFingers:
+      return "fingers";
   }
   return "";
 }
@@ -64,6 +66,7 @@ RobotInfo robot_info(const CellRobot& robot) {
   RobotInfo info{.name = robot.name,
                  .home = {model.home().begin(), model.home().end()},
                  .T_world_base = model.T_world_base(),
+                 .on = robot.on,
                  .tool = {.kind = tool_word(tool.kind),
                           .stroke = tool.stroke,
                           .radius = tool.radius,

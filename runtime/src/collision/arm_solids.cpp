@@ -196,6 +196,11 @@ void add_meshes(const Robot& robot, std::vector<ArmSolid>& bodies) {
   }
 }
 
+// Hands and fingers are what they are drawn as.
+bool ends_bare(const Robot& robot) {
+  return robot.spec().role == RobotRole::kArm && robot.tool().length < kNoLength;
+}
+
 std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
   const std::vector<Eigen::Isometry3d> frames = link_frames(robot, robot.home());
   const Eigen::Isometry3d T_world_tool = forward(robot, robot.home());
@@ -329,10 +334,10 @@ class OwnPairs {
 }  // namespace
 
 ArmSolids::ArmSolids(const Robot& robot)
-    : solids_(bodies_of(robot, robot.tool().length < kNoLength)),
+    : solids_(bodies_of(robot, ends_bare(robot))),
       slim_(slimmed(solids_)),
       own_pairs_(OwnPairs(robot, slim_).find()),
       neighbour_of_last_(first_on_axis(robot, robot.n()) - 1),
-      is_bare_(robot.tool().length < kNoLength) {}
+      is_bare_(ends_bare(robot)) {}
 
 }  // namespace armlet

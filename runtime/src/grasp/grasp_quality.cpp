@@ -26,8 +26,8 @@ void check_contacts(std::span<const GraspContact> contacts, double scale) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const GraspContact& each = contacts[i];
     if (!(each.friction >= 0.0) || !std::isfinite(each.friction)) {
-      throw ArgumentError(fmt::format("Contact {} has the friction {}; expected 0 or more.", i + 1,
-                                      each.friction));
+      throw ArgumentError(
+          fmt::format("Contact {} has the friction {}; expected 0 or more.", i + 1, each.friction));
     }
     if (!each.p.allFinite() || !(std::abs(each.inward.norm() - 1.0) < 1e-6))
       throw ArgumentError(

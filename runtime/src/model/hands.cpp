@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "armlet/core/error.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
@@ -77,6 +78,68 @@ Mechanism make_barrett_hand() {
   }
   spec.offset = Eigen::VectorXd::Zero(8);
   return Mechanism(std::move(spec));
+}
+
+namespace {
+
+constexpr double kBendSpeed = kPi * 140.0 / 180.0, kSpreadSpeed = 2.0 * kPi;  // rad/s
+constexpr double kGraspPoint =
+    0.165;  // m, from the flange to between the tips that close on a ball
+
+// Small motors behind worm gears: at full speed, or at rest, within 3 ms.
+Joint driven(const DhRow& dh, double upper, double speed) {
+  return {.dh = dh,
+          .lower = 0.0,
+          .upper = upper,
+          .max_speed = speed,
+          .max_accel = 1000.0 * speed,
+          .max_jerk = 1e6 * speed};
+}
+
+}  // namespace
+
+FingeredHand make_barrett_robots(const std::string& name) {
+  const double bent = deg_to_rad(140.0);
+  const char* source = "Barrett Technology BH8-280; dimensions of the TU Berlin model";
+  RobotSpec palm{.name = name, .source = source, .role = RobotRole::kHand};
+  palm.joints = {driven({}, kPi, kSpreadSpeed)};
+  for (int i = 0; i < 3; ++i) palm.joints.push_back(driven({}, bent, kBendSpeed));
+  palm.T_flange_tool = make_translation({0.0, 0.0, kGraspPoint});
+  std::vector<Robot> fingers;
+  for (int i = 0; i < 3; ++i) {
+    RobotSpec finger{
+        .name = fmt::format("{}.f{}", name, i + 1), .source = source, .role = RobotRole::kFinger};
+    // The spread turns about z of its base, upwards for the first finger and downwards for the
+    // second, from where x points outwards.
+    const double side = i == 0 ? 1.0 : -1.0;
+    if (i < 2) {
+      finger.T_world_base =
+          make_pose(i == 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : rot_x(kPi),
+                    {-side * kSpreadOffset, 0.0, kPalmHeight});
+      finger.joints = {
+          driven({.theta = side * 0.5 * kPi, .d = side * kUp, .a = kOut, .alpha = side * 0.5 * kPi},
+                 kPi, kSpreadSpeed)};
+    } else {
+      // Outwards is -y of the palm; the finger bends about -x.
+      Eigen::Matrix3d R;
+      R << 0, 0, -1, -1, 0, 0, 0, 1, 0;
+      finger.T_world_base = make_pose(R, {0.0, -kOut, kPalmHeight + kUp});
+    }
+    finger.joints.push_back(driven({.a = kMedial}, bent, kBendSpeed));
+    finger.joints.push_back(
+        driven({.theta = 0.25 * kPi, .a = kDistal}, bent / 3.0, kBendSpeed / 3.0));
+    fingers.emplace_back(std::move(finger));
+  }
+  return {.palm = Robot(std::move(palm)),
+          .fingers = std::move(fingers),
+          .tool = {.kind = ToolKind::kFingers, .length = kGraspPoint}};
+}
+
+Eigen::VectorXd finger_joints(int finger, const Eigen::VectorXd& q_palm) {
+  check_size("q_palm", q_palm.size(), 4);
+  const double bend = q_palm[finger + 1];
+  if (finger < 2) return Eigen::Vector3d(q_palm[0], bend, bend / 3.0);
+  return Eigen::Vector2d(bend, bend / 3.0);
 }
 
 Mechanism make_parallel_gripper() {

@@ -98,6 +98,8 @@ Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& 
   if (wanted == CollisionCheck::kIgnore || motion.duration() <= 0.0)
     return std::vector<PossibleCollision>{};
   Host& host = Host::of(vm);
+  // Fingers are there to touch; what they press with is judged where they stand (R0637).
+  if (host.cell().robot(call.robot).on >= 0) return std::vector<PossibleCollision>{};
   auto met = find_collisions(host.cell(), call.robot, motion);
   const bool guarded = is_guarded(vm);
   if (guarded && wanted == CollisionCheck::kError)

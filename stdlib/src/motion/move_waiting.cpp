@@ -6,6 +6,7 @@
 #include "messages/library_messages.hpp"
 #include "motion/motion_collisions.hpp"
 #include "motion/motion_torques.hpp"
+#include "robot/grips.hpp"
 #include "session/time_left.hpp"
 
 namespace armlet::bind {
@@ -43,6 +44,7 @@ class MoveWaiting : public Waiting {
     report_events(vm);
     report_collisions(vm, call_, motion_, possible_);
     if (done.halted) return fail_halted(vm);
+    if (!check_presses(vm, call_)) return Signal::kFail;
     RecordObj* move = new_record(vm, vm.program().library_record("Move"));
     if (move == nullptr) return Signal::kFail;
     move->fields()[0] = slot_of(reached);
@@ -73,6 +75,7 @@ class MoveWaiting : public Waiting {
   // Contact picking says once that it happened.
   void report_events(Vm& vm) {
     for (const CellEvent& event : host_.take_events()) {
+      if (event.kind == CellEventKind::kSlipped) advise_slip(vm, event);
       if (event.kind != CellEventKind::kPicked || !host_.first_contact_pick()) continue;
       Failure advice;
       advice.headline = {row("W0704"), {event.object}};

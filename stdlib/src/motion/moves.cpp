@@ -10,6 +10,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/joint_move.hpp"
+#include "messages/library_messages.hpp"
 #include "motion/move_around.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_retarget.hpp"
@@ -75,7 +76,33 @@ Answer<void> check_tool_rates(Vm& vm, const MoveCall& call, const MoveSettings& 
   return check_above_zero(vm, "an acceleration", *settings.accel, "mm/s^2", call.accel);
 }
 
-Answer<void> check_idle(Vm& vm, int id) {
+Answer<void> check_arm(Vm& vm, int id) {
+  const CellRobot& robot = Host::of(vm).cell().robot(id);
+  if (robot.on < 0) return {};
+  Failure f;
+  f.resource = robot_called(robot.name);
+  f.headline = {row("R0651"), {robot.name}};
+  f.mark_parameter = kMarkCallee;
+  f.fix = fmt::format("ask `{}`, which carries it", Host::of(vm).cell().robot(robot.on).name);
+  return fail(vm, std::move(f));
+}
+
+namespace {
+
+// The robot itself, or what of the same hand moves already; its index.
+int moving_part(const Cell& cell, int id) {
+  const CellRobot& robot = cell.robot(id);
+  if (robot.hand >= 0 && cell.is_moving(robot.hand)) return robot.hand;
+  for (const int finger : robot.fingers) {
+    if (cell.is_moving(finger)) return finger;
+  }
+  return id;
+}
+
+}  // namespace
+
+Answer<void> check_idle(Vm& vm, int given) {
+  const int id = moving_part(Host::of(vm).cell(), given);
   const CellRobot& robot = Host::of(vm).cell().robot(id);
   if (!robot.motion) return {};
   Failure f;
@@ -114,6 +141,7 @@ std::optional<IkTask> task_of(const Robot& robot, const PosC& target) {
 
 Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,
                                      const Eigen::VectorXd& seed) {
+  if (!check_arm(vm, call.robot)) return Failed{};
   const Robot& robot = model_of(vm, call);
   const std::optional<IkTask> task = task_of(robot, target);
   if (!task) return fail_tilted(vm, call, target);
@@ -211,7 +239,7 @@ namespace {
 Started move_tool(Vm& vm, MoveCall call, const PosC& written, const MoveSettings& settings,
                   const std::optional<Eigen::Vector3d>& p_world_via) try {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
-  if (!check_idle(vm, call.robot)) return Failed{};
+  if (!check_arm(vm, call.robot) || !check_idle(vm, call.robot)) return Failed{};
   if (settings.time && !check_duration(vm, *settings.time, call.time)) return Failed{};
   if (!check_tool_rates(vm, call, settings)) return Failed{};
   const BlockSettings block = settings_of(vm);

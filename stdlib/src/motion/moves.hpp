@@ -102,7 +102,11 @@ Answer<void> check_fraction(Vm& vm, const char* what, double value, int paramete
 // Stops the robot under control; the move that it makes fails with R0618. Over when it stands.
 std::unique_ptr<Waiting> halt_robot(Vm& vm, int robot);
 
-// A robot that another task is moving takes no commands.
+// R0651: what needs the tool point of an arm is asked of a hand with fingers.
+Answer<void> check_arm(Vm& vm, int robot);
+
+// A robot that another task is moving takes no commands, nor does a hand whose fingers move, or a
+// finger whose hand does.
 Answer<void> check_idle(Vm& vm, int robot);
 
 // Failures as messages.

@@ -7,11 +7,11 @@
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
+#include "robot/models.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {
-namespace {
 
 Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
   const Cell& cell = Host::of(vm).cell();
@@ -42,7 +42,9 @@ Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
     case GraspStatus::kNoHand:
       f.headline = Headline::own(row("R0605"),
                                  fmt::format("`{}` has no hand that can grasp", f.resource.name));
-      f.fix = "give it one: tool: parallelGripper(stroke: 60mm)";
+      f.fix = Host::of(vm).cell().hand_on(robot) >= 0 || Host::of(vm).cell().robot(robot).on >= 0
+                  ? "close its fingers: closeHand(hand)"
+                  : "give it one: tool: parallelGripper(stroke: 60mm)";
       break;
     case GraspStatus::kHolding:
       f.headline = Headline::own(
@@ -57,6 +59,8 @@ Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
   }
   return fail(vm, std::move(f));
 }
+
+namespace {
 
 Answer<void> grasp_object(Vm& vm, const RobotRef& r, const ObjectRef& o) {
   if (!check_idle(vm, r.id)) return Failed{};

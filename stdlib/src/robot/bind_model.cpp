@@ -251,8 +251,13 @@ Answer<RobotRef> default_robot(Vm& vm) {
 // ---- tools
 // -----------------------------------------------------------------------------------------------------
 
-Answer<ToolValue> gripper(Vm& vm, double stroke, double length, double force) try {
-  return ToolValue{parallel_gripper(stroke, length, force), {}};
+Answer<ToolValue> gripper(Vm& vm, double stroke, double length, double force,
+                          Number max_force) try {
+  Tool tool = parallel_gripper(stroke, length, force);
+  if (max_force && !(*max_force > 0.0 && std::isfinite(*max_force)))
+    return domain_failure(vm, "maxForce", *max_force, "be above 0 N", {}, 3);
+  if (max_force) tool.max_force = *max_force;
+  return ToolValue{tool, {}};
 } catch (const ArgumentError& error) {
   return failure_of(vm, row("R0631"), error);
 }
@@ -299,8 +304,10 @@ constexpr NativeFunction kModelFunctions[] = {
 
 constexpr NativeFunction kToolFunctions[] = {
     def<gripper>(
-        "parallelGripper(stroke: length, length: length = 120mm, force: force = 20N) -> tool",
-        "A gripper with two fingers; the tool point is `length` along the flange's z axis.",
+        "parallelGripper(stroke: length, length: length = 120mm, force: force = 20N, maxForce: "
+        "force?) -> tool",
+        "A gripper with two fingers; the tool point is `length` along the flange's z axis. "
+        "maxForce: what it can stand when it is pressed on something.",
         "parallelGripper(stroke: 60mm)"),
     def<suction>("suctionCup(radius: length, length: length = 60mm) -> tool", "A suction cup.",
                  "suctionCup(radius: 15mm)"),

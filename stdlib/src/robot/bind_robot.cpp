@@ -23,7 +23,8 @@ Eigen::VectorXd joint_speeds(Vm& vm, const RobotRef& r) { return state_of(vm, r)
 Eigen::VectorXd joint_accels(Vm& vm, const RobotRef& r) { return state_of(vm, r).qdd; }
 PosC here(Vm& vm, const RobotRef& r) { return {Host::of(vm).cell().T_world_tool(r.id), true}; }
 Vector6d tcp_speed(Vm& vm, const RobotRef& r) {
-  const CellRobot& robot = state_of(vm, r);
+  const CellRobot& own = state_of(vm, r);
+  const CellRobot& robot = own.on < 0 ? own : Host::of(vm).cell().robot(own.on);
   return jacobian(*robot.model, robot.q) * robot.qd;
 }
 bool moving(Vm& vm, const RobotRef& r) { return Host::of(vm).cell().is_moving(r.id); }
@@ -69,6 +70,7 @@ Answer<void> set_home(Vm& vm, const RobotRef& r, const PosJ& q) {
 
 template <class Q>
 Answer<PosC> fkine(Vm& vm, const RobotRef& r, Q values, std::optional<std::int64_t> joint) {
+  if (!check_arm(vm, r.id)) return Failed{};
   const Robot& robot = model_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};
@@ -94,6 +96,7 @@ Answer<double> manipulability_of(Vm& vm, const RobotRef& r, Q values) {
 
 template <class Q>
 Answer<Jacobian> jacobian_of(Vm& vm, const RobotRef& r, Q values, std::string_view name) {
+  if (!check_arm(vm, r.id)) return Failed{};
   const Robot& robot = model_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};

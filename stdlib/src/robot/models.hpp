@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "armlet/cell/gripper.hpp"
 #include "armlet/model/robot.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
@@ -21,6 +22,9 @@ Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
 
 // throws  ArgumentError for another word than "standard" or "modified".
 DhConvention convention_of(std::string_view word);
+
+// R0605: why a hand closed on nothing.
+Failed fail_grasp(Vm& vm, int robot, const GraspResult& result);
 
 // Exchanges what a robot is; R0630 if `make` throws, and a failure while the robot moves.
 template <class Make>

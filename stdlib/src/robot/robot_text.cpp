@@ -127,6 +127,7 @@ std::string tool_text(const Tool& tool) {
       return fmt::format("    tool: suctionCup(radius: {}, length: {})\n",
                          with_unit(tool.radius, "m"), with_unit(tool.length, "m"));
     case ToolKind::kPoint:
+    case ToolKind::kFingers:
     case ToolKind::kNone:
       break;
   }

@@ -48,6 +48,7 @@ std::span<const NativeFunction> velocity_functions();
 std::span<const NativeFunction> settings_functions();
 std::span<const NativeFunction> path_functions();
 std::span<const NativeFunction> hand_functions();
+std::span<const NativeFunction> finger_functions();
 std::span<const NativeFunction> world_functions();
 std::span<const NativeFunction> frame_functions();
 std::span<const NativeFunction> classic_functions();

@@ -24,15 +24,6 @@ constexpr NativeFunction kLaterFunctions[] = {
     // motion
     later_motion("speedC", "(r: robot, v: double[], frame: camera, during: time)",
                  "`speedC` in the frame of a camera"),
-    // hands with fingers
-    later("robots.barrettHand", "(name: string?, on: robot) -> robot"),
-    later("finger", "(h: robot, i: int) -> finger"),
-    later_motion("moveJ", "(f: finger, target: posJ, time: time?, speed: double?) -> Move",
-                 "`moveJ` of a finger"),
-    later("force", "(f: finger) -> force", "`force` of a finger"),
-    later("graspQuality", "(h: robot, o: object) -> GraspQuality"),
-    later_motion("closeHand", "(h: robot, force: force?)"),
-    later_motion("openHand", "(h: robot)"),
     // cameras and images
     later("robots.overheadCamera", "(name: string?) -> camera"),
     later("camera{}",
@@ -74,7 +65,6 @@ constexpr NativeFunction kLaterFunctions[] = {
 
 const HostType kCamera = {.name = "camera", .is_handle = true, .noun = "a camera"};
 const HostType kImage = {.name = "image", .noun = "an image"};
-const HostType kFinger = {.name = "finger", .is_handle = true, .noun = "a finger of a hand"};
 
 std::span<const NativeFunction> later_functions() { return kLaterFunctions; }
 

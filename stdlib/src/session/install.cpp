@@ -62,6 +62,7 @@ std::span<const Chapter> chapters() {
       {.title = "Robots: settings", .functions = settings_functions()},
       {.title = "Robots: paths", .functions = path_functions()},
       {.title = "Hands", .functions = hand_functions()},
+      {.title = "Hands with fingers", .functions = finger_functions()},
       {.title = "World and signals", .functions = world_functions()},
       {.title = "Frames with names", .functions = frame_functions()},
       {.title = "The classic subset", .functions = classic_functions()},
@@ -98,7 +99,7 @@ void install(Engine& engine) {
                     "int, margin: double[]");
   engine.add_record("Wrench", "x: force, y: force, z: force, mx: torque, my: torque, mz: torque");
   engine.add_record("GraspQuality",
-                    "contacts: int, minSingular: double, volume: double, forceClosure: bool");
+                    "epsilon: double, minSingular: double, contacts: int, forceClosure: bool");
   engine.add_record("Blob", "x: double, y: double, area: double");
   engine.add_record("Match", "x: double, y: double, score: double");
   engine.add_record("Compliance", "offset: double[], rate: double[]");

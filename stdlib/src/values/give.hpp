@@ -37,6 +37,7 @@ Answer<std::array<Eigen::VectorXd, sizeof...(Lists)>> joint_arguments(Vm& vm, co
 // law(robot, q) for the joint values of argument 1; a failure if they do not suit the robot.
 template <class Result, class Q, class Law>
 Answer<Result> at_joints(Vm& vm, const RobotRef& r, Q values, const Law& law) {
+  if (!check_arm(vm, r.id)) return Failed{};
   const Robot& robot = model_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};
@@ -46,6 +47,7 @@ Answer<Result> at_joints(Vm& vm, const RobotRef& r, Q values, const Law& law) {
 // law(robot, q, qd) for the joint values of argument 1 and the joint speeds of argument 2.
 template <class Result, class Q, class Rates, class Law>
 Answer<Result> at_joint_speeds(Vm& vm, const RobotRef& r, Q values, Rates rates, const Law& law) {
+  if (!check_arm(vm, r.id)) return Failed{};
   const Robot& robot = model_of(vm, r);
   const auto given = joint_arguments(vm, robot, values, rates);
   if (!given) return Failed{};

@@ -37,6 +37,9 @@ bool equal_posc(const void* a, const void* b) {
   return as<PosC>(a).T.matrix() == as<PosC>(b).T.matrix();
 }
 bool equal_robot(const void* a, const void* b) { return as<RobotRef>(a).id == as<RobotRef>(b).id; }
+bool equal_finger(const void* a, const void* b) {
+  return as<FingerRef>(a).id == as<FingerRef>(b).id;
+}
 bool equal_object(const void* a, const void* b) {
   return as<ObjectRef>(a).name == as<ObjectRef>(b).name;
 }
@@ -55,6 +58,9 @@ void text_object(const void* value, std::string& out) {
 }
 void text_frame(const void* value, std::string& out) {
   out += fmt::format("frame \"{}\"", as<FrameRef>(value).name);
+}
+void text_finger(const void* value, std::string& out) {
+  out += fmt::format("finger {}", as<FingerRef>(value).number);
 }
 void text_shape(const void* value, std::string& out) {
   out += shape_name(as<ShapeValue>(value).shape);
@@ -131,6 +137,13 @@ const HostType kRobot{.name = "robot",
                       .text = text_robot,
                       .help = "A robot of this cell.",
                       .resource = &kRobotWords};
+const HostType kFinger{.name = "finger",
+                       .size = sizeof(FingerRef),
+                       .is_handle = true,
+                       .equal = equal_finger,
+                       .text = text_finger,
+                       .help = "A finger of a hand.",
+                       .noun = "a finger of a hand"};
 const HostType kObject{.name = "object",
                        .size = sizeof(ObjectRef),
                        .is_handle = true,

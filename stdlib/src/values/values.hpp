@@ -53,6 +53,12 @@ struct ObjectRef {
 struct FrameRef {
   std::string name;
 };
+// A finger of a hand, counted from 1.
+struct FingerRef {
+  int id = 0;    // in the cell
+  int hand = 0;  // in the cell
+  int number = 1;
+};
 struct ShapeValue {
   Shape shape;
 };
@@ -77,10 +83,10 @@ extern const HostType kShape;
 extern const HostType kTool;
 extern const HostType kJointRow;
 extern const HostType kTrajectory;
+extern const HostType kFinger;
 // Without values of their own yet (bind_later.cpp).
 extern const HostType kCamera;
 extern const HostType kImage;
-extern const HostType kFinger;
 
 [[nodiscard]] Obj* new_posj(Vm& vm, const PosJ& q);
 [[nodiscard]] Obj* new_posc(Vm& vm, const PosC& p);
@@ -105,6 +111,8 @@ template <>
 inline constexpr const HostType* kHostType<bind::ObjectRef> = &bind::kObject;
 template <>
 inline constexpr const HostType* kHostType<bind::FrameRef> = &bind::kFrame;
+template <>
+inline constexpr const HostType* kHostType<bind::FingerRef> = &bind::kFinger;
 template <>
 inline constexpr const HostType* kHostType<bind::ShapeValue> = &bind::kShape;
 template <>

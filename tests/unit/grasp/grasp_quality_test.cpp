@@ -214,8 +214,7 @@ TEST_CASE("more friction and more contacts never hold worse, and size and place 
   for (int round = 0; round < 30; ++round) {
     std::vector<Vector3d> directions;
     for (int i = 0; i < 4; ++i)
-      directions.push_back(
-          {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+      directions.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
     const auto quality = [&](int count, double radius, double friction, const Vector3d& centre) {
       auto contacts = on_sphere({directions.begin(), directions.begin() + count}, radius, friction);
       for (GraspContact& each : contacts) each.p += centre;

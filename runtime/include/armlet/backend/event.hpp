@@ -43,7 +43,7 @@ struct JointInfo {
 
 // What is mounted at the flange, which is the frame of the last link.
 //
-// kind    "none", "gripper", "suction cup" or "point".
+// kind    "none", "gripper", "suction cup", "point" or "fingers".
 // stroke  widest opening of a gripper, m.
 // radius  of a suction cup, m.
 // length  from the flange to the end of the hand along z, m.
@@ -56,20 +56,20 @@ struct ToolInfo {
   Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
 };
 
-// A robot of the run, as one needs it to draw the arm. Its index in RunInfo names it in what
-// follows.
+// A robot of the run, as one needs it to draw it. Its index in RunInfo names it in what follows.
 //
 // home  of each joint, rad or m.
+// on    the robot that carries the base, in whose flange T_world_base is then; -1: none.
 struct RobotInfo {
   std::string name;
   std::vector<JointInfo> joints;
   std::vector<double> home;
   Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
+  int on = -1;
   ToolInfo tool;
 };
 
-// An object when it appears. `size` is x, y, z of a box, radius and height of a cylinder, radius of
-// a sphere, m.
+// An object when it appears. `size`, m: x, y, z of a box; radius and height of what is round.
 struct ObjectInfo {
   std::string name;
   std::string shape;

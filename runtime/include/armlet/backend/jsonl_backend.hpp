@@ -28,6 +28,7 @@ namespace armlet {
 //   {"t":..,"what":"end"}
 //
 // A robot's p and r are those of its tool point in the world; r is a unit quaternion. The poses
+// "on":0 before "base", only of a hand: the robot whose flange carries it, in whose frame base is.
 // before, after, base and pose are p and r in one list of seven numbers; with them the arm can be
 // drawn: see JointInfo and ToolInfo (event.hpp). A limit that there is not is null, and a link
 // without a file of its shape has no mesh. Lines of the file from `line` (from 1) up to the one

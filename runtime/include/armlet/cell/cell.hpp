@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "armlet/backend/backend.hpp"
+#include "armlet/cell/cell_robot.hpp"
 #include "armlet/cell/clock.hpp"
 #include "armlet/cell/contacts.hpp"
 #include "armlet/cell/motion.hpp"
 #include "armlet/cell/signals.hpp"
 #include "armlet/math/twist.hpp"
+#include "armlet/model/hands.hpp"
 #include "armlet/model/robot.hpp"
 #include "armlet/world/world.hpp"
 
@@ -26,26 +28,6 @@ struct CellOptions {
   std::int64_t tick_ns = 1'000'000;
   std::int64_t sample_period_ns = 10'000'000;
   bool contact_picking = false;
-};
-
-// A robot of the cell: what it is and the state it is in.
-//
-// motion    what it executes; nothing while it stands still.
-// loaded    the model with the payload and with what its hand carries: the arm of dynamics. It is
-//           `model` itself while nothing with a mass is carried.
-// forces    what the motors give while the robot moves under forces; empty otherwise.
-// held      name of the object its hand is closed on; empty if none.
-// p_picked  where that object was when it was picked up, in the world.
-struct CellRobot {
-  std::string name;
-  std::shared_ptr<const Robot> model;  // shared with catalogues and planners; it never changes
-  std::shared_ptr<const Robot> loaded{};
-  Eigen::VectorXd q, qd, qdd;  // rad or m and their derivatives
-  std::optional<Motion> motion{};
-  int motion_id = -1;
-  Eigen::VectorXd forces{};
-  std::string held{};
-  Eigen::Vector3d p_picked = Eigen::Vector3d::Zero();
 };
 
 // How a motion went; also while it is under way. One that was stopped before its end counts as
@@ -67,8 +49,9 @@ struct MotionReport {
 // What happened without being asked for.
 //
 // motion  the motion that ended.
-// object  for kPicked and kPutDown; `support` is what it was put on.
-enum class CellEventKind { kMotionEnded, kPicked, kPutDown };
+// object  for kPicked, kPutDown and kSlipped; `support` is what it was put on or fell onto.
+//         kSlipped: fingers that held it carry only the part `carried` of its weight.
+enum class CellEventKind { kMotionEnded, kPicked, kPutDown, kSlipped };
 struct CellEvent {
   std::int64_t t_ns = 0;
   CellEventKind kind = CellEventKind::kMotionEnded;
@@ -76,6 +59,7 @@ struct CellEvent {
   int motion = -1;
   std::string object{};
   std::string support{};
+  double carried = 0.0;
 };
 
 // Functions that take a robot throw ArgumentError for an index that does not exist, functions that
@@ -107,6 +91,15 @@ class Cell {
   // A robot at its home position; returns its index.
   // throws  ArgumentError for a null model or a name in use.
   int add_robot(std::shared_ptr<const Robot> model, std::string name = {});
+  // Mounts a hand with fingers on the flange of an arm, whose tool point goes to between the
+  // fingers; returns the index of the hand, behind which its fingers follow. What it holds, the arm
+  // holds: fingers that press on an object and carry its weight by friction take it where their
+  // motion ends, and let it go where a motion of theirs begins or of the arm ends at which they no
+  // longer would (fingers.hpp).
+  // throws  ArgumentError for an arm that is none, moves, holds something or has such a hand.
+  int add_hand(int arm, FingeredHand hand);
+  // The hand with fingers that an arm carries; -1: none.
+  [[nodiscard]] int hand_on(int arm) const;
   [[nodiscard]] int robot_count() const { return static_cast<int>(robots_.size()); }
   [[nodiscard]] const CellRobot& robot(int index) const;
   [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
@@ -120,13 +113,16 @@ class Cell {
   // Puts a robot into a position without moving it. Throws ArgumentError while it moves.
   void set_joints(int robot, const Eigen::VectorXd& q);
 
+  // Of a hand with fingers the tool point is that of the arm, whatever its joints do.
+  [[nodiscard]] Eigen::Isometry3d T_world_base(int robot) const;
   [[nodiscard]] Eigen::Isometry3d T_world_flange(int robot) const;
   [[nodiscard]] Eigen::Isometry3d T_world_tool(int robot) const;
 
   // Force and moment that the objects exert on the tool point which the robot presses its hand, or
   // what it carries, into, in world axes; what the hand holds does not count. An object pushes back
   // with its stiffness times the depth, along the normal at the point of first touch, and with
-  // friction against the sliding. The same for slices of time of any size.
+  // friction against the sliding. The same for slices of time of any size. Of a hand with fingers
+  // or a finger: what its fingers press with, without friction.
   [[nodiscard]] Vector6d contact_wrench(int robot) const;
   // The same of what the hand holds and what rests on it: its weight, and its inertia as it is
   // moved. Zero if it holds nothing.
@@ -241,6 +237,12 @@ class Cell {
   void settle_contacts();
   int execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns);
   void begin_rest(int index, bool stopped);
+  // Fingers stand as their hand moves them, and the hand as they do.
+  void follow_hands();
+  // Takes or lets go what the fingers on an arm hold as they stand.
+  void review_grip(int arm);
+  // Before a motion of a finger, or of a whole hand, that would end holding nothing.
+  void loosen_grip(int index, const Trajectory& motion);
   void bring_to_now();
   // Brings `loaded` of all robots up to date after a change of what hands carry.
   void weigh_loads();
@@ -271,6 +273,10 @@ class Cell {
   std::vector<Eigen::Isometry3d> T_world_links_;  // of the last sample, if they are wanted
   mutable Contacts contacts_;                     // finds first touches when they are asked for
   Backend* backend_ = nullptr;
+  struct Mounting {
+    int on = -1, hand = -1;
+  };
+  Mounting mounting_{};     // of the robot that is being added
   std::uint64_t told_ = 0;  // events that the backend was told
   bool begun_ = false;
 };

@@ -1,4 +1,5 @@
-// How well contacts hold a body: the ball of Ferrari and Canny, the grasp matrix, and whether they carry a load.
+// How well contacts hold a body: the ball of Ferrari and Canny, the grasp matrix, and whether they
+// carry a load.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,7 +41,8 @@ struct GraspQuality {
 // center   what moments are about, m: the centre of mass.
 // scale    length that moments are divided by, m, > 0: how far the surface is from there at most.
 // throws   ArgumentError for a scale, a friction, a point or a normal that is impossible.
-// source   C. Ferrari, J. Canny, Planning optimal grasps, IEEE Int. Conf. on Robotics and Automation,
+// source   C. Ferrari, J. Canny, Planning optimal grasps, IEEE Int. Conf. on Robotics and
+// Automation,
 //          1992 (the sum of the pressing forces is limited); Z. Li, S. S. Sastry, Task-oriented
 //          optimal grasping by multifingered robot hands, IEEE J. Robotics and Automation 4, 1988
 //          (singular values); A. T. Miller, P. K. Allen, Examples of 3D grasp quality computations,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "armlet/model/mechanism.hpp"
+#include "armlet/model/robot.hpp"
 #include "armlet/model/tool.hpp"
 
 namespace armlet {
@@ -29,6 +30,28 @@ std::optional<Hand> make_hand(std::string_view name);
 // the angle of the one before it. At zero the fingers lie flat and point outwards, 1 and 2 along +y
 // and 3 along -y of the palm. Tips: "tip1", "tip2", "tip3".
 Mechanism make_barrett_hand();
+
+// The same hand as robots that an arm carries; their bases are in the frame of its flange.
+//
+// palm     four joints, spread and f1 to f3, that drive the fingers; it is the base of the hand.
+// fingers  chains of the joints that move them: 1 and 2 spread, bend and curl, 3 bend and curl.
+// tool     what the arm has at its flange: the tool point is the middle of what fingers close on.
+// force    that a finger presses with at most, N.
+struct FingeredHand {
+  Robot palm;
+  std::vector<Robot> fingers;
+  Tool tool;
+  double force = 15.0;
+};
+
+// Speeds: a finger closes in 1 s, the spread takes 0.5 s; 15 N at the tip of a finger.
+// source  Barrett Technology, BH8-series user manual.
+FingeredHand make_barrett_robots(const std::string& name);
+
+// Joint values of a finger, 0 to 2, from those of the palm; the same for rates.
+Eigen::VectorXd finger_joints(int finger, const Eigen::VectorXd& q_palm);
+// Which joint of a finger bends it, and so is what drives it.
+inline int bend_joint(int finger) { return finger < 2 ? 1 : 0; }
 
 // Franka Hand: one actuator moves two fingers apart, each by half of the opening.
 Mechanism make_parallel_gripper();

@@ -22,10 +22,15 @@ using JointsIn = const Eigen::Ref<const Eigen::VectorXd>&;
 // effective inertias that no rigid body has; they are kept as they are.
 enum class InertiaCheck { kRigidBody, kPublished };
 
+// kHand    the joints drive fingers, which are robots of their own: no tool moves with them.
+// kFinger  a finger of such a hand.
+enum class RobotRole { kArm, kHand, kFinger };
+
 // Everything that defines a serial arm; Robot checks it.
 struct RobotSpec {
   std::string name = "robot";
   std::string source;  // where the numbers come from
+  RobotRole role = RobotRole::kArm;
   DhConvention convention = DhConvention::kStandard;
   std::vector<Joint> joints;  // 1 to kMaxJoints
   std::vector<Link> links;    // as many as joints, or none for an arm without mass

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <limits>
 #include <string_view>
 
 namespace armlet {
 
-enum class ToolKind { kNone, kParallelGripper, kSuctionCup, kPoint };
+// kFingers  a hand with fingers, which is a robot of its own (armlet/model/hands.hpp).
+enum class ToolKind { kNone, kParallelGripper, kSuctionCup, kPoint, kFingers };
 
 // The tool at the flange. Its tool point lies `length` along the z axis of the flange.
 //
@@ -12,6 +14,7 @@ enum class ToolKind { kNone, kParallelGripper, kSuctionCup, kPoint };
 // length          from the flange to the tool point, m.
 // force           closing force, N.
 // radius          of a suction cup, m.
+// max_force       that it can stand when it is pressed on something, N.
 // grasp_distance  how near the tool point must be to what is grasped, m.
 struct Tool {
   ToolKind kind = ToolKind::kNone;
@@ -19,6 +22,7 @@ struct Tool {
   double length = 0.0;
   double force = 0.0;
   double radius = 0.0;
+  double max_force = std::numeric_limits<double>::infinity();
   double grasp_distance = 0.005;
 
   bool can_grasp() const {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "hand_shapes.hpp"
+
 namespace armlet {
 namespace {
 
@@ -170,6 +172,7 @@ class ShapesOfArm {
     const double length = std::max(tool.length, 0.02);
     switch (tool.kind) {
       case ToolKind::kNone:
+      case ToolKind::kFingers:  // drawn as the robots that it is
         break;
       case ToolKind::kParallelGripper:
         gripper(T_tip, length, tool.stroke);
@@ -216,6 +219,8 @@ std::string_view to_text(LinkShapeRole role) {
   return kWords[static_cast<std::size_t>(role)];
 }
 
-std::vector<LinkShape> link_shapes(const Robot& robot) { return ShapesOfArm(robot).all(); }
+std::vector<LinkShape> link_shapes(const Robot& robot) {
+  return robot.spec().role == RobotRole::kArm ? ShapesOfArm(robot).all() : hand_shapes(robot);
+}
 
 }  // namespace armlet

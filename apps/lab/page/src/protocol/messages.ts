@@ -66,6 +66,7 @@ export interface RobotInfo {
   name: string;
   home: number[];
   joints: JointInfo[];
+  on?: number; // the robot whose flange carries the base, in whose frame T_world_base is then; -1: none
   T_world_base: Matrix;
   tool: ToolInfo;
   shapes: Shape[];

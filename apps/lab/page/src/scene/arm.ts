@@ -125,6 +125,7 @@ export class ArmView {
 
   // What of the base stands on the floor.
   footprints(): Footprint[] {
+    if ((this.robot.on ?? -1) >= 0) return [];
     const frame = this.frameOf(0);
     return (this.shapes ?? []).filter((shape) => shape.link === 0 && shape.role !== "mark").map((shape) => {
       const [radius, length] = [shape.radius ?? 0.02, shape.length ?? 0.05];

@@ -1,7 +1,7 @@
 // Everything that is known of one run, and questions about it.
 import type * as M from "../protocol/messages.ts";
 import { Rows, Track } from "./rows.ts";
-import { changeAt, matrixPose, toolFrame } from "./kinematics.ts";
+import { changeAt, matrixPose, multiply, shapeFrames, toolFrame } from "./kinematics.ts";
 
 export interface Figure {
   title: string;
@@ -52,9 +52,20 @@ export class Run {
     return track?.count ? track.qAt(t) : (this.robots[robot]?.home ?? []);
   }
 
+  // What the robot's base and tool are at t, if that is not what they were at the start. The base of a hand is where the arm
+  // that carries it brings it.
   changeAt(robot: number, t: number): M.RobotChange | undefined {
     const info = this.robots[robot];
-    return info && changeAt(info, t);
+    const change = info && changeAt(info, t);
+    const carrier = info?.on === undefined ? undefined : this.robots[info.on];
+    if (!info || !carrier) return change;
+    const flange = shapeFrames(carrier, this.qAt(info.on!, t), this.changeAt(info.on!, t)?.T_world_base).at(-1)!;
+    return {
+      t: change?.t ?? 0,
+      tool: change?.tool ?? info.tool,
+      shapes: change?.shapes ?? info.shapes,
+      T_world_base: multiply(flange, change?.T_world_base ?? info.T_world_base),
+    };
   }
 
   // The pose of a robot's tool.

@@ -1,0 +1,160 @@
+#include "armlet/cell/fingers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "armlet/core/error.hpp"
+#include "cell/descriptions.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Vector3d;
+
+double largest_radius(const Object& object) {
+  return solid_of(object.shape).reach() + center_of_mass(object).norm();
+}
+
+Vector3d p_world_com(const Object& object) { return object.T_world_obj * center_of_mass(object); }
+
+std::vector<GraspContact> contacts_on(std::span<const FingerContact> contacts,
+                                      std::string_view object) {
+  std::vector<GraspContact> chosen;
+  for (const FingerContact& each : contacts) {
+    if (each.object == object)
+      chosen.push_back({.p = each.p, .inward = each.inward, .friction = each.friction});
+  }
+  return chosen;
+}
+
+}  // namespace
+
+GraspQuality hand_quality(const Cell& cell, int hand, std::string_view name) {
+  const Object& object = cell.world().at(name);
+  return grasp_quality(contacts_on(finger_contacts(cell, hand), name), p_world_com(object),
+                       largest_radius(object));
+}
+
+double carried_part(const Cell& cell, int arm, std::span<const FingerContact> contacts,
+                    std::string_view name) {
+  constexpr double kLightest = 1e-3;  // kg
+  const Object& object = cell.world().at(name);
+  std::vector<double> presses;
+  for (const FingerContact& each : contacts) {
+    if (each.object == name) presses.push_back(each.force);
+  }
+  Vector6d load = Vector6d::Zero();
+  double mass = object.mass;
+  for (const std::string& above : cell.world().stacked_on(name))
+    mass += cell.world().at(above).mass;
+  load.head<3>() = std::max(mass, kLightest) * cell.robot(arm).model->gravity();
+  return load_factor(contacts_on(contacts, name), presses, p_world_com(object),
+                     largest_radius(object), load);
+}
+
+int Cell::add_hand(int index, FingeredHand hand) {
+  CellRobot& arm = state(index);
+  const auto refuse = [&](std::string_view why) {
+    throw ArgumentError(fmt::format("A hand cannot be mounted on \"{}\": {}.", arm.name, why));
+  };
+  if (arm.on >= 0) refuse("it is a hand itself");
+  if (arm.motion) refuse("it is moving");
+  if (!arm.held.empty()) refuse(fmt::format("it holds \"{}\"", arm.held));
+  if (hand_on(index) >= 0) refuse("it has one");
+  for (const Robot& finger : hand.fingers) {
+    if (find_robot(finger.name()))
+      throw ArgumentError(fmt::format("There is already a robot \"{}\".", finger.name()));
+  }
+  const auto join = [&](Robot model, int palm) {
+    const int added = robot_count();
+    auto shared = std::make_shared<const Robot>(std::move(model));
+    mounting_ = {.on = index, .hand = palm};
+    (void)add_robot(std::move(shared));
+    mounting_ = {};
+    return added;
+  };
+  const std::string name = hand.palm.name();
+  if (find_robot(name))
+    throw ArgumentError(fmt::format("There is already a robot \"{}\" in the cell.", name));
+  set_model(index, std::make_shared<const Robot>(arm.model->with_tool(hand.tool)));
+  const int palm = join(std::move(hand.palm), -1);
+  for (Robot& finger : hand.fingers) {
+    const int added = join(std::move(finger), palm);
+    state(palm).fingers.push_back(added);
+  }
+  state(palm).force = hand.force;
+  return palm;
+}
+
+int Cell::hand_on(int arm) const {
+  for (int i = 0; i < robot_count(); ++i) {
+    const CellRobot& each = robots_[static_cast<std::size_t>(i)];
+    if (each.on == arm && each.hand < 0) return i;
+  }
+  return -1;
+}
+
+void Cell::follow_hands() {
+  for (CellRobot& palm : robots_) {
+    for (int i = 0; i < static_cast<int>(palm.fingers.size()); ++i) {
+      CellRobot& finger =
+          robots_[static_cast<std::size_t>(palm.fingers[static_cast<std::size_t>(i)])];
+      if (finger.motion) {
+        const int bend = bend_joint(i);
+        palm.q[i + 1] = finger.q[bend];
+        palm.qd[i + 1] = finger.qd[bend];
+        palm.qdd[i + 1] = finger.qdd[bend];
+      } else {
+        finger.q = finger_joints(i, palm.q);
+        finger.qd = finger_joints(i, palm.qd);
+        finger.qdd = finger_joints(i, palm.qdd);
+      }
+    }
+  }
+}
+
+void Cell::review_grip(int index) {
+  const int hand = hand_on(index);
+  const std::vector<FingerContact> contacts = finger_contacts(*this, hand);
+  if (const std::string held = robot(index).held; !held.empty()) {
+    const double part = carried_part(*this, index, contacts, held);
+    if (part >= 1.0) return;
+    const Drop drop = let_go(index);
+    events_.push_back({.t_ns = now_ns(),
+                       .kind = CellEventKind::kSlipped,
+                       .robot = index,
+                       .object = held,
+                       .support = drop.support,
+                       .carried = part});
+    return;
+  }
+  std::string best;
+  double most = 1.0;
+  for (const FingerContact& each : contacts) {
+    if (each.object == best || world_.at(each.object).fixed || holder_of(each.object)) continue;
+    const double part = carried_part(*this, index, contacts, each.object);
+    if (part < most || (part == most && !best.empty())) continue;
+    best = each.object;
+    most = part;
+  }
+  if (!best.empty()) take(index, best);
+}
+
+void Cell::loosen_grip(int index, const Trajectory& motion) {
+  const CellRobot& part = robot(index);
+  const std::string held = robot(part.on).held;
+  if (held.empty()) return;
+  const int hand = part.hand < 0 ? index : part.hand;
+  Eigen::VectorXd q = robot(hand).q;
+  if (part.hand < 0) {
+    q = motion.end();
+  } else {
+    const auto& fingers = robot(hand).fingers;
+    const auto i = static_cast<int>(std::ranges::find(fingers, index) - fingers.begin());
+    q[i + 1] = motion.end()[bend_joint(i)];
+  }
+  if (carried_part(*this, part.on, finger_contacts(*this, hand, q), held) < 1.0) let_go(part.on);
+}
+
+}  // namespace armlet
