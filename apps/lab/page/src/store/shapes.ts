@@ -6,6 +6,7 @@ export function halfExtents(object: ObjectInfo): [number, number, number] {
   const [a = 0, b = a, c = a] = object.size;
   switch (object.shape) {
     case "box":
+    case "mesh": // its bounding box
       return [a / 2, b / 2, c / 2];
     case "plane":
       return [a / 2, b / 2, 0];
@@ -19,5 +20,5 @@ export function halfExtents(object: ObjectInfo): [number, number, number] {
 
 // Whether it looks the same from all sides.
 export function isRound(object: ObjectInfo): boolean {
-  return object.shape !== "box" && object.shape !== "plane";
+  return ["cylinder", "sphere", "cone"].includes(object.shape);
 }
