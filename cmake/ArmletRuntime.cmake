@@ -1,13 +1,15 @@
 # What the runtime needs besides its sources.
 
-# Sources that differ: what a platform provides (core/platform.hpp), and what reads robot descriptions. That of WebAssembly
-# is a C++ library and nothing else.
+# Sources that differ: what a platform provides (core/platform.hpp), and what reads robot descriptions and meshes. That of
+# WebAssembly is a C++ library and nothing else, and small.
 if(EMSCRIPTEN)
   set(platform src/core/bare/)
   set(urdf_read urdf_none)
+  set(glb_read glb_none)
 else()
   set(platform src/core/posix/ ample_stack)
   set(urdf_read urdf_read)
+  set(glb_read glb_read)
 endif()
 
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
@@ -26,8 +28,10 @@ function(armlet_compile_wide_kernels)
   endif()
 endfunction()
 
-# Only the headers are needed here; the library is loaded when the first robot description is read.
-function(armlet_use_urdf)
+# What meshes and robot descriptions are read with. Of urdfdom only the headers are needed here; the library is loaded when the
+# first robot description is read.
+function(armlet_use_file_formats)
+  target_link_libraries(armlet_layer_mesh PRIVATE nlohmann_json::nlohmann_json)
   if(urdf_read STREQUAL "urdf_none")
     return()
   endif()

@@ -386,14 +386,6 @@ class SceneReader {
 
 }  // namespace
 
-bool is_glb_name(std::string_view name) {
-  constexpr std::string_view kEnding = ".glb";
-  if (name.size() < kEnding.size()) return false;
-  const std::string_view ending = name.substr(name.size() - kEnding.size());
-  return std::equal(ending.begin(), ending.end(), kEnding.begin(),
-                    [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b); });
-}
-
 Result<TriangleMesh> read_glb(std::string_view bytes) try {
   const Chunks chunks = chunks_of(bytes);
   const Document document(chunks.json);

@@ -187,4 +187,12 @@ class Writer {
 
 std::string write_glb(const GlbScene& scene) { return Writer(scene).bytes(); }
 
+bool is_glb_name(std::string_view name) {
+  constexpr std::string_view kEnding = ".glb";
+  if (name.size() < kEnding.size()) return false;
+  const std::string_view ending = name.substr(name.size() - kEnding.size());
+  return std::equal(ending.begin(), ending.end(), kEnding.begin(),
+                    [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b); });
+}
+
 }  // namespace armlet
