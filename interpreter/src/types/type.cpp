@@ -309,7 +309,9 @@ const Type* TypePool::record_of(std::string_view name, std::vector<RecordField> 
 const Type* TypePool::made_record(std::string_view name, const Type* of) const {
   const auto is_meant = [&](const Type* known) {
     const auto has = [of](const RecordField& field) {
-      return field.type == of || (field.type->is(Kind::kList) && field.type->element == of);
+      return field.type == of || (field.type->is(Kind::kList) && field.type->element == of) ||
+             (field.type->is(Kind::kFunction) &&
+              std::ranges::count(field.type->parameters, of) > 0);
     };
     return known->record->name == name && std::ranges::any_of(known->record->fields, has);
   };

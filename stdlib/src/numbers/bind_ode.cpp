@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "armlet/interpreter/function_value.hpp"
 #include "armlet/interpreter/sorting.hpp"
 #include "armlet/math/ode.hpp"
 #include "numbers/ode_program.hpp"
@@ -387,7 +388,10 @@ Answer<ListObj*> ode_times(Vm& vm, double during, std::optional<double> step,
 }
 
 Answer<RecordObj*> event(Vm& vm, Slot g, std::string_view direction, bool stop) {
-  RecordObj* const record = new_record(vm, vm.program().library_record("OdeEvent"));
+  const Type* const state = parameter_type(vm, g.o, 1);
+  const Type* const with_struct = vm.program().library_record("OdeEvent", state);
+  RecordObj* const record = new_record(
+      vm, with_struct != nullptr ? with_struct : vm.program().library_record("OdeEvent"));
   if (record == nullptr) return Failed{};
   retain(g.o);
   record->fields()[0] = g;

@@ -267,7 +267,7 @@ Answer<double> opening(Vm& vm, const RobotRef& r) {
   return grasp_width(cell.world().at(arm.held), cell.T_world_tool(r.id).linear().col(2));
 }
 
-#define HAND "robot arm = robots.pa10() robot hand = robots.barrettHand(on: arm) "
+#define HAND "robot arm = robots.pa10(); robot hand = robots.barrettHand(on: arm); "
 
 constexpr NativeFunction kFingerFunctions[] = {
     def<barrett_hand>(
@@ -301,7 +301,7 @@ constexpr NativeFunction kFingerFunctions[] = {
         "graspQuality(h: robot, o: object) -> GraspQuality",
         "How well the fingers hold an object where they touch it now: Ferrari and Canny's epsilon, "
         "the smallest singular value of the grasp matrix, and whether any load is withstood.",
-        HAND "object ball { shape: sphere(30mm); at: xyz(x: 500mm) } "
+        HAND "object ball { shape: sphere(30mm); at: xyz(x: 500mm) }; "
              "print(hand.graspQuality(ball).contacts)"),
     def<opening>("opening(r: robot) -> length",
                  "How far the fingers of a parallel gripper stand apart: its stroke, or the width "

@@ -125,7 +125,9 @@ TEST_CASE("names of every example mean what the compiler took them for") {
       REQUIRE(hover.has_value());
       CHECK(hover->span == variable.span);
     }
-    for (const auto& [callee, function] : typed.natives) {
+    for (const auto& native : typed.natives) {
+      const Span callee = native.first;  // clang 14 refuses structured bindings in lambdas
+      const auto* function = native.second;
       ++names;
       const auto* use = analysis->facts().native_at(callee.end - 1);
       CAPTURE(path.filename().string());

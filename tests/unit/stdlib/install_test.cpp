@@ -45,7 +45,7 @@ void check_example(const NativeFunction& function) {
   }
   // No folder is granted here.
   if (!compiled || function.name == "save" || function.name == "savePlot" ||
-      function.name == "urdf")
+      function.name == "urdf" || function.name == "mesh")
     return;
   const RunResult result = session.run();
   CHECK(result.status == Progress::kDone);

@@ -119,8 +119,8 @@ class TypePool {
   void join_tables(const Type* a, const Type* b);
   // The one record type with this name and these fields.
   const Type* record_of(std::string_view name, std::vector<RecordField> fields);
-  // The record that `record_of` made with this name and a field of type `of`, or a list of it; null
-  // if there is none.
+  // The record that `record_of` made with this name and a field of type `of`, a list of it or a
+  // function that takes it; null if there is none.
   const Type* made_record(std::string_view name, const Type* of) const;
   // The library's records are one type per name.
   const Type* library_record(std::string_view name) const;

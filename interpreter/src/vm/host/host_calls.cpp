@@ -4,6 +4,7 @@
 #include <string>
 
 #include "armlet/core/error.hpp"
+#include "armlet/interpreter/function_value.hpp"
 #include "armlet/interpreter/script_function.hpp"
 #include "vm/host/checked.hpp"
 #include "vm/host/frames.hpp"
@@ -177,6 +178,11 @@ void require_types(Vm& vm, const Obj* function, std::span<const Kind> parameters
   if (fits) return;
   throw ArgumentError(function_name(callee) +
                       " has other types than the ScriptFunction that calls it.");
+}
+
+const Type* parameter_type(Vm& vm, const Obj* function, std::size_t index) {
+  const auto& parameters = callee_of(vm.state(), function).function->function->parameters;
+  return index < parameters.size() ? parameters[index]->type : nullptr;
 }
 
 bool Vm::call(Obj* function, std::span<const Slot> arguments, Slot& result) {
