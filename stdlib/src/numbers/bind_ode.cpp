@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "armlet/interpreter/function_value.hpp"
+#include "armlet/interpreter/host/function_value.hpp"
 #include "armlet/interpreter/sorting.hpp"
 #include "armlet/math/ode.hpp"
 #include "numbers/ode_program.hpp"

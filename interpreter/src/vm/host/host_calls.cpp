@@ -4,7 +4,7 @@
 #include <string>
 
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/function_value.hpp"
+#include "armlet/interpreter/host/function_value.hpp"
 #include "armlet/interpreter/script_function.hpp"
 #include "vm/host/checked.hpp"
 #include "vm/host/frames.hpp"
