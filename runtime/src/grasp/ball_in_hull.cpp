@@ -13,9 +13,9 @@ namespace {
 // Shaken by this much, no more than as many as there are dimensions do.
 constexpr double kShake = 1e-8;
 constexpr double kFlat = 1e-6;  // a ball that is smaller comes from shaking
-constexpr int kMost = 6;        // dimensions
+constexpr int kDimensions = 6;  // at most
 
-using Corners = std::array<int, kMost>;  // the first `dimensions` of them, in order
+using Corners = std::array<int, kDimensions>;  // the first `dimensions` of them, in order
 
 // A simplex with a corner less: n . x = offset, n a unit vector that points outwards.
 struct Facet {

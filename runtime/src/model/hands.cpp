@@ -121,9 +121,9 @@ FingeredHand make_barrett_robots(const std::string& name) {
                  kPi, kSpreadSpeed)};
     } else {
       // Outwards is -y of the palm; the finger bends about -x.
-      Eigen::Matrix3d R;
-      R << 0, 0, -1, -1, 0, 0, 0, 1, 0;
-      finger.T_world_base = make_pose(R, {0.0, -kOut, kPalmHeight + kUp});
+      Eigen::Matrix3d R_palm_finger;
+      R_palm_finger << 0, 0, -1, -1, 0, 0, 0, 1, 0;
+      finger.T_world_base = make_pose(R_palm_finger, {0.0, -kOut, kPalmHeight + kUp});
     }
     finger.joints.push_back(driven({.a = kMedial}, bent, kBendSpeed));
     finger.joints.push_back(
