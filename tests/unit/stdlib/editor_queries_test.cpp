@@ -238,7 +238,9 @@ TEST_CASE("a statement is read again when a bracket elsewhere changes its tokens
       {"let z = 0\nlet y = (\nlet x = 0\nlet b = f\"{1 +}\"\nlet c = 1\nlet d = 2\n",
        "let z = 0\nlet y = 3\nlet x = 0\nlet b = f\"{1 +}\"\nlet c = 1\nlet d = 2\n"}};
   Session session(library_engine(), {.default_world = table_world()});
-  for (const auto& [first, second] : kTexts) {
+  for (const auto& texts : kTexts) {
+    const auto& first = texts.first;  // clang 14 refuses structured bindings in lambdas
+    const auto& second = texts.second;
     CAPTURE(second);
     const auto there = session.analyse(second, "p.rbt", session.analyse(first, "p.rbt"));
     CHECK(everything(*there, 1) == everything(*session.analyse(second, "p.rbt"), 1));
