@@ -39,6 +39,10 @@ Cell::Cell(World world, CellOptions options) : world_(std::move(world)), options
 }
 
 int Cell::add_robot(std::shared_ptr<const Robot> model, std::string name) {
+  return join(std::move(model), std::move(name), -1, -1);
+}
+
+int Cell::join(std::shared_ptr<const Robot> model, std::string name, int on, int hand) {
   if (model == nullptr) throw ArgumentError("A robot of the cell needs a model.");
   if (name.empty()) name = model->name();
   if (find_robot(name)) {
@@ -52,8 +56,8 @@ int Cell::add_robot(std::shared_ptr<const Robot> model, std::string name) {
                      .q = home,
                      .qd = zero,
                      .qdd = zero,
-                     .on = mounting_.on,
-                     .hand = mounting_.hand});
+                     .on = on,
+                     .hand = hand});
   published_ns_.push_back(-1);
   const int index = robot_count() - 1;
   if (listening()) {

@@ -62,25 +62,19 @@ int Cell::add_hand(int index, FingeredHand hand) {
   if (arm.motion) refuse("it is moving");
   if (!arm.held.empty()) refuse(fmt::format("it holds \"{}\"", arm.held));
   if (hand_on(index) >= 0) refuse("it has one");
-  for (const Robot& finger : hand.fingers) {
-    if (find_robot(finger.name()))
-      throw ArgumentError(fmt::format("There is already a robot \"{}\".", finger.name()));
-  }
-  const auto join = [&](Robot model, int palm) {
-    const int added = robot_count();
-    auto shared = std::make_shared<const Robot>(std::move(model));
-    mounting_ = {.on = index, .hand = palm};
-    (void)add_robot(std::move(shared));
-    mounting_ = {};
-    return added;
+  const auto check_name = [&](const Robot& part) {
+    if (find_robot(part.name()))
+      refuse(fmt::format("there is already a robot \"{}\"", part.name()));
   };
-  const std::string name = hand.palm.name();
-  if (find_robot(name))
-    throw ArgumentError(fmt::format("There is already a robot \"{}\" in the cell.", name));
+  check_name(hand.palm);
+  for (const Robot& finger : hand.fingers) check_name(finger);
   set_model(index, std::make_shared<const Robot>(arm.model->with_tool(hand.tool)));
-  const int palm = join(std::move(hand.palm), -1);
+  const auto add = [&](Robot& model, int palm) {
+    return join(std::make_shared<const Robot>(std::move(model)), {}, index, palm);
+  };
+  const int palm = add(hand.palm, -1);
   for (Robot& finger : hand.fingers) {
-    const int added = join(std::move(finger), palm);
+    const int added = add(finger, palm);
     state(palm).fingers.push_back(added);
   }
   state(palm).force = hand.force;

@@ -42,10 +42,10 @@ double slab(const Solid& a, const Solid& b, const Vector3d& n) {
 }
 
 // The normal of the face of a hull whose direction is that of `n` to 1e-6, towards a.
-std::optional<Vector3d> face_normal(const Solid& a, const Solid& b, const Solid& hull,
-                                    const Vector3d& n) {
-  (void)b;
-  const Vector3d out = hull.T.linear().transpose() * (&hull == &a ? Vector3d(-n) : n);
+//
+// is_a  whether the hull is a.
+std::optional<Vector3d> face_normal(const Solid& hull, bool is_a, const Vector3d& n) {
+  const Vector3d out = hull.T.linear().transpose() * (is_a ? Vector3d(-n) : n);
   const TriangleMesh& mesh = *hull.mesh;
   const double height = mesh.farthest(out).dot(out);
   constexpr double kFlat = 1e-8;  // m
@@ -56,7 +56,7 @@ std::optional<Vector3d> face_normal(const Solid& a, const Solid& b, const Solid&
     const Vector3d face = (mesh.corner(i, 1) - mesh.corner(i, 0))
                               .cross(mesh.corner(i, 2) - mesh.corner(i, 0))
                               .normalized();
-    if (face.dot(out) > 1.0 - 1e-9) return hull.T.linear() * (&hull == &a ? Vector3d(-face) : face);
+    if (face.dot(out) > 1.0 - 1e-9) return hull.T.linear() * (is_a ? Vector3d(-face) : face);
   }
   return std::nullopt;
 }
@@ -72,7 +72,7 @@ Vector3d contact_normal(const Solid& a, const Solid& b) {
   for (const Solid* body : {&a, &b}) {
     const bool is_box = body->core == Solid::Core::kBox;
     if (body->core == Solid::Core::kHull) {
-      if (const auto n = face_normal(a, b, *body, normal)) normal = *n;
+      if (const auto n = face_normal(*body, body == &a, normal)) normal = *n;
       continue;
     }
     const bool has_cap = body->core == Solid::Core::kCylinder || body->core == Solid::Core::kCone;

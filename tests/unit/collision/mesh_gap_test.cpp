@@ -9,6 +9,7 @@
 #include "armlet/collision/solid.hpp"
 #include "armlet/core/random.hpp"
 #include "mesh_bodies.hpp"
+#include "random_pose.hpp"
 
 namespace armlet {
 namespace {
@@ -16,21 +17,6 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Core = Solid::Core;
-
-Vector3d random_vector(Random& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
-
-// Every fourth pose is parallel to the world's axes.
-Isometry3d random_pose(Random& random, double size) {
-  Isometry3d T = Isometry3d::Identity();
-  if (random.below(4) != 0) {
-    const Vector3d axis = random_vector(random, 1.0) + Vector3d(1e-3, 0.0, 0.0);
-    T.linear() = Eigen::AngleAxisd(random.uniform(0.0, 3.0), axis.normalized()).toRotationMatrix();
-  }
-  T.translation() = random_vector(random, size);
-  return T;
-}
 
 Solid random_solid(Random& random, double spread) {
   Solid solid{.T = random_pose(random, spread)};

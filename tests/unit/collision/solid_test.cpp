@@ -8,6 +8,7 @@
 
 #include "armlet/core/random.hpp"
 #include "armlet/math/rotation.hpp"
+#include "random_pose.hpp"
 
 namespace armlet {
 namespace {
@@ -17,21 +18,6 @@ using Eigen::Vector3d;
 using Core = Solid::Core;
 
 constexpr Core kCores[] = {Core::kPoint, Core::kSegment, Core::kBox, Core::kCylinder, Core::kCone};
-
-Vector3d random_vector(Random& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
-
-// Every fourth pose is parallel to the world's axes: faces and edges that lie along each other.
-Isometry3d random_pose(Random& random, double size) {
-  Isometry3d T = Isometry3d::Identity();
-  if (random.below(4) != 0) {
-    const Vector3d axis = random_vector(random, 1.0) + Vector3d(1e-3, 0.0, 0.0);
-    T.linear() = Eigen::AngleAxisd(random.uniform(0.0, 3.0), axis.normalized()).toRotationMatrix();
-  }
-  T.translation() = random_vector(random, size);
-  return T;
-}
 
 Solid random_solid(Random& random, Core core, double spread) {
   const auto size = [&] { return random.below(6) == 0 ? 0.0005 : random.uniform(0.005, 0.2); };

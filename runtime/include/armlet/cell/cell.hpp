@@ -237,6 +237,8 @@ class Cell {
   void settle_contacts();
   int execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns);
   void begin_rest(int index, bool stopped);
+  // A robot, or a part of a hand on an arm.
+  int join(std::shared_ptr<const Robot> model, std::string name, int on, int hand);
   // Fingers stand as their hand moves them, and the hand as they do.
   void follow_hands();
   // Takes or lets go what the fingers on an arm hold as they stand.
@@ -273,10 +275,6 @@ class Cell {
   std::vector<Eigen::Isometry3d> T_world_links_;  // of the last sample, if they are wanted
   mutable Contacts contacts_;                     // finds first touches when they are asked for
   Backend* backend_ = nullptr;
-  struct Mounting {
-    int on = -1, hand = -1;
-  };
-  Mounting mounting_{};     // of the robot that is being added
   std::uint64_t told_ = 0;  // events that the backend was told
   bool begun_ = false;
 };

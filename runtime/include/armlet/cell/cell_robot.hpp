@@ -20,9 +20,8 @@ namespace armlet {
 // forces    what the motors give while the robot moves under forces; empty otherwise.
 // held      name of the object its hand is closed on; empty if none.
 // p_picked  where that object was when it was picked up, in the world.
-// on        of a hand with fingers and of its fingers: the arm whose flange carries them;
-// T_world_base
-//           of their models is in the frame of that flange. -1: it stands in the world.
+// on        of a hand with fingers and of its fingers: the arm whose flange carries them, in the
+//           frame of which their models have T_world_base. -1: it stands in the world.
 // hand      of a finger: its hand. -1: it is none.
 // fingers   of a hand, in order.
 // force     of a hand: that a finger presses with at most, N.

@@ -49,7 +49,7 @@ ToolSpeeds larger(const ToolSpeeds& a, const ToolSpeeds& b) {
 // of the speed at a distance of a quarter of a metre; by more rather than that what was asked for
 // is exceeded.
 constexpr double kDrift = 0.01;
-constexpr double kLargerDrifts[] = {0.01, 0.05, 0.2};
+constexpr double kDrifts[] = {kDrift, 0.05, 0.2};
 
 ToolSpeeds with_drift(const ToolSpeeds& most, double drift = kDrift) {
   constexpr double kLever = 0.25;  // m
@@ -293,7 +293,7 @@ ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d
       if (auto slower = brake_first(robot, start, twist, fastest, stops)) return *slower;
     }
   }
-  for (const double drift : kLargerDrifts) {
+  for (const double drift : kDrifts) {
     const ToolSpeeds fastest = with_drift(most, drift);
     const Wanted wanted{.most = fastest, .calm = kCalm, .quickly = true};
     if (const auto law = find_law(robot, start, twist, wanted)) return {.law = *law};
@@ -320,18 +320,19 @@ void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
     if (const auto law = calm_stop(robot, start, fastest))
       return stop_by(robot, start, *law, pieces);
   }
-  for (const double drift : kLargerDrifts) {
+  std::optional<Rest> apart;  // with the least drift
+  for (const double drift : kDrifts) {
     const ToolSpeeds fastest = with_drift(most, drift);
     if (const auto law = calm_stop(robot, start, fastest, true))
       return stop_by(robot, start, *law, pieces);
-    const Rest apart = calmest_rest(robot, start, fastest, kCalmStop);
-    if (apart.excess <= kCalmStop) return come_to_rest_apart(robot, pieces, apart.shares);
+    const Rest rest = calmest_rest(robot, start, fastest, kCalmStop);
+    if (rest.excess <= kCalmStop) return come_to_rest_apart(robot, pieces, rest.shares);
+    if (!apart) apart = rest;
   }
   const LeastExcess by_law = least_excess(robot, start, Vector6d::Zero(), drifting, true);
-  const Rest apart = calmest_rest(robot, start, drifting, kCalmStop);
   const double together = excess_of_rest(robot, start, drifting);
-  if (apart.excess < std::min(by_law.excess, together))
-    return come_to_rest_apart(robot, pieces, apart.shares);
+  if (apart->excess < std::min(by_law.excess, together))
+    return come_to_rest_apart(robot, pieces, apart->shares);
   if (by_law.excess < together) return stop_by(robot, start, by_law.law, pieces);
   come_to_rest(robot, pieces);
 }

@@ -177,13 +177,13 @@ export class SceneView {
     this.lit = "";
     let top = 0;
     this.paths.forEach((path, i) => {
-      const track = run.tracks[i];
+      const track = run.pathOf(i);
       if (track) path.draw(track, this.palette, stale ? "stale" : "shown", 0);
       else path.clear();
       top = Math.max(top, path.topSpeed);
     });
     this.oldPaths.forEach((path, i) => {
-      const track = ghost?.tracks[i];
+      const track = ghost?.pathOf(i);
       if (track) path.draw(track, this.palette, "ghost", 0);
       else path.clear();
     });

@@ -68,6 +68,11 @@ export class Run {
     };
   }
 
+  // What its tool point goes along; null for a hand on an arm, which has no rows while the arm carries it.
+  pathOf(robot: number): Track | null {
+    return (this.robots[robot]?.on ?? -1) < 0 ? (this.tracks[robot] ?? null) : null;
+  }
+
   // The pose of a robot's tool.
   toolAt(robot: number, t: number): M.Pose | null {
     const info = this.robots[robot];
