@@ -15,7 +15,7 @@ function color(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-function options(series: Series, width: number, clicked: (t: number) => void): uPlot.Options {
+function options(series: Series, width: number, clicked: (t: number) => void, scaled: (chart: uPlot) => void): uPlot.Options {
   const units = [...new Set(series.columns.map((c) => c.unit))];
   const text = color("--quiet");
   const grid = { stroke: color("--grid"), width: 1 };
@@ -39,6 +39,7 @@ function options(series: Series, width: number, clicked: (t: number) => void): u
       })),
     ],
     hooks: {
+      setScale: [scaled],
       init: [(u) => u.over.addEventListener("click", () => {
         if (u.select.width < 2 && u.cursor.left !== undefined && u.cursor.left >= 0) clicked(u.posToVal(u.cursor.left, "x"));
       })],
@@ -56,6 +57,9 @@ export function plot(place: Place): ElementView {
   let series: Series = { t: new Float64Array(), columns: [] };
   let drawn = "";
   let shape = "";
+  let instant = 0;
+  // The scales of new values are known a little later.
+  const showInstant = (on: uPlot) => (now.style.transform = `translateX(${on.valToPos(instant, "x").toFixed(1)}px)`);
   const tools = el(
     "span", { class: "tools" },
     el("button", { class: "tiny", onclick: () => save(`${label}.csv`, new Blob([csvOf(series)], { type: "text/csv" })), "aria-label": `Save ${label} as CSV` }, "CSV"),
@@ -76,7 +80,7 @@ export function plot(place: Place): ElementView {
     }
     shape = nextShape;
     chart?.destroy();
-    chart = new uPlot(options(series, Math.max(200, host.clientWidth), (t) => intents.goTo(t)), data, host);
+    chart = new uPlot(options(series, Math.max(200, host.clientWidth), (t) => intents.goTo(t), showInstant), data, host);
     chart.over.append(now);
   };
   const observer = new ResizeObserver(() => host.clientWidth > 0 && chart && Math.abs(chart.width - host.clientWidth) > 1 && chart.setSize({ width: host.clientWidth, height: 168 }));
@@ -87,7 +91,8 @@ export function plot(place: Place): ElementView {
       const key = `${run.id} ${run.version} ${color("--grid")}`;
       if (key !== drawn) draw(run);
       drawn = key;
-      if (chart) now.style.transform = `translateX(${chart.valToPos(state.t, "x").toFixed(1)}px)`;
+      instant = state.t;
+      if (chart) showInstant(chart);
     },
     dispose() {
       observer.disconnect();

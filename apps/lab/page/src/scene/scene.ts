@@ -93,7 +93,14 @@ export class SceneView {
 
   fit(): void {
     this.follow = false;
-    this.stage.look(null, this.bounds());
+    this.frame(null);
+  }
+
+  private frame(preset: Exclude<Preset, "hand"> | null): void {
+    const bounds = this.bounds();
+    this.reach = bounds.radius;
+    this.stage.fitSurroundings(bounds);
+    this.stage.look(preset, bounds);
   }
 
   redraw(): void {
@@ -316,10 +323,7 @@ export class SceneView {
     const key = JSON.stringify(run.robots.map((r) => [r.name, r.joints.length, r.T_world_base]));
     if (key === this.framed) return;
     this.framed = key;
-    const bounds = this.bounds();
-    this.reach = bounds.radius;
-    this.stage.fitSurroundings(bounds);
-    this.stage.look("iso", bounds);
+    this.frame("iso");
   }
 
   private beforePicture(): void {
