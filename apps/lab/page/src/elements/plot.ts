@@ -15,7 +15,7 @@ function color(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-function options(series: Series, width: number, clicked: (t: number) => void, scaled: (chart: uPlot) => void): uPlot.Options {
+function options(series: Series, width: number, clicked: (t: number) => void, drawn: (chart: uPlot) => void): uPlot.Options {
   const units = [...new Set(series.columns.map((c) => c.unit))];
   const text = color("--quiet");
   const grid = { stroke: color("--grid"), width: 1 };
@@ -39,7 +39,7 @@ function options(series: Series, width: number, clicked: (t: number) => void, sc
       })),
     ],
     hooks: {
-      setScale: [scaled],
+      draw: [drawn],
       init: [(u) => u.over.addEventListener("click", () => {
         if (u.select.width < 2 && u.cursor.left !== undefined && u.cursor.left >= 0) clicked(u.posToVal(u.cursor.left, "x"));
       })],
@@ -58,7 +58,7 @@ export function plot(place: Place): ElementView {
   let drawn = "";
   let shape = "";
   let instant = 0;
-  // The scales of new values are known a little later.
+  // The scales and the room for new values are known when they are drawn.
   const showInstant = (on: uPlot) => (now.style.transform = `translateX(${on.valToPos(instant, "x").toFixed(1)}px)`);
   const tools = el(
     "span", { class: "tools" },
