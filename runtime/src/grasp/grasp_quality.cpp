@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +11,9 @@
 #include "armlet/core/error.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/check_finite.hpp"
+#include "armlet/math/decompose.hpp"
 #include "armlet/math/det_math.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -75,9 +76,9 @@ MatrixXd edges_of(std::span<const GraspContact> contacts, const Vector3d& center
 
 double smallest_singular(const MatrixXd& G) {
   if (G.cols() < G.rows()) return 0.0;  // some load is withstood by no force
-  const Eigen::JacobiSVD<MatrixXd> svd(G);
-  const double least = svd.singularValues().minCoeff();
-  return least > 1e-9 * svd.singularValues().maxCoeff() ? least : 0.0;
+  const Eigen::VectorXd s = singular_values(G).s;
+  const double least = s[s.size() - 1];
+  return least > 1e-9 * s[0] ? least : 0.0;
 }
 
 GraspQuality quality_of(const MatrixXd& edges, const MatrixXd& G, std::size_t contacts) {
@@ -99,7 +100,7 @@ double nonnegative_distance(const MatrixXd& A, const Eigen::VectorXd& b) {
     MatrixXd part(A.rows(), static_cast<Eigen::Index>(used.size()));
     for (std::size_t i = 0; i < used.size(); ++i)
       part.col(static_cast<Eigen::Index>(i)) = A.col(used[i]);
-    return Eigen::VectorXd(part.colPivHouseholderQr().solve(b));
+    return nearest_solution(part, b);
   };
   for (Eigen::Index turn = 0; turn < 3 * n; ++turn) {
     Eigen::VectorXd gain = A.transpose() * (b - A * x);
