@@ -48,10 +48,10 @@ class Lab:
         self.process.stderr.close()
         assert status == 0 and not errors, (status, errors)
 
-    def memory(self):
-        """MB that the process holds at the moment."""
+    def memory(self, what="VmRSS"):
+        """MB that the process holds at the moment; with "VmHWM", that it ever held."""
         for line in Path(f"/proc/{self.process.pid}/status").read_text().splitlines():
-            if line.startswith("VmRSS"):
+            if line.startswith(what):
                 return int(line.split()[1]) / 1024
         return 0
 
@@ -137,6 +137,27 @@ def check_door(lab):
     goes_on(address)
 
 
+def check_large_frame(lab):
+    """A frame that says it has a gigabyte, and comes: the connection ends when there is more than any message has."""
+    before = lab.memory("VmHWM")
+    pages = [greet(lab.address) for _ in range(4)]
+    sent = 0
+    for page in pages:
+        page.send_frame(TEXT, b"", claimed=1_000_000_000)
+    for page in pages:
+        page.socket.settimeout(10)
+        try:
+            while sent < 4_000_000_000:
+                sent += page.socket.send(b"z" * 65_536)
+        except (ConnectionError, socket.timeout):
+            pass
+    assert sent < 1_000_000_000, f"{sent} bytes were taken"
+    assert lab.memory("VmHWM") < before + 300, f"{before} MB, then {lab.memory('VmHWM')} MB"
+    for page in pages:
+        page.close()
+    assert goes_on(lab.address)["state"] == "done"
+
+
 def check_frames(lab):
     """Frames that no browser would send close the connection, or are answered with an error."""
     def send_raw(page, data):
@@ -161,6 +182,7 @@ def check_frames(lab):
             pass
         page.close()
         assert goes_on(lab.address)["state"] == "done", number
+    check_large_frame(lab)
     page = greet(lab.address)
     for message in [b"", b"{", b"[]", b"null", b'{"type": "nothing", "seq": 7}', b"\xff\xfe", b"[" * 50_000,
                     b'{"type": "hello", "type": "text"}']:

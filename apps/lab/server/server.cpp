@@ -3,19 +3,24 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <list>
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <utility>
 
 #include "armlet/core/platform.hpp"
 #include "civetweb_library.hpp"
 #include "connections.hpp"
+#include "frame_guard.hpp"
 #include "http_guard.hpp"
 
 namespace armlet::lab {
 namespace {
 
 constexpr std::int64_t kMostWork_ns = 10'000'000'000;
+// Of a frame that is not whole; more than a message may have, and what is read ahead.
+constexpr std::size_t kMostFrameBytes = kMostMessageBytes + 64'000;
 
 std::string_view text_of(const char* text) { return text == nullptr ? "" : text; }
 
@@ -72,10 +77,11 @@ class Server {
   }
 
  private:
-  // Ends what takes too long, and waits for the end.
+  // Ends what takes too long and frames that are too large, and waits for the end.
   void watch() {
     while (!options_.is_over()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      cut_large_frames();
       const std::int64_t since = connections_.busy_since();
       if (since != 0 && steady_time_ns() - since > kMostWork_ns) laboratory_.interrupt();
     }
@@ -170,9 +176,15 @@ class Server {
   }
 
   // ---- sockets
-  using Held = std::shared_ptr<Connection>;
-  [[nodiscard]] Held* held(const mg_connection* connection) {
-    return static_cast<Held*>(web_.get_connection_data(connection));
+  struct Socket {
+    explicit Socket(const mg_request_info& info) : frame(info.remote_addr, info.remote_port) {}
+
+    FrameGuard frame;
+    std::shared_ptr<Connection> page;
+  };
+
+  [[nodiscard]] Socket* socket_of(const mg_connection* connection) {
+    return static_cast<Socket*>(web_.get_connection_data(connection));
   }
 
   void open(mg_connection* connection) {
@@ -180,23 +192,36 @@ class Server {
       const int kind = message.is_binary ? MG_WEBSOCKET_OPCODE_BINARY : MG_WEBSOCKET_OPCODE_TEXT;
       return web_.websocket_write(connection, kind, message.bytes.data(), message.bytes.size()) > 0;
     });
-    if (page != nullptr) web_.set_connection_data(connection, new Held(std::move(page)));
+    if (page == nullptr) return;
+    const std::lock_guard lock(sockets_mutex_);
+    Socket& socket = sockets_.emplace_back(*web_.get_request_info(connection));
+    socket.page = std::move(page);
+    web_.set_connection_data(connection, &socket);
   }
 
   bool receive(mg_connection* connection, int bits, std::string_view data) {
-    Held* page = held(connection);
-    if (page == nullptr || (*page)->is_closed()) return false;
+    Socket* socket = socket_of(connection);
+    if (socket == nullptr || socket->page->is_closed()) return false;
+    socket->frame.came_out();
     const int kind = bits & 0x0F;
     if (kind == MG_WEBSOCKET_OPCODE_PING || kind == MG_WEBSOCKET_OPCODE_PONG) return true;
     if (kind != MG_WEBSOCKET_OPCODE_TEXT && kind != MG_WEBSOCKET_OPCODE_CONTINUATION) return false;
-    return (*page)->receive(data, (bits & 0x80) != 0);
+    return socket->page->receive(data, (bits & 0x80) != 0);
   }
 
   void close(const mg_connection* connection) {
-    const std::unique_ptr<Held> page(held(connection));
-    if (page == nullptr) return;
-    (*page)->close();
+    Socket* socket = socket_of(connection);
+    if (socket == nullptr) return;
+    socket->frame.release();
+    socket->page->close();
     web_.set_connection_data(const_cast<mg_connection*>(connection), nullptr);
+    const std::lock_guard lock(sockets_mutex_);
+    sockets_.remove_if([&](const Socket& each) { return &each == socket; });
+  }
+
+  void cut_large_frames() {
+    const std::lock_guard lock(sockets_mutex_);
+    for (Socket& socket : sockets_) socket.frame.cut_beyond(kMostFrameBytes);
   }
 
   Laboratory& laboratory_;
@@ -205,6 +230,8 @@ class Server {
   Connections connections_;
   Door door_;
   mg_context* context_ = nullptr;
+  std::mutex sockets_mutex_;
+  std::list<Socket> sockets_;
 };
 
 }  // namespace
