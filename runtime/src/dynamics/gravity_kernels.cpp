@@ -4,8 +4,28 @@
 namespace armlet {
 namespace {
 
+// Axes that are all parallel to gravity, as those of a SCARA that stands upright: what slides
+// carries its mass and that beyond, what turns carries nothing, wherever the joints are.
+bool hang_upright(const DynamicsInput& in) {
+  return in.plan.flat == in.plan.n && in.gravity[0] == 0.0 && in.gravity[1] == 0.0;
+}
+
+void upright_gravity(const DynamicsInput& in, double* tau) {
+  const int n = static_cast<int>(in.plan.n);
+  double doubt = 0.0;  // NaN afterwards if a joint value is not finite
+  for (int i = 0; i < n; ++i) {
+    const PlanLink& link = in.plan.links[i];
+    doubt += in.q[i] - in.q[i];
+    tau[i] = link.slides ? link.sign * (link.gravity.mass * in.gravity[2]) : 0.0;
+  }
+  tau[0] += doubt;
+}
+
 template <int N, bool kSlides>
 void gravity_kernel(const DynamicsInput& in, double* tau) {
+  if constexpr (kSlides) {
+    if (hang_upright(in)) return upright_gravity(in, tau);
+  }
   const SingleSines<N> sines(in);
   gravity_recursion<double, N, kSlides>(
       in.plan, sines, SignedMotion{in},

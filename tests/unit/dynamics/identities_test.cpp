@@ -5,6 +5,7 @@
 #include "armlet/dynamics/energy.hpp"
 #include "armlet/dynamics/forward_dynamics.hpp"
 #include "armlet/dynamics/inverse_dynamics.hpp"
+#include "armlet/model/catalog.hpp"
 #include "random_mass.hpp"
 
 using namespace armlet;
@@ -111,6 +112,22 @@ TEST_CASE("gravity is the slope of the potential energy") {
       CHECK(std::abs(slope - g[i]) < 1e-7 * size_of(g));
     }
   });
+}
+
+TEST_CASE("gravity along parallel axes is carried by what slides, and no joint value may be NaN") {
+  Random random(23);
+  for (const std::string_view name : {"scara", "planar3"}) {
+    const Robot robot = *make_robot(name);
+    for (int trial = 0; trial < 50; ++trial) {
+      VectorXd q = random_values(random, robot.n());
+      const VectorXd g = gravity_forces(robot, q), zero = VectorXd::Zero(robot.n());
+      CHECK(distance(g, inverse_dynamics(robot, q, zero, zero)) < 1e-12 * size_of(g));
+      for (const double wrong : {NAN, INFINITY}) {
+        q[trial % robot.n()] = wrong;
+        CHECK_THROWS_AS((void)gravity_forces(robot, q), ArgumentError);
+      }
+    }
+  }
 }
 
 TEST_CASE("the Coriolis matrix gives the forces, and dM/dt - 2 C is skew-symmetric: 10,000 arms") {
