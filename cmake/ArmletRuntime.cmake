@@ -5,7 +5,7 @@
 if(EMSCRIPTEN)
   set(platform src/core/bare/)
   set(urdf_read urdf_none)
-  set(glb_read glb_none)
+  set(glb_read glb_read)
 else()
   set(platform src/core/posix/ ample_stack)
   set(urdf_read urdf_read)

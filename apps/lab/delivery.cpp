@@ -73,6 +73,8 @@ void add_run(Parcel& parcel, const RunRecord& run, KnownOfRun& known) {
             [&](auto first, auto count) { return write_events(run, first, count); });
   add_items(parcel, known.moves, run.moves.size(),
             [&](auto first, auto count) { return write_moves(run, first, count); });
+  add_items(parcel, known.ways, run.ways.size(),
+            [&](auto first, auto count) { return write_ways(run, first, count); });
   add_items(parcel, known.lines, run.lines.size(),
             [&](auto first, auto count) { return write_lines(run, first, count); });
   add_items(parcel, known.texts, run.texts.size(),
@@ -81,6 +83,7 @@ void add_run(Parcel& parcel, const RunRecord& run, KnownOfRun& known) {
   add_rows(parcel, 2, run.number, run.object_rows, known.objects);
   add_rows(parcel, 3, run.number, run.element_rows, known.elements);
   add_rows(parcel, 4, run.number, run.force_rows, known.forces);
+  add_rows(parcel, 5, run.number, run.contact_rows, known.contacts);
   if (parcel.is_full()) return;
   if (known.figures != run.figure_changes) {
     for (const RecordedFigure& figure : run.figures) parcel.add(write_figure(run, figure));

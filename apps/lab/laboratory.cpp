@@ -63,6 +63,8 @@ void Laboratory::interrupt() noexcept {
   if (state_->busy != nullptr) state_->busy->cancel();
 }
 
+FileBytes Laboratory::file(std::string_view name) const { return state_->files.find(name); }
+
 const std::string& Laboratory::text() const { return state_->text.now; }
 
 }  // namespace armlet::lab

@@ -13,6 +13,7 @@
 // interrupt() may come from any.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -36,6 +37,9 @@ struct LaboratoryOptions {
   std::size_t most_runs = 24;
   std::size_t most_bytes = std::size_t{192} << 20U;
   int most_pages = 64;
+  // Keeps a file beside the program, under this name or, where another file has it, one like it,
+  // which is returned; or says why not, as a sentence. Null: nothing can be kept.
+  std::function<Result<std::string>(const std::string& name, std::string bytes)> keep_file{};
 };
 
 class Laboratory {
@@ -62,6 +66,10 @@ class Laboratory {
 
   // Ends what advance() or receive() does at the moment, if that takes too long; from any thread.
   void interrupt() noexcept;
+
+  // The bytes of a file that pages draw, by its name in a description; from any thread. Null: there
+  // is none, or no run is left that shows it.
+  [[nodiscard]] FileBytes file(std::string_view name) const;
 
   // The newest text that a page has sent.
   [[nodiscard]] const std::string& text() const;

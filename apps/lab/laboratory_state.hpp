@@ -45,6 +45,8 @@ struct Laboratory::State {
   void handle(Page& page, Seq seq, const FetchRun& fetch);
   void handle(Page& page, Seq seq, const StopRun& stop);
   void handle(Page& page, Seq seq, const AskExport& ask);
+  void handle(Page& page, Seq seq, const AskFile& ask);
+  void handle(Page& page, Seq seq, const SendFile& sent);
   void handle(Page& page, Seq seq, const TakeControl& take);
   void handle(Page& page, Seq seq, const GiveControl& give);
   void refuse(Page& page, Seq seq, std::string_view reason, std::string_view message);
@@ -115,7 +117,8 @@ struct Laboratory::State {
   } text;
   Session text_session;  // for analyses
 
-  RunList runs;  // oldest first
+  ShownFiles files;  // of the runs
+  RunList runs;      // oldest first
   int last_run = 0;
   int shown = 0;         // 0: none
   std::string run_text;  // of the newest run

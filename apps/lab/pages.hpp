@@ -20,8 +20,8 @@ struct KnownOfRun {
   std::uint64_t changes = 0;
   std::uint64_t described = 0;
   std::uint64_t figures = 0;
-  std::size_t moves = 0, lines = 0, events = 0, texts = 0;
-  std::vector<std::size_t> robots, objects, elements, forces;  // rows
+  std::size_t moves = 0, ways = 0, lines = 0, events = 0, texts = 0;
+  std::vector<std::size_t> robots, objects, elements, forces, contacts;  // rows
 };
 
 // Counts of what there is to be told besides runs; a page that knows another count is told again.
@@ -44,6 +44,11 @@ struct Page {
   Versions known;
   std::map<int, KnownOfRun> runs;  // by number
   std::set<int> wanted;            // runs that it has asked for
+  // A file that it sends, as far as it has come.
+  struct Sent {
+    std::string name;
+    std::string bytes;
+  } sent;
 };
 
 class Pages {

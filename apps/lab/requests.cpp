@@ -32,6 +32,25 @@ std::map<std::string, std::vector<std::string>> words_of_language() {
   return words;
 }
 
+// The name of a file as one that every folder takes and a program can write: of the last part of
+// it letters, digits, points, lines and hyphens, at most 60 of them, the first no point.
+std::string file_name(std::string_view given) {
+  given = given.substr(given.find_last_of("/\\") + 1);
+  std::string name;
+  bool has_letter = false;
+  for (const char c : given) {
+    const bool is_letter =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    has_letter = has_letter || is_letter;
+    if (is_letter || c == '_' || (c == '.' && !name.empty())) name += c;
+    if (!(is_letter || c == '_' || c == '.') && !name.ends_with('-') && !name.empty()) name += '-';
+  }
+  const std::size_t point = name.rfind('.');
+  const std::string ending = point == std::string::npos ? std::string() : name.substr(point);
+  if (!has_letter || ending.size() > 8) return {};
+  return name.substr(0, std::min<std::size_t>(60, point)) + ending;
+}
+
 std::vector<double> numbers_of(const Eigen::VectorXd& q) { return {q.begin(), q.end()}; }
 
 }  // namespace
@@ -259,6 +278,38 @@ void Laboratory::State::handle(Page& page, Seq seq, const AskExport&) {
                          .files = imported->all(),
                          .runs = runs,
                          .shown = shown}));
+}
+
+// ---- files ----------------------------------------------------------------------------------
+
+void Laboratory::State::handle(Page& page, Seq seq, const AskFile& ask) {
+  const FileBytes bytes = files.find(ask.name);
+  if (bytes == nullptr || !seq || bytes->size() > 0xFFFF'FFFF)
+    return refuse(page, seq, "refused", "There is no such file.");
+  pages.answer(page, write_file(static_cast<std::uint32_t>(*seq), *bytes));
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const SendFile& sent) {
+  if (!has_control(page, seq)) return;
+  if (!options.keep_file)
+    return refuse(page, seq, "refused", "This laboratory has no folder to keep a file in.");
+  if (sent.first) page.sent = {.name = sent.name, .bytes = {}};
+  if (page.sent.name != sent.name)
+    return refuse(page, seq, "message", "The pieces of a file come one after the other.");
+  page.sent.bytes += sent.bytes;
+  if (page.sent.bytes.size() > kMostFileBytes) {
+    page.sent = {};
+    return refuse(page, seq, "limit",
+                  fmt::format("A file that is kept has at most {} MB.", kMostFileBytes >> 20U));
+  }
+  if (!sent.last) return pages.answer(page, write_kept(seq, {}));
+  const Page::Sent file = std::exchange(page.sent, {});
+  const std::string name = file_name(file.name);
+  if (name.empty())
+    return refuse(page, seq, "refused", "The name of the file has no letters or digits.");
+  const Result<std::string> kept = options.keep_file(name, file.bytes);
+  if (!kept.ok()) return refuse(page, seq, "refused", kept.error().message);
+  pages.answer(page, write_kept(seq, *kept));
 }
 
 void Laboratory::State::handle(Page& page, Seq, const TakeControl&) { pages.take(page.number); }

@@ -84,7 +84,7 @@ void Laboratory::State::take_text(std::string given, std::int64_t version, bool 
     return;
   }
   auto record = std::make_unique<RunRecord>();
-  auto next = std::make_unique<LiveRun>(session_options, options.bounds, *record);
+  auto next = std::make_unique<LiveRun>(session_options, options.bounds, *record, files);
   {
     const Busy guard(*this, next->session());
     text.runs = next->begin(text.now, options.file);
@@ -203,7 +203,7 @@ void Laboratory::State::forget_looks_of(const RunRecord& run) {
 
 void Laboratory::State::begin_fork(RunRecord& parent, std::int64_t t_ns, const GiveInput& input) {
   auto record = std::make_unique<RunRecord>();
-  auto next = std::make_unique<LiveRun>(session_options, options.bounds, *record);
+  auto next = std::make_unique<LiveRun>(session_options, options.bounds, *record, files);
   next->begin_fork(parent.log, t_ns, input.what);
   record->label = fmt::format("at {:.2f} s: {}", to_seconds(t_ns), name_of(input.what));
   record->text_version = parent.text_version;

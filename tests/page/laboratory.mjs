@@ -38,11 +38,12 @@ export async function openPage(address, options = {}) {
   return page;
 }
 
-// Serves a program; `text` is written to a file, or the demo is shown.
-export async function serve(text = null) {
+// Serves a program; `text` is written to a file, or the demo is shown. `files` lie beside it, by their names.
+export async function serve(text = null, files = {}) {
   const folder = mkdtempSync(join(tmpdir(), "armlet-lab-"));
   const file = join(folder, "program.rbt");
   if (text !== null) writeFileSync(file, text);
+  for (const [name, bytes] of Object.entries(files)) writeFileSync(join(folder, name), bytes);
   const command = spawn(process.env.ARMLET_COMMAND, ["lab", ...(text === null ? ["--demo"] : [file]), "--no-open", "--port", "0"], { stdio: ["ignore", "pipe", "pipe"] });
   let complaints = "";
   command.stderr.on("data", (data) => (complaints += data));
@@ -55,6 +56,7 @@ export async function serve(text = null) {
   });
   return {
     address,
+    folder,
     open: (options) => openPage(address, options),
     close() {
       command.removeAllListeners("exit");
@@ -78,21 +80,44 @@ export async function closeBrowser() {
 }
 
 // Runs `work` with pages on a laboratory; afterwards no page may have complained.
-export async function withLab(text, work) {
-  const lab = await serve(text);
+export async function withLab(text, work, files = {}) {
+  const lab = await serve(text, files);
   const pages = [];
   try {
     await work(async (options) => {
       const page = await lab.open(options);
       pages.push(page);
       return page;
-    });
+    }, lab);
     for (const page of pages) assert.deepEqual(page.problems, []);
   } finally {
     for (const page of pages) await page.context().close();
     lab.close();
   }
 }
+
+// How many pixels of the 3D view have so much more of one colour than of the others: `is` is [0 red, 1 green, 2 blue; how much].
+export async function pixelsLike(page, is) {
+  const png = (await page.locator(".stage canvas").screenshot()).toString("base64");
+  return page.evaluate(async ([data, test]) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const pixels = context.getImageData(0, 0, image.width, image.height).data;
+    const [channel, above] = test;
+    let count = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      const others = [0, 1, 2].filter((k) => k !== channel).map((k) => pixels[i + k]);
+      if (pixels[i + channel] > above + Math.max(...others)) count++;
+    }
+    return count;
+  }, [png, is]);
+}
+export const RED = [0, 70];
+export const GREEN = [1, 70];
 
 export const status = (page) => page.locator(".status");
 export const clock = (page) => page.locator("output.time");

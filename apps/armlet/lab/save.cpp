@@ -64,6 +64,11 @@ class Visitor {
     return found;
   }
 
+  // The bytes of a file that pages draw.
+  [[nodiscard]] lab::FileBytes file(const std::string& name) const {
+    return laboratory_.file(name);
+  }
+
  private:
   lab::Laboratory& laboratory_;
   int page_;
@@ -116,6 +121,23 @@ std::string with_element(std::string page, std::string_view behind, const std::s
   return page.insert(at + behind.size(), element);
 }
 
+// Puts the files that a description names in front of it.
+void add_files(const Visitor& visitor, const SavedJson& told, SavedJson& recording) {
+  const auto add = [&](const SavedJson& thing, const char* field) {
+    const auto name = thing.find(field);
+    if (name == thing.end()) return;
+    const lab::FileBytes bytes = visitor.file(name->get<std::string>());
+    if (bytes != nullptr) recording.push_back({{"file", *name}, {"binary", base64(*bytes)}});
+  };
+  for (const SavedJson& object : told.at("objects")) {
+    add(object, "file");
+    add(object, "texture");
+  }
+  for (const SavedJson& robot : told.at("robots")) {
+    for (const SavedJson& picture : robot.at("pictures")) add(picture, "file");
+  }
+}
+
 std::string recorded_page(Visitor& visitor) {
   visitor.ask({{"type", "goto"}, {"t", 0.0}}, "instant");
   SavedJson recording = SavedJson::array();
@@ -123,7 +145,9 @@ std::string recorded_page(Visitor& visitor) {
     if (each.is_binary) {
       recording.push_back({{"binary", base64(each.bytes)}});
     } else {
-      recording.push_back(SavedJson::parse(each.bytes));
+      SavedJson told = SavedJson::parse(each.bytes);
+      if (told["type"] == "description") add_files(visitor, told, recording);
+      recording.push_back(std::move(told));
     }
   }
   return with_element(std::string(lab::built_in_page()), kPlace,

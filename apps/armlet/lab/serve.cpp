@@ -8,7 +8,9 @@
 #include <thread>
 #include <utility>
 
+#include "armlet/core/files.hpp"
 #include "console.hpp"
+#include "kept_file.hpp"
 #include "lab_demo.hpp"
 #include "server/http_guard.hpp"
 #include "server/server.hpp"
@@ -40,6 +42,25 @@ int refuse(const std::string& why, int exit) {
   return exit;
 }
 
+// What has a name in the folder: whatever it is, nothing is put in its place.
+lab::NameInUse look_at(const Folder& folder, const std::string& name) {
+  Result<std::string> bytes = folder.read(name, lab::kMostFileBytes);
+  if (bytes.ok()) return {.is_used = true, .bytes = std::move(bytes).value()};
+  return {.is_used = bytes.error().code != "missing"};
+}
+
+// Keeps what is dropped onto a page beside the program.
+Result<std::string> keep_in(const std::string& path, const std::string& name, std::string bytes) {
+  const Result<Folder> folder = Folder::open(path);
+  if (!folder.ok()) return Error{"folder", "The folder of the program cannot be opened."};
+  // Files of other formats than GLB are to be converted here, before they are kept.
+  return lab::keep_beside(
+      name, bytes, [&](const std::string& each) { return look_at(*folder, each); },
+      [&](const std::string& each, const std::string& content) {
+        return folder->save(each, content);
+      });
+}
+
 }  // namespace
 
 int serve_lab(const LabOptions& options, const RunOptions& run) {
@@ -66,11 +87,19 @@ int serve_lab(const LabOptions& options, const RunOptions& run) {
   Setup setup = make_setup(run.program, file);
   if (setup.exit != kDone) return setup.exit;
   const StayOnInterrupt guard;
+  // The demonstration has no folder of its own.
+  std::function<Result<std::string>(const std::string&, std::string)> keep;
+  if (!options.demo) {
+    keep = [folder = setup.session.folder.string()](const std::string& name, std::string bytes) {
+      return keep_in(folder, name, std::move(bytes));
+    };
+  }
   lab::Laboratory laboratory({.session = std::move(setup.session),
                               .file = file.substr(file.find_last_of('/') + 1),
                               .text = *std::move(text),
                               .version = ARMLET_VERSION,
-                              .is_demo = options.demo});
+                              .is_demo = options.demo,
+                              .keep_file = std::move(keep)});
   server.on_ready = [&](const std::string& address) {
     print_out(address + "\n");
     finish_output();

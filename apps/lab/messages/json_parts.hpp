@@ -29,12 +29,19 @@ inline OrderedJson matrix_json(const Eigen::Isometry3d& T) {
   for (int i = 0; i < 16; ++i) out.push_back(T.matrix().data()[i]);
   return out;
 }
+inline OrderedJson affine_json(const Eigen::Affine3d& T) {
+  OrderedJson out = OrderedJson::array();
+  for (int i = 0; i < 16; ++i) out.push_back(T.matrix().data()[i]);
+  return out;
+}
 inline OrderedJson pose_json(const Eigen::Isometry3d& T) {
   const Eigen::Quaterniond turn(T.linear());
   const Eigen::Vector3d p = T.translation();
   return {p.x(), p.y(), p.z(), turn.w(), turn.x(), turn.y(), turn.z()};
 }
 OrderedJson json_of(const TextMessage& message);
+// Numbers in SI; what has a name of its own as a text.
+OrderedJson value_json(const Value& value);
 
 // Numbers that are not finite become null, bytes that are no text a sign for that.
 inline Message message_of(const OrderedJson& json) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base85.hpp"
 #include "request.hpp"
 
 namespace armlet::lab {
@@ -114,6 +115,21 @@ GiveInput input(const Json& message) {
   return out;
 }
 
+bool truth(const Json& message, const char* name) {
+  if (!has(message, name)) return false;
+  if (!message[name].is_boolean()) throw Wrong{fmt::format("\"{}\" is to be true or false.", name)};
+  return message[name].get<bool>();
+}
+
+SendFile sent_file(const Json& message) {
+  std::optional<std::string> bytes = from_base85(text_of(message, "base85", kMostMessageBytes));
+  if (!bytes) throw Wrong{"\"base85\" is not written in digits to the base 85."};
+  return {.name = text_of(message, "name", kNameBytes),
+          .bytes = *std::move(bytes),
+          .first = truth(message, "first"),
+          .last = truth(message, "last")};
+}
+
 Step step(const Json& message) {
   const std::string how = text_of(message, "how", kNameBytes);
   if (how == "into") return {StepHow::kInto};
@@ -144,10 +160,7 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
   if (type == "text") {
     SetText out{text_of(message, "text", kMostTextBytes),
                 integer(field(message, "version"), "version", 0, std::int64_t{1} << 53U)};
-    if (has(message, "run")) {
-      if (!message["run"].is_boolean()) throw Wrong{"\"run\" is to be true or false."};
-      out.runs = message["run"].get<bool>();
-    }
+    if (has(message, "run")) out.runs = truth(message, "run");
     return out;
   }
   if (type == "complete") return AskText{What::kComplete, place(message, "at")};
@@ -174,6 +187,8 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
   if (type == "fetch") return FetchRun{small(message, "run")};
   if (type == "stop") return StopRun{};
   if (type == "export") return AskExport{};
+  if (type == "file") return AskFile{text_of(message, "name", kNameBytes)};
+  if (type == "keep") return sent_file(message);
   if (type == "take") return TakeControl{};
   if (type == "give") {
     GiveControl out;

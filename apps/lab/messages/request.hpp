@@ -16,6 +16,7 @@ namespace armlet::lab {
 
 inline constexpr std::size_t kMostMessageBytes = 1'000'000;
 inline constexpr std::size_t kMostTextBytes = 512'000;
+inline constexpr std::size_t kMostFileBytes = std::size_t{32} << 20U;  // that a page sends
 
 struct Hello {
   std::string key{};  // of the page as it was before; empty: it is new
@@ -88,6 +89,19 @@ struct FetchRun {
 struct StopRun {};
 // Everything that another laboratory needs to go on with this one.
 struct AskExport {};
+// The bytes of a file that is drawn.
+struct AskFile {
+  std::string name;
+};
+// A piece of a file that is to be kept beside the program.
+//
+// first, last  the file begins, or ends, with this piece.
+struct SendFile {
+  std::string name;
+  std::string bytes{};
+  bool first = false;
+  bool last = false;
+};
 struct TakeControl {};
 struct GiveControl {
   std::optional<int> to{};
@@ -96,8 +110,8 @@ struct GiveControl {
 struct Request {
   std::optional<std::int64_t> seq{};
   std::variant<Hello, SetText, AskText, FormatText, GoTo, Step, SetBreakpoints, GiveInput,
-               AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, AskExport, TakeControl,
-               GiveControl>
+               AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, AskExport, AskFile, SendFile,
+               TakeControl, GiveControl>
       what;
 };
 

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base85.hpp"
+
 namespace armlet::lab {
 
 Result<SavedLaboratory> read_saved(std::string_view json, std::string_view version) {
@@ -20,7 +22,15 @@ Result<SavedLaboratory> read_saved(std::string_view json, std::string_view versi
                           .file = given.at("file").get<std::string>(),
                           .text = given.at("text").get<std::string>(),
                           .is_demo = given.at("demo").get<bool>(),
-                          .files = given.at("files").get<std::map<std::string, std::string>>()};
+                          .files = {}};
+    for (const auto& [path, file] : given.at("files").items()) {
+      std::optional<std::string> bytes = file.is_string()
+                                             ? file.get<std::string>()
+                                             : from_base85(file.at("base85").get<std::string>());
+      if (!bytes)
+        return Error{"format", fmt::format("The file \"{}\" of the laboratory is damaged.", path)};
+      saved.files[path] = *std::move(bytes);
+    }
     if (const auto& world = given.at("world"); !world.is_null()) {
       saved.world =
           WorldText{world.at("name").get<std::string>(), world.at("text").get<std::string>()};

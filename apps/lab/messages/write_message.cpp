@@ -25,6 +25,32 @@ void add_unreached(OrderedJson& out, const UnreachedGoal& goal) {
                     {"angle", goal.angle}};
 }
 
+OrderedJson point_json(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+
+OrderedJson body_json(int robot, const std::string& object, int link, const std::string& text,
+                      const Eigen::Vector3d& p) {
+  return {{"robot", robot < 0 ? OrderedJson() : OrderedJson(robot)},
+          {"object", object},
+          {"link", link},
+          {"text", text},
+          {"at", point_json(p)}};
+}
+
+void add_things(OrderedJson& out, const SeenThings& things) {
+  out["frames"] = OrderedJson::array();
+  for (const SeenFrame& each : things.frames)
+    out["frames"].push_back(
+        {{"name", each.name}, {"object", each.object}, {"pose", pose_json(each.T)}});
+  out["clearances"] = OrderedJson::array();
+  for (const SeenClearance& each : things.clearances) {
+    out["clearances"].push_back(
+        {{"distance", each.distance},
+         {"body", body_json(each.robot, each.object, each.link, each.body, each.p_body)},
+         {"other", body_json(each.other_robot, each.other_object, each.other_link, each.other,
+                             each.p_other)}});
+  }
+}
+
 }  // namespace
 
 OrderedJson json_of(const TextMessage& message) {
@@ -205,6 +231,7 @@ Message write_instant(Seq to, const SeenInstant& instant, bool is_cursor) {
     const OrderedJson held = std::visit([](auto each) { return OrderedJson(each); }, value);
     out["signals"].push_back({{"name", name}, {"value", held}});
   }
+  add_things(out, instant.things);
   return message_of(out);
 }
 

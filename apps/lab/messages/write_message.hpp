@@ -93,6 +93,7 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 [[nodiscard]] Message write_description(const RunRecord& run);
 // Pieces of lists, from `first` and at most so many.
 [[nodiscard]] Message write_moves(const RunRecord& run, std::size_t first, std::size_t count);
+[[nodiscard]] Message write_ways(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_lines(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_events(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_notes(const RunRecord& run, std::size_t first, std::size_t count);
@@ -101,6 +102,11 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 [[nodiscard]] Message write_elements(Seq to, int run, double t,
                                      const std::vector<ElementValue>& values);
 [[nodiscard]] Message write_taken(Seq to, int run);
+// The bytes of a file that a page has asked for in its message number `to`.
+inline constexpr std::uint32_t kFileMessage = 6;
+[[nodiscard]] Message write_file(std::uint32_t to, std::string_view bytes);
+// The file that a page has sent is kept under this name.
+[[nodiscard]] Message write_kept(Seq to, const std::string& name);
 // A laboratory as it goes on elsewhere.
 //
 // world  given by the user; null: the command's own.
@@ -118,7 +124,7 @@ struct Exported {
   int shown = 0;
 };
 [[nodiscard]] Message write_exported(Seq to, const Exported& exported);
-// kind  1 robot, 2 object, 3 element.
+// kind  1 robot, 2 object, 3 element, 4 forces, 5 contact.
 [[nodiscard]] Message write_rows(std::uint32_t kind, int run, std::size_t index, const Rows& rows,
                                  std::size_t first, std::size_t count);
 

@@ -34,8 +34,9 @@ SessionOptions session_options(SessionOptions options, const RunBounds& bounds) 
   return options;
 }
 
-LiveRun::LiveRun(const SessionOptions& options, const RunBounds& bounds, RunRecord& record)
-    : bounds_(bounds), record_(record), recording_(record) {
+LiveRun::LiveRun(const SessionOptions& options, const RunBounds& bounds, RunRecord& record,
+                 ShownFiles& files)
+    : bounds_(bounds), record_(record), recording_(record, files) {
   SessionOptions own = options;
   own.backends = {&recording_, &marks_};
   own.on_move = [this](const MoveReport& report) { recording_.on_move(report); };

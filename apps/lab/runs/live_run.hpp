@@ -30,8 +30,9 @@ struct InputFault {
 
 class LiveRun {
  public:
-  // The record outlives it.
-  LiveRun(const SessionOptions& options, const RunBounds& bounds, RunRecord& record);
+  // The record and the files outlive it.
+  LiveRun(const SessionOptions& options, const RunBounds& bounds, RunRecord& record,
+          ShownFiles& files);
 
   // Whether the text can run; the messages are in session().problems().
   bool begin(const std::string& text, const std::string& name);

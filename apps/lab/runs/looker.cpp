@@ -218,6 +218,7 @@ SeenInstant Looker::look() {
   }
   for (const auto& [name, value] : session_->host()->cell().signals().all())
     out.signals.emplace_back(name, value);
+  out.things = things_of(session_->host()->cell());
   return out;
 }
 

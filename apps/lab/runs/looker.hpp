@@ -12,6 +12,7 @@
 #include "armlet/stdlib/session.hpp"
 #include "messages/request.hpp"
 #include "messages/text_places.hpp"
+#include "seen_things.hpp"
 
 namespace armlet::lab {
 
@@ -45,6 +46,7 @@ struct SeenInstant {
   std::vector<Variable> variables{};
   std::vector<Task> tasks{};
   std::vector<std::pair<std::string, SignalValue>> signals{};
+  SeenThings things{};
 };
 
 // Where a run is to be looked at: after everything that happens until a time, or where so many

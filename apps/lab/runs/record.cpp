@@ -18,11 +18,14 @@ std::size_t RunRecord::bytes() const {
   std::size_t sum = 0;
   for (const Rows& each : robot_rows) sum += each.bytes();
   for (const Rows& each : force_rows) sum += each.bytes();
+  for (const Rows& each : contact_rows) sum += each.bytes();
   for (const Rows& each : object_rows) sum += each.bytes();
   for (const RecordedText& each : texts) sum += sizeof(each) + each.text.size();
   for (const RecordedFigure& each : figures) sum += each.svg.size();
-  return sum + moves.size() * sizeof(RecordedMove) + lines.size() * sizeof(RecordedLine) +
-         events.size() * sizeof(RecordedChange);
+  for (const RecordedWay& each : ways)
+    sum += sizeof(each) + each.path.size() * sizeof(Eigen::Vector3d) + each.arms.size() * 64;
+  return sum + file_bytes + moves.size() * sizeof(RecordedMove) +
+         lines.size() * sizeof(RecordedLine) + events.size() * sizeof(RecordedChange);
 }
 
 int RunRecord::line_at(double t) const {

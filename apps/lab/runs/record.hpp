@@ -18,6 +18,7 @@
 #include "messages/request.hpp"
 #include "messages/text_message.hpp"
 #include "messages/text_places.hpp"
+#include "shown_files.hpp"
 
 namespace armlet::lab {
 
@@ -46,6 +47,12 @@ class Rows {
   std::vector<double> values_;
 };
 
+// Names of the files that pages draw (shown_files.hpp); empty: none.
+struct ObjectFiles {
+  std::string glb;
+  std::string texture;
+};
+
 // A robot has another tool, or stands elsewhere, from a time on.
 struct RobotChange {
   double t = 0.0;
@@ -56,6 +63,19 @@ struct RecordedRobot {
   RobotInfo info;
   std::shared_ptr<const Robot> model;
   std::vector<RobotChange> changes;
+  std::vector<std::string> pictures;  // names of the files of info.pictures
+};
+
+// A way around what stood in the way, as it was planned at `t`; it takes `duration`, s.
+//
+// path  of the tool point, in the world, at even times.
+// arms  joint values at some times in between.
+struct RecordedWay {
+  int robot = 0;
+  double t = 0.0;
+  double duration = 0.0;
+  std::vector<Eigen::Vector3d> path;
+  std::vector<Eigen::VectorXd> arms;
 };
 
 // A motion that has ended; `text` is the function as called.
@@ -133,17 +153,21 @@ struct RunHead {
 struct RunRecord : RunHead {
   std::vector<RecordedRobot> robots;
   std::vector<ObjectInfo> objects;
+  std::vector<ObjectFiles> object_files;
   std::vector<std::optional<TextSpan>> object_places;  // where the program makes them
   std::vector<Rows> robot_rows;
-  std::vector<Rows> force_rows;  // t and what the motors give, of robots with masses
+  std::vector<Rows> force_rows;    // t and what the motors give, of robots with masses
+  std::vector<Rows> contact_rows;  // t and Cell::contact_wrench, from where something is touched
   std::vector<Rows> object_rows;
   std::vector<RecordedMove> moves;
+  std::vector<RecordedWay> ways;
   std::vector<RecordedLine> lines;
   std::vector<RecordedChange> events;
   std::vector<RecordedText> texts;
   std::vector<RecordedFigure> figures;
   std::optional<LabElements> lab;
   std::vector<Rows> element_rows;  // of plots, in the order of the elements
+  std::size_t file_bytes = 0;      // of files that no other run had
 
   SessionLog log;              // when it has ended
   std::vector<RunMark> marks;  // the same
@@ -158,10 +182,10 @@ struct RunRecord : RunHead {
   [[nodiscard]] std::vector<double> joints_at(int robot, double t) const;
 };
 
-// Listens to a session and fills a record. The record outlives it.
+// Listens to a session and fills a record. The record and the files outlive it.
 class Recording : public Backend {
  public:
-  explicit Recording(RunRecord& record) : record_(record) {}
+  Recording(RunRecord& record, ShownFiles& files) : record_(record), files_(files) {}
 
   // The session that it listens to, before its run.
   void listen_to(Session& session) { session_ = &session; }
@@ -193,6 +217,9 @@ class Recording : public Backend {
   void add_object(const ObjectInfo& object, double t);
   void note_line(double t);
   void end_motion(int robot);
+  std::string keep_file(FileBytes& bytes);
+  void take_ways();
+  void take_contacts(int robot, double t);
   void take_forces(const JointSample& sample);
   void take_forces_at_rest(double t);
   void add_forces(int robot, std::span<const double> row, bool is_break);
@@ -211,11 +238,18 @@ class Recording : public Backend {
     std::shared_ptr<const Robot> loaded;
     std::vector<double> last_row;
   };
+  // When what a robot touches was looked at last, and whether it was anything.
+  struct Touch {
+    double t = 0.0;
+    bool is_touching = false;
+  };
 
   RunRecord& record_;
+  ShownFiles& files_;
   Session* session_ = nullptr;
   std::vector<Motion> motions_;  // of each robot
   std::vector<Forces> forces_;   // the same
+  std::vector<Touch> touches_;   // the same
   std::size_t looked_at_ = 0;    // objects
 };
 

@@ -4,6 +4,7 @@
 // a load changes, the row before is told once more at that instant.
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "armlet/cell/clock.hpp"
@@ -64,6 +65,25 @@ void Recording::take_forces_at_rest(double t) {
     const std::vector<double> zero(q.size());
     add_forces(i, forces_row(t, arm, q, zero, zero), true);
   }
+}
+
+// Rows are read straight between two of them: before a touch and behind it there is one of zeros.
+void Recording::take_contacts(int robot, double t) {
+  const Host* host = session_ == nullptr ? nullptr : session_->host();
+  if (host == nullptr || robot >= host->cell().robot_count() || host->cell().robot(robot).on >= 0)
+    return;
+  const Vector6d wrench = host->cell().contact_wrench(robot);
+  Touch& last = touches_[static_cast<std::size_t>(robot)];
+  Rows& rows = record_.contact_rows[static_cast<std::size_t>(robot)];
+  const bool is_touching = wrench.allFinite() && !wrench.isZero(0.0);
+  const auto add = [&](double at, const Vector6d& value) {
+    std::array<double, 7> row{at};
+    std::ranges::copy(value, row.begin() + 1);
+    rows.add(row, true);
+  };
+  if (is_touching && !last.is_touching) add(last.t, Vector6d::Zero());
+  if (is_touching || last.is_touching) add(t, is_touching ? wrench : Vector6d::Zero());
+  last = {.t = t, .is_touching = is_touching};
 }
 
 void Recording::add_forces(int robot, std::span<const double> row, bool is_break) {

@@ -28,6 +28,7 @@ void Recording::on(const Event& event) {
   const double t = to_seconds(time_of(event));
   record_.t_end = std::max(record_.t_end, t);
   note_line(t);
+  take_ways();
   std::visit(Overload{[](const FigureChanged&) {}, [](const FinalFigure&) {}, [](const Undone&) {},
                       [](const EndRun&) {}, [this](const auto& each) { take(each); }},
              event);
@@ -51,10 +52,12 @@ void Recording::on_press(const PressReport& report) {
 void Recording::on_wait() {
   const double t = to_seconds(session_->host()->now_ns());
   note_line(t);
+  take_ways();
   take_forces_at_rest(t);
 }
 
 void Recording::on_end() {
+  take_ways();
   if (session_->host() != nullptr) take_forces_at_rest(to_seconds(session_->host()->now_ns()));
 }
 
@@ -77,12 +80,24 @@ void Recording::take(const BeginRun& begin) {
 
 void Recording::take(const RobotAdded& added) { add_robot(added.robot); }
 
+// A file counts where it is new; other runs that show it cost nothing.
+std::string Recording::keep_file(FileBytes& bytes) {
+  if (bytes == nullptr) return {};
+  const FileBytes given = bytes;
+  std::string name = files_.keep(bytes);
+  if (bytes == given) record_.file_bytes += bytes->size();
+  return name;
+}
+
 void Recording::add_robot(const RobotInfo& robot) {
-  record_.robots.push_back({robot, nullptr, {}});
+  RecordedRobot& added = record_.robots.emplace_back(RecordedRobot{.info = robot});
+  for (LinkPicture& each : added.info.pictures) added.pictures.push_back(keep_file(each.glb));
   record_.robot_rows.emplace_back(1 + 3 * robot.joints.size() + 7);
   record_.force_rows.emplace_back(1 + robot.joints.size());
+  record_.contact_rows.emplace_back(7);
   motions_.emplace_back();
   forces_.emplace_back();
+  touches_.emplace_back();
   ++record_.described;
   look_at_models();
 }
@@ -128,6 +143,7 @@ void Recording::take(const JointSample& sample) {
   record_.robot_rows[index].add(row, is_other);
   motion.last_row = std::move(row);
   take_forces(sample);
+  take_contacts(sample.robot, t);
 }
 
 // A motion is told with its last sample; the report of a move comes behind it.
@@ -165,7 +181,9 @@ void Recording::take(const ObjectAdded& added) { add_object(added.object, to_sec
 
 void Recording::add_object(const ObjectInfo& object, double t) {
   if (record_.objects.size() >= kMostObjects) return;
-  record_.objects.push_back(object);
+  ObjectInfo& added = record_.objects.emplace_back(object);
+  record_.object_files.push_back(
+      {.glb = keep_file(added.glb), .texture = keep_file(added.texture)});
   record_.object_places.push_back(t > 0.0 ? here() : std::nullopt);
   record_.object_rows.emplace_back(8);
   record_.events.push_back({t, "added", static_cast<int>(record_.objects.size() - 1), -1});

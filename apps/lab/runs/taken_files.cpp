@@ -17,6 +17,22 @@ std::string_view rest_of(std::string_view question, std::string_view word) {
   return question.starts_with(word) ? question.substr(word.size()) : std::string_view();
 }
 
+// Where the mesh of a link lies that is asked for as "link1.glb of arms/arm.urdf", or as "link1.glb
+// of " by the program itself; empty: it is another question. What is outside of the folder, and a
+// package around it, is looked for inside (find_mesh).
+std::string path_of_mesh(std::string_view load) {
+  const std::size_t of = load.rfind(" of ");
+  if (of == std::string_view::npos) return {};
+  std::string_view mesh = load.substr(0, of);
+  for (const std::string_view scheme : {"package://", "file://"}) {
+    if (mesh.starts_with(scheme)) mesh.remove_prefix(scheme.size());
+  }
+  const std::filesystem::path folder = std::filesystem::path(load.substr(of + 4)).parent_path();
+  std::string path = clean(folder / mesh);
+  while (path.starts_with("../")) path.erase(0, 3);
+  return path;
+}
+
 }  // namespace
 
 void TakenFiles::add_import(const std::string& path, const std::string& from,
@@ -40,8 +56,9 @@ void TakenFiles::add_loaded(const SessionLog& log) {
       const std::string_view save = rest_of(reply.question, "save ");
       if (save.size() > 17) saved.emplace(save.substr(0, save.size() - 17));
       const std::string_view load = rest_of(reply.question, "load ");
-      if (!load.empty() && !saved.contains(load))
-        files_.insert_or_assign(clean(std::filesystem::path(load)), reply.text);
+      if (load.empty() || saved.contains(load)) continue;
+      const std::string path = path_of_mesh(load);
+      files_.insert_or_assign(path.empty() ? clean(std::filesystem::path(load)) : path, reply.text);
     }
   }
 }

@@ -18,6 +18,8 @@ bool is_same_secret(std::string_view one, std::string_view other) {
   return differences == 0;
 }
 
+}  // namespace
+
 std::string_view parameter(std::string_view query, std::string_view name) {
   while (!query.empty()) {
     const std::string_view part = query.substr(0, query.find('&'));
@@ -27,6 +29,8 @@ std::string_view parameter(std::string_view query, std::string_view name) {
   }
   return {};
 }
+
+namespace {
 
 bool is_of(std::string_view text, std::string_view letters) {
   return !text.empty() && text.find_first_not_of(letters) == std::string_view::npos;
@@ -56,7 +60,8 @@ std::optional<Refusal> refusal(const Door& door, const Asking& asking) {
     return Refusal{405, "A laboratory answers GET only."};
   if (!leads_here(door, asking.host))
     return Refusal{403, "This name does not lead to the laboratory; use the address it printed."};
-  if (asking.path != "/" && asking.path != "/live") return Refusal{404, "There is no such page."};
+  if (asking.path != "/" && asking.path != "/live" && asking.path != "/file")
+    return Refusal{404, "There is no such page."};
   if (!is_same_secret(parameter(asking.query, "token"), door.token)) {
     return Refusal{403,
                    "The token is missing or wrong; use the whole address that armlet lab "

@@ -34,6 +34,9 @@ struct Refusal {
 // machine and read along. Then the token, and for sockets the origin, which browsers tell.
 [[nodiscard]] std::optional<Refusal> refusal(const Door& door, const Asking& asking);
 
+// "a1" of the name "n" in "token=x&n=a1"; empty: there is none. Nothing in it is decoded.
+[[nodiscard]] std::string_view parameter(std::string_view query, std::string_view name);
+
 // A new token, 32 hexadecimal digits of chance from the system.
 [[nodiscard]] std::string new_token();
 // Why this is no token; empty: it is one.

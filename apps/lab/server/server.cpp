@@ -160,8 +160,30 @@ class Server {
       reply(connection, refused->status, "text/plain; charset=utf-8", refused->why + "\n", asking);
       return refused->status;
     }
+    if (asking.path == "/file") return give_file(connection, asking);
     reply(connection, 200, "text/html; charset=utf-8", options_.page, asking);
     return 200;
+  }
+
+  // What pages draw. A name stands for the same bytes for ever, so browsers may keep them.
+  int give_file(mg_connection* connection, const Asking& asking) {
+    const FileBytes bytes = laboratory_.file(parameter(asking.query, "name"));
+    const int status = bytes == nullptr ? 404 : 200;
+    const std::string_view body =
+        bytes == nullptr ? std::string_view("There is no such file.\n") : std::string_view(*bytes);
+    const std::string head = fmt::format(
+        "HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n"
+        "Content-Security-Policy: default-src 'none'; sandbox\r\nContent-Disposition: "
+        "attachment\r\n"
+        "X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\n"
+        "Cross-Origin-Resource-Policy: same-origin\r\nCache-Control: {}\r\nConnection: "
+        "close\r\n\r\n",
+        status, reason(status),
+        bytes == nullptr ? "text/plain; charset=utf-8" : "application/octet-stream", body.size(),
+        bytes == nullptr ? "no-store" : "private, max-age=31536000, immutable");
+    web_.write(connection, head.data(), head.size());
+    if (asking.method != "HEAD") web_.write(connection, body.data(), body.size());
+    return status;
   }
 
   void reply(mg_connection* connection, int status, std::string_view type, std::string_view body,

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "armlet/model/catalog.hpp"
+#include "kept_file.hpp"
 #include "laboratory.hpp"
 #include "messages/saved_laboratory.hpp"
 
@@ -60,6 +61,18 @@ void take_files([[maybe_unused]] LaboratoryOptions& options,
   for (const auto& [path, text] : saved.files) memory_files::put(path, text);
   options.session.load = cli::imports_of(saved.file);
   options.session.folder = ".";
+  options.keep_file = [](const std::string& name, std::string bytes) {
+    return keep_beside(
+        name, bytes,
+        [](const std::string& each) {
+          return NameInUse{.is_used = memory_files::get(each).has_value(),
+                           .bytes = memory_files::get(each).value_or(std::string())};
+        },
+        [](const std::string& each, const std::string& content) {
+          memory_files::put(each, content);
+          return std::optional<Error>();
+        });
+  };
 #endif
 }
 

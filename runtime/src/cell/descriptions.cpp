@@ -19,6 +19,28 @@ struct ShapeSize {
   std::vector<double> operator()(const auto& round) const { return {round.radius, round.height}; }
 };
 
+// The row of joint i of the standard convention lies behind the frame in which its link moves.
+Eigen::Isometry3d T_moved_link(const Robot& robot, int i) {
+  const bool is_standard = robot.spec().convention == DhConvention::kStandard;
+  return is_standard ? dh_pose(DhConvention::kStandard, robot.joint(i).dh)
+                     : Eigen::Isometry3d::Identity();
+}
+
+std::vector<LinkPicture> pictures_of(const Robot& robot) {
+  std::vector<LinkPicture> pictures;
+  if (robot.spec().links.empty()) return pictures;
+  for (int i = 0; i < robot.n(); ++i) {
+    for (const LinkMesh& each : robot.link(i).bodies) {
+      const MeshSource& source = each.triangles->source();
+      if (source.bytes == nullptr) continue;
+      pictures.push_back({.link = i + 1,
+                          .glb = source.bytes,
+                          .T_glb = T_moved_link(robot, i) * each.T_link_mesh * source.T_mesh_file});
+    }
+  }
+  return pictures;
+}
+
 std::string tool_word(ToolKind kind) {
   switch (kind) {
     case ToolKind::kNone:
@@ -52,12 +74,17 @@ JointInfo joint_info(const Robot& robot, int i) {
 }  // namespace
 
 ObjectInfo object_info(const Object& object) {
-  return {.name = object.name,
-          .shape = shape_name(object.shape),
-          .size = std::visit(ShapeSize{}, object.shape),
-          .mass = object.mass,
-          .color = object.color,
-          .T_world_obj = object.T_world_obj};
+  ObjectInfo info{.name = object.name,
+                  .shape = shape_name(object.shape),
+                  .size = std::visit(ShapeSize{}, object.shape),
+                  .mass = object.mass,
+                  .color = object.color,
+                  .T_world_obj = object.T_world_obj};
+  if (const Mesh* mesh = std::get_if<Mesh>(&object.shape)) {
+    info.glb = mesh->triangles->source().bytes;
+    info.T_obj_glb = mesh->triangles->source().T_mesh_file;
+  }
+  return info;
 }
 
 RobotInfo robot_info(const CellRobot& robot) {
@@ -71,7 +98,8 @@ RobotInfo robot_info(const CellRobot& robot) {
                           .stroke = tool.stroke,
                           .radius = tool.radius,
                           .length = tool.length,
-                          .T_flange_tool = model.T_flange_tool()}};
+                          .T_flange_tool = model.T_flange_tool()},
+                 .pictures = pictures_of(model)};
   for (int i = 0; i < model.n(); ++i) info.joints.push_back(joint_info(model, i));
   return info;
 }

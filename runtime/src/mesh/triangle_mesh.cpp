@@ -261,7 +261,10 @@ TriangleMesh TriangleMesh::scaled(const Vector3d& factors) const {
   if (factors.prod() < 0.0) {
     for (Corners& each : triangles) std::swap(each[1], each[2]);
   }
-  return {std::move(vertices), std::move(triangles)};
+  TriangleMesh mesh(std::move(vertices), std::move(triangles));
+  mesh.source_ = {.bytes = source_.bytes,
+                  .T_mesh_file = factors.asDiagonal() * source_.T_mesh_file};
+  return mesh;
 }
 
 TriangleMesh TriangleMesh::moved(const Eigen::Isometry3d& T) const {
@@ -269,11 +272,14 @@ TriangleMesh TriangleMesh::moved(const Eigen::Isometry3d& T) const {
     std::vector<Vector3d> vertices;
     vertices.reserve(vertices_.size());
     for (const Vector3d& each : vertices_) vertices.emplace_back(T * each);
-    return {std::move(vertices), triangles_};
+    TriangleMesh mesh(std::move(vertices), triangles_);
+    mesh.source_ = {.bytes = source_.bytes, .T_mesh_file = T * source_.T_mesh_file};
+    return mesh;
   }
   // Rounding keeps the order of numbers, so the boxes stay those of their triangles.
   const Vector3d p = T.translation();
   TriangleMesh mesh = *this;
+  mesh.source_.T_mesh_file = T * source_.T_mesh_file;
   mesh.reach_ = 0.0;
   for (Vector3d& each : mesh.vertices_) {
     each += p;

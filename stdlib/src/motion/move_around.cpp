@@ -163,7 +163,14 @@ Answer<WayAround> way_around(Vm& vm, const MoveCall& call, const WayWanted& want
     default:
       return fail_search(vm, call, around);
   }
-  if (around.ok()) return around;
+  if (around.ok()) {
+    Host& host = Host::of(vm);
+    host.note_way({.t_ns = host.now_ns(),
+                   .robot = call.robot,
+                   .model = model,
+                   .motion = *around.motion.trajectory});
+    return around;
+  }
   if (!around.met.empty()) return fail_meeting(vm, call, around.met.front(), 0.0);
   if (!around.motion.outside.empty())
     return fail_swings_outside(vm, call, around.motion.outside.front());

@@ -85,6 +85,10 @@ const LastVelocity* Host::last_velocity(int robot) const {
   return moves && cell_.robot(robot).motion_id == last.motion ? &last : nullptr;
 }
 
+void Host::note_way(PlannedWay way) {
+  if (ways_.size() < kMostWays) ways_.push_back(std::move(way));
+}
+
 void Host::report_move(const MoveReport& report) {
   ++moves_;
   const bool is_silent = options_.journal != nullptr && options_.journal->is_silent();

@@ -27,7 +27,9 @@ Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::st
   if (!bytes.ok()) return bytes.error();
   Result<TriangleMesh> triangles = read_glb(*bytes);
   if (!triangles.ok()) return triangles.error();
-  loaded = std::make_shared<const TriangleMesh>(std::move(triangles).value());
+  TriangleMesh known = std::move(triangles).value();
+  known.set_source(std::make_shared<const std::string>(*bytes));
+  loaded = std::make_shared<const TriangleMesh>(std::move(known));
   return loaded;
 }
 
@@ -40,13 +42,15 @@ Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<doubl
   }
   const Result<std::string> bytes = Host::of(vm).load_file(file, kMostBytes);
   if (!bytes.ok()) return fail_mesh(vm, file, bytes.error().message);
-  const Result<TriangleMesh> triangles = read_glb(*bytes);
-  if (!triangles.ok()) return fail_mesh(vm, file, triangles.error().message);
-  if (!triangles->is_closed()) {
-    return fail_mesh(vm, file, triangles->open_because(),
+  Result<TriangleMesh> read = read_glb(*bytes);
+  if (!read.ok()) return fail_mesh(vm, file, read.error().message);
+  TriangleMesh triangles = std::move(read).value();
+  triangles.set_source(std::make_shared<const std::string>(*bytes));
+  if (!triangles.is_closed()) {
+    return fail_mesh(vm, file, triangles.open_because(),
                      "close it where it was made: an object needs an inside to have a volume");
   }
-  return ShapeValue{make_mesh(*triangles, density.value_or(0.0), file)};
+  return ShapeValue{make_mesh(triangles, density.value_or(0.0), file)};
 } catch (const ArgumentError& error) {
   return fail_mesh(vm, std::string(path), error.what());
 }

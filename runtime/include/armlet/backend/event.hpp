@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,62 +15,16 @@
 #include <variant>
 #include <vector>
 
+#include "armlet/backend/robot_info.hpp"
 #include "armlet/plot/figure.hpp"
 
 namespace armlet {
 
-// Unit of a joint's position; speeds and accelerations are per second and per second squared.
-enum class JointUnit { kRadian, kMetre };
-
-// A joint and the link that it moves. With q its position, the frame of the link in the frame of
-// the link before, or in the base for the first joint, is
-//
-//   T_before_joint M(q) T_joint_link,
-//
-// M(q) the rotation by q about z (kRadian) or the translation by q along z (kMetre).
-//
-// lower, upper  limits of the position, rad or m.
-// max_speed     rad/s or m/s.
-// mesh          file of the link's shape, in the frame of the link; empty: none.
-struct JointInfo {
-  JointUnit unit = JointUnit::kRadian;
-  double lower = 0.0;
-  double upper = 0.0;
-  double max_speed = 0.0;
-  Eigen::Isometry3d T_before_joint = Eigen::Isometry3d::Identity();
-  Eigen::Isometry3d T_joint_link = Eigen::Isometry3d::Identity();
-  std::string mesh;
-};
-
-// What is mounted at the flange, which is the frame of the last link.
-//
-// kind    "none", "gripper", "suction cup", "point" or "fingers".
-// stroke  widest opening of a gripper, m.
-// radius  of a suction cup, m.
-// length  from the flange to the end of the hand along z, m.
-// T_flange_tool  the tool point.
-struct ToolInfo {
-  std::string kind = "none";
-  double stroke = 0.0;
-  double radius = 0.0;
-  double length = 0.0;
-  Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
-};
-
-// A robot of the run, as one needs it to draw it. Its index in RunInfo names it in what follows.
-//
-// home  of each joint, rad or m.
-// on    the robot that carries the base, in whose flange T_world_base is then; -1: none.
-struct RobotInfo {
-  std::string name;
-  std::vector<JointInfo> joints;
-  std::vector<double> home;
-  Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
-  int on = -1;
-  ToolInfo tool;
-};
-
 // An object when it appears. `size`, m: x, y, z of a box; radius and height of what is round.
+//
+// glb      bytes of a GLB, shared with the mesh that they gave, for shape "mesh"; otherwise null.
+// T_obj_glb  from the coordinates of that file, z up, to those of the object.
+// texture  bytes of a PNG or JPEG, shared with the world; null: none.
 struct ObjectInfo {
   std::string name;
   std::string shape;
@@ -77,6 +32,9 @@ struct ObjectInfo {
   double mass = 0.0;  // kg
   std::string color = "gray";
   Eigen::Isometry3d T_world_obj = Eigen::Isometry3d::Identity();
+  std::shared_ptr<const std::string> glb;
+  Eigen::Affine3d T_obj_glb = Eigen::Affine3d::Identity();
+  std::shared_ptr<const std::string> texture;
 };
 
 struct RunInfo {

@@ -4,8 +4,10 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace armlet {
@@ -32,6 +34,15 @@ struct TriangleTree {
   };
   std::vector<Node> nodes;
   std::vector<std::uint32_t> order;
+};
+
+// The GLB file that a mesh was read from, for whoever draws it: surfaces have looks there.
+//
+// bytes        shared by all meshes that came from them; null: it was made otherwise.
+// T_mesh_file  from the coordinates of the file, z up, to those of the mesh.
+struct MeshSource {
+  std::shared_ptr<const std::string> bytes;
+  Eigen::Affine3d T_mesh_file = Eigen::Affine3d::Identity();
 };
 
 // Triangles, counterclockwise seen from outside. Corners at the same position are one; triangles
@@ -76,6 +87,10 @@ class TriangleMesh {
   // Whether a point lies inside of a closed surface; false for an open one. On the surface either.
   [[nodiscard]] bool holds(const Eigen::Vector3d& p) const;
 
+  // Where it comes from; meshes made from it by `scaled` and `moved` know it too.
+  [[nodiscard]] const MeshSource& source() const { return source_; }
+  void set_source(std::shared_ptr<const std::string> glb) { source_ = {.bytes = std::move(glb)}; }
+
   // The same triangles, longer along each axis by a factor; a mirrored one is turned.
   //
   // throws  ArgumentError as when it is made.
@@ -96,6 +111,7 @@ class TriangleMesh {
   std::string open_because_;
   bool is_convex_ = false;
   std::optional<MassProperties> mass_;
+  MeshSource source_;
 };
 
 }  // namespace armlet

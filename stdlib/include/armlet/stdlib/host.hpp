@@ -89,6 +89,14 @@ struct UnreachedGoal {
   double angle = 0.0;     // rad
 };
 
+// A way around what stood in the way, as it was planned.
+struct PlannedWay {
+  std::int64_t t_ns = 0;
+  int robot = 0;
+  std::shared_ptr<const Robot> model;  // with the tool point of the motion
+  Trajectory motion{};
+};
+
 // A planner of the host, as PlannerSet::add takes it.
 struct NamedPlanner {
   std::string name;
@@ -207,6 +215,11 @@ class Host : public Timeline {
     return unreached_ ? &*unreached_ : nullptr;
   }
 
+  // The ways that were planned, for whoever shows the run: at most kMostWays, of more the first.
+  static constexpr std::size_t kMostWays = 500;
+  void note_way(PlannedWay way);
+  [[nodiscard]] const std::vector<PlannedWay>& ways() const { return ways_; }
+
   void report_move(const MoveReport& report);
   [[nodiscard]] int move_count() const { return moves_; }
 
@@ -231,6 +244,7 @@ class Host : public Timeline {
   std::vector<std::optional<LastMotion>> last_motions_;
   std::vector<std::optional<LastVelocity>> last_velocities_;
   std::optional<UnreachedGoal> unreached_;
+  std::vector<PlannedWay> ways_;
   int default_robot_ = -1;
   std::string world_name_;
   std::vector<Figure> figures_;

@@ -1,22 +1,6 @@
-// Bytes that were packed by gzip and written as text, four bytes as five digits to the base 85, which is a sixteenth shorter than
-// base64 (apps/wasm/pack_laboratory.mjs). The digits are the signs from ( to ; and from > to ~: none of them begins an element.
-// Of fewer bytes at the end as many digits and one are written.
-
-function bytesOf(text: string): Uint8Array<ArrayBuffer> {
-  const rest = text.length % 5;
-  const bytes = new Uint8Array(4 * Math.floor(text.length / 5) + Math.max(0, rest - 1));
-  const digit = (i: number) => {
-    if (i >= text.length) return 84;
-    const code = text.charCodeAt(i);
-    return code - (code < 60 ? 40 : 42);
-  };
-  for (let i = 0, to = 0; i < text.length; i += 5) {
-    const value = (((digit(i) * 85 + digit(i + 1)) * 85 + digit(i + 2)) * 85 + digit(i + 3)) * 85 + digit(i + 4);
-    for (let shift = 24; shift >= 0 && to < bytes.length; shift -= 8) bytes[to++] = value >>> shift;
-  }
-  return bytes;
-}
+// Bytes that were packed by gzip and written as text (apps/wasm/pack_laboratory.mjs).
+import { fromBase85 } from "../protocol/base85.ts";
 
 export function unpacked(text: string): ReadableStream<Uint8Array<ArrayBuffer>> {
-  return new Blob([bytesOf(text.trim())]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Blob([fromBase85(text.trim())]).stream().pipeThrough(new DecompressionStream("gzip"));
 }

@@ -73,6 +73,13 @@ export class Editor {
     this.view.focus();
   }
 
+  // Puts lines where `at` is, the start of a line or the end of the text, shows them and runs the program.
+  insertLines(at: number, text: string): void {
+    if (this.view.state.readOnly) return;
+    this.view.dispatch({ changes: { from: at, insert: text }, selection: { anchor: at + text.length }, effects: EditorView.scrollIntoView(at, { y: "center" }), userEvent: "input.paste" });
+    this.intents.typeText(this.view.state.doc.toString(), true);
+  }
+
   select(span: Span): void {
     const { from, to } = rangeOf(this.view.state.doc, span);
     this.view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: "center" }) });

@@ -1,7 +1,7 @@
 // One conversation with a laboratory, whatever carries it: numbers of messages, and answers to questions.
 import type { Incoming, IncomingOf, Outgoing } from "../protocol/messages.ts";
 import { keepKey, keptKey } from "./key.ts";
-import { readRows, type RowBlock } from "../protocol/rows.ts";
+import { readFile, readRows, type RowBlock } from "../protocol/rows.ts";
 
 // What carries messages tells its listener what comes in.
 export interface Listener {
@@ -11,6 +11,8 @@ export interface Listener {
 }
 export interface Transport {
   send(text: string): void;
+  // The bytes of a file that a description names. Without it, the laboratory is asked for them.
+  file?(name: string): Promise<ArrayBuffer>;
 }
 export type Carry = (listener: Listener) => Transport;
 
@@ -33,6 +35,7 @@ export class Refused extends Error {
 interface Waiting {
   resolve(answer: Incoming): void;
   reject(reason: Error): void;
+  take?(bytes: ArrayBuffer): void;
 }
 
 export class Connection {
@@ -55,7 +58,9 @@ export class Connection {
       message: (data) => {
         if (typeof data === "string") this.take(JSON.parse(data) as Incoming, events);
         else {
-          const block = readRows(data);
+          const file = readFile(data);
+          const block = file ? null : readRows(data);
+          if (file) this.takeFile(file.to, file.bytes);
           if (block) events.rows(block);
         }
       },
@@ -75,6 +80,19 @@ export class Connection {
       const seq = this.send(message);
       this.waiting.set(seq, { resolve: resolve as (answer: Incoming) => void, reject });
     });
+  }
+
+  // The bytes of a file that a description names.
+  file(name: string): Promise<ArrayBuffer> {
+    if (this.transport.file) return this.transport.file(name);
+    return new Promise((resolve, reject) => {
+      this.waiting.set(this.send({ type: "file", name }), { resolve: () => {}, reject, take: resolve });
+    });
+  }
+
+  private takeFile(to: number, bytes: ArrayBuffer): void {
+    this.waiting.get(to)?.take?.(bytes);
+    this.waiting.delete(to);
   }
 
   private take(message: Incoming, events: Events): void {

@@ -1,19 +1,28 @@
 // A laboratory that was recorded: what it said once, said again. It answers no questions.
 import type { Carry } from "./connection.ts";
 
-// Messages in their order: text as objects, binary ones as {"binary": base64}.
+// Messages in their order: text as objects, binary ones as {"binary": base64}; files that are drawn with their name in "file".
 export type Recording = (Record<string, unknown> | { binary: string })[];
 
 export function overRecording(recording: Recording): Carry {
   return (listener) => {
+    const files = new Map<unknown, string>();
     queueMicrotask(() => {
       listener.opened();
       for (const message of recording) {
-        if (typeof message["binary"] === "string") listener.message(bytes(message["binary"]).buffer);
+        if ("file" in message && typeof message["binary"] === "string") files.set(message.file, message["binary"]);
+        else if (typeof message["binary"] === "string") listener.message(bytes(message["binary"]).buffer);
         else listener.message(JSON.stringify(message));
       }
     });
-    return { send: () => {} };
+    return {
+      send: () => {},
+      file: async (name) => {
+        const file = files.get(name);
+        if (file === undefined) throw new Error("The recording does not have this file.");
+        return bytes(file).buffer;
+      },
+    };
   };
 }
 

@@ -23,7 +23,17 @@ export function overSocket(address: string): Carry {
       };
     };
     connect();
-    return { send: (text) => socket?.readyState === WebSocket.OPEN && socket.send(text) };
+    const place = new URL(address.replace(/^ws/, "http"));
+    place.pathname = "/file";
+    return {
+      file: async (name) => {
+        place.searchParams.set("name", name);
+        const answer = await fetch(place);
+        if (!answer.ok) throw new Error(`The file could not be had: ${answer.status}`);
+        return answer.arrayBuffer();
+      },
+      send: (text) => socket?.readyState === WebSocket.OPEN && socket.send(text),
+    };
   };
 }
 

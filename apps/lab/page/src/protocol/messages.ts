@@ -49,6 +49,12 @@ export interface Shape {
   thickness?: number;
   size?: number[];
 }
+// What is drawn in the place of the shapes of a link: a GLB file, turned so that z is up and moved by T.
+export interface LinkPicture {
+  link: number;
+  file: string;
+  T: Matrix;
+}
 export interface ToolInfo {
   kind: string;
   stroke: number;
@@ -70,6 +76,7 @@ export interface RobotInfo {
   T_world_base: Matrix;
   tool: ToolInfo;
   shapes: Shape[];
+  pictures?: LinkPicture[];
   changes?: RobotChange[];
 }
 export interface ObjectInfo {
@@ -79,6 +86,9 @@ export interface ObjectInfo {
   color: string;
   mass?: number;
   pose: Pose;
+  file?: string; // of a mesh, which T moves into the frame of the object
+  T?: Matrix;
+  texture?: string;
   span?: Span | null;
 }
 export interface Coordinate {
@@ -122,6 +132,14 @@ export interface Move {
   t1: number;
   text: string;
   stopped?: boolean;
+}
+// A way around what stood in the way, as it was planned at t; it takes `duration`, s.
+export interface PlannedWay {
+  robot: number;
+  t: number;
+  duration: number;
+  path: [number, number, number][];
+  arms: number[][];
 }
 export interface NoteItem {
   t: number;
@@ -196,6 +214,25 @@ export interface Description {
   title?: string | null;
   layout?: string | null;
 }
+// A frame with a name, in the frame of an object or in the world ("").
+export interface NamedFrame {
+  name: string;
+  object: string;
+  pose: Pose;
+}
+// A part of a robot, what it carries, or an object, and its point that is nearest to another one.
+export interface NearBody {
+  robot: number | null;
+  object: string;
+  link: number;
+  text: string;
+  at: [number, number, number];
+}
+export interface NearPair {
+  distance: number;
+  body: NearBody;
+  other: NearBody;
+}
 export interface InstantMessage {
   type: "instant";
   run: number;
@@ -207,6 +244,8 @@ export interface InstantMessage {
   variables: Variable[];
   tasks?: TaskInfo[];
   signals?: { name: string; value: string | number | boolean | null }[];
+  frames?: NamedFrame[];
+  clearances?: NearPair[];
 }
 export interface CompletionItem {
   text: string;
@@ -253,6 +292,7 @@ export type Incoming = { to?: number | null } & (
   | { type: "shown"; run: number }
   | { type: "runs"; list: RunHead[] }
   | ({ type: "moves" } & Grown<Move>)
+  | ({ type: "ways" } & Grown<PlannedWay>)
   | ({ type: "statements" } & Grown<[number, number]>)
   | ({ type: "objects" } & Grown<ObjectEvent>)
   | ({ type: "notes" } & Grown<NoteItem>)
@@ -266,6 +306,7 @@ export type Incoming = { to?: number | null } & (
   | { type: "formatted"; text: string | null }
   | { type: "inverse"; ok: boolean; q?: number[] | null; reason?: string | null; nearest?: Nearest | null }
   | { type: "taken"; run: number }
+  | { type: "kept"; name: string }
   | { type: "exported"; laboratory: Record<string, unknown> }
   | { type: "error"; reason: string; message: string; robot?: number; goal?: Pose; nearest?: Nearest | null }
 );
@@ -286,5 +327,7 @@ export type Outgoing =
   | { type: "step"; how: StepHow }
   | { type: "show" | "fetch"; run: number }
   | { type: "compare"; run: number; with: number }
+  | { type: "file"; name: string }
+  | { type: "keep"; name: string; base85: string; first: boolean; last: boolean }
   | { type: "give"; to?: number }
   | { type: "inverse"; robot: string; pose: Pose; seed?: number[] };

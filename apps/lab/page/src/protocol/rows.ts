@@ -5,6 +5,8 @@ export const ROBOT_ROWS = 1;
 export const OBJECT_ROWS = 2;
 export const ELEMENT_ROWS = 3;
 export const FORCE_ROWS = 4;
+export const CONTACT_ROWS = 5;
+const FILE = 6;
 
 export interface RowBlock {
   kind: number;
@@ -24,6 +26,14 @@ export function readRows(data: ArrayBuffer): RowBlock | null {
   const block = { kind: word(0), run: word(1), index: word(2), columns: word(3), count: word(4), first: word(5) };
   if (data.byteLength !== HEAD + 8 * block.columns * block.count) return null;
   return { ...block, rows: new Float64Array(data, HEAD, block.columns * block.count) };
+}
+
+// The bytes of a file and the number of the message that asked for it; null: it is another message.
+export function readFile(data: ArrayBuffer): { to: number; bytes: ArrayBuffer } | null {
+  if (data.byteLength < HEAD) return null;
+  const head = new DataView(data);
+  if (head.getUint32(0, true) !== FILE || head.getUint32(16, true) !== data.byteLength - HEAD) return null;
+  return { to: head.getUint32(4, true), bytes: data.slice(HEAD) };
 }
 
 export function writeRows(block: RowBlock): ArrayBuffer {

@@ -6,6 +6,7 @@ import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeom
 import type { RobotChange, RobotInfo, Shape } from "../protocol/messages.ts";
 import { jointsAtLimits, shapeFrames } from "../store/kinematics.ts";
 import { footprintOf, type Footprint } from "./contact.ts";
+import type { MeshLibrary } from "./meshes.ts";
 import type { Palette } from "./palette.ts";
 import { surface, type Surface } from "./surface.ts";
 
@@ -71,15 +72,23 @@ export class ArmView {
   private readonly palette: Palette;
   private readonly ghost: boolean;
   private readonly round: number;
+  private readonly opacity: number;
+  private readonly library: MeshLibrary | null;
   private shapes: Shape[] | null = null;
+  // Links whose pictures are there; their shapes are not drawn.
+  private pictured = new Map<number, Group>();
   private fingers: Mesh[] = [];
 
-  // round  faces of a full circle; fewer make a coarse arm, for drawings.
-  constructor(robot: RobotInfo, palette: Palette, ghost: boolean, round = ROUND) {
+  // round    faces of a full circle; fewer make a coarse arm, for drawings.
+  // library  has the pictures of links; without it they are drawn as shapes.
+  // opacity  of a ghost.
+  constructor(robot: RobotInfo, palette: Palette, ghost: boolean, { round = ROUND, library = null, opacity = 0.3 }: { round?: number; library?: MeshLibrary | null; opacity?: number } = {}) {
     this.robot = robot;
     this.palette = palette;
     this.ghost = ghost;
     this.round = round;
+    this.library = library;
+    this.opacity = opacity;
     for (let i = 0; i < robot.joints.length + 2; i++) {
       const link = new Group();
       link.matrixAutoUpdate = false;
@@ -92,6 +101,7 @@ export class ArmView {
   // Puts the arm where the joints are `q`.
   stand(q: readonly number[], change?: RobotChange): void {
     this.build(change?.shapes ?? this.robot.shapes);
+    this.takePictures();
     const frames = shapeFrames(this.robot, q, change?.T_world_base);
     frames.forEach((frame, i) => this.links[i]?.matrix.fromArray(frame));
     this.group.updateMatrixWorld(true);
@@ -140,9 +150,14 @@ export class ArmView {
     return this.links[link]?.matrix ?? new Matrix4();
   }
 
+  // What is drawn of a link.
+  linkOf(link: number): Group | null {
+    return this.links[link] ?? null;
+  }
+
   dispose(): void {
     this.group.traverse((node) => {
-      if (!(node instanceof Mesh)) return;
+      if (!(node instanceof Mesh) || node.userData["shared"]) return;
       (node.geometry as BufferGeometry).dispose();
       (node.material as Surface).dispose();
     });
@@ -155,6 +170,7 @@ export class ArmView {
     this.marks.length = 0;
     this.fingers = [];
     for (const link of this.links) link.clear();
+    this.pictured.clear();
     for (const shape of shapes) {
       const mesh = new Mesh(geometryOf(shape, this.round), this.materialOf(shape));
       mesh.matrixAutoUpdate = false;
@@ -168,15 +184,47 @@ export class ArmView {
     }
   }
 
+  // Pictures of links that have come since, in the place of their shapes.
+  private takePictures(): void {
+    for (const { link, file, T } of this.robot.pictures ?? []) {
+      const host = this.links[link];
+      const model = host && this.library?.model(file);
+      if (!host || !model) continue;
+      let place = this.pictured.get(link);
+      if (!place) {
+        this.pictured.set(link, (place = new Group()));
+        for (const shape of host.children) shape.visible = false;
+        host.add(place);
+      }
+      if (place.children.some((each) => each.userData["file"] === file && each.userData["T"] === T)) continue;
+      const frame = new Group();
+      frame.userData = { file, T };
+      frame.matrixAutoUpdate = false;
+      frame.matrix.fromArray(T);
+      frame.add(model.group.clone());
+      const plain = this.ghost || !model.hasMaterials ? this.surfaceOf("link", false) : null;
+      frame.traverse((node) => {
+        if (!(node instanceof Mesh)) return;
+        if (plain) node.material = plain;
+        node.castShadow = node.receiveShadow = !this.ghost;
+        node.userData["robot"] = this.robot.name;
+      });
+      place.add(frame);
+    }
+  }
+
   private materialOf(shape: Shape): Surface {
+    return this.surfaceOf(shape.role, shape.kind === "ring");
+  }
+
+  private surfaceOf(role: string, isRing: boolean): Surface {
     const { palette } = this;
     if (this.ghost) {
-      return surface(palette.plain, palette.ghost, 0.8, 0, { transparent: true, opacity: 0.3, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 });
+      return surface(palette.plain, palette.ghost, 0.8, 0, { transparent: true, opacity: this.opacity, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 8 });
     }
-    const role = shape.role;
     const color = role === "mark" ? palette.accent : DARK_ROLES.has(role) ? palette.linkDark : role === "link" ? palette.link : palette.tool;
     return surface(palette.plain, new Color(color), role === "link" ? 0.42 : 0.55, role === "link" || role === "mark" ? 0 : 0.1, {
-      ...(shape.kind === "ring" ? { side: DoubleSide } : {}),
+      ...(isRing ? { side: DoubleSide } : {}),
       // Rings lie on what they mark; they win where both are equally far away.
       ...(role === "mark" ? { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 } : {}),
     });

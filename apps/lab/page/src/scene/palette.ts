@@ -14,6 +14,8 @@ export interface Palette {
   slow: string;
   middle: string;
   fast: string;
+  way: string; // that was planned
+  force: string;
   shadow: number;
   light: number;
   fill: number;
@@ -34,6 +36,8 @@ export const light: Palette = {
   slow: "#0072b2",
   middle: "#8f63b8",
   fast: "#d55e00",
+  way: "#009e73",
+  force: "#b3267d",
   shadow: 0.28,
   light: 2.5,
   fill: 1.15,
@@ -53,6 +57,8 @@ export const dark: Palette = {
   slow: "#4aa8e0",
   middle: "#b79be0",
   fast: "#f08a3c",
+  way: "#2fc79a",
+  force: "#e88cc4",
   shadow: 0.5,
   light: 2.2,
   fill: 0.8,

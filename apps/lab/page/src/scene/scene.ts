@@ -1,8 +1,8 @@
 // The 3D view of the shown run at the instant that is looked at.
 import { Group, Matrix4, Mesh, MeshBasicMaterial, Plane, Raycaster, SphereGeometry, Vector2, Vector3, type Camera } from "three";
 import type { Intents } from "../store/intents.ts";
-import type { Span } from "../protocol/messages.ts";
-import { matrixPose, poseMatrix, toolFrame } from "../store/kinematics.ts";
+import type { NearBody, Span } from "../protocol/messages.ts";
+import { matrixPose, multiply, poseMatrix, toolFrame } from "../store/kinematics.ts";
 import { NEAR, type Run } from "../store/run.ts";
 import { halfExtents, isRound } from "../store/shapes.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";
@@ -10,13 +10,16 @@ import type { Store } from "../store/store.ts";
 import { ArmView } from "./arm.ts";
 import { ContactShadows, footprintOf, type Footprint } from "./contact.ts";
 import { extent, grasped } from "./fingers.ts";
+import { MeshLibrary } from "./meshes.ts";
 import { ObjectsView } from "./objects.ts";
 import { dark, light, type Palette } from "./palette.ts";
 import { PathView } from "./path.ts";
 import { boundsOf, Stage, type Preset } from "./stage.ts";
+import { Clearances, Forces, overlaps, pixelSize, type Force } from "./things.ts";
 import { TorqueBars, type Bar } from "./torque_bars.ts";
 import { Labels, Triads, type Label } from "./triad.ts";
 import { floorLines, vectorPicture } from "./vector_picture.ts";
+import { WaysView } from "./ways.ts";
 
 export interface SceneHost {
   stage: HTMLElement;
@@ -24,7 +27,11 @@ export interface SceneHost {
   // An object or a robot was clicked: the editor shows where the program makes it.
   pickObject(name: string, span: Span | null): void;
   topSpeed(speed: number): void;
+  // The bytes of a file that a description names.
+  file(name: string): Promise<ArrayBuffer>;
 }
+
+const LATE = 0.3; // s: what was near so long ago still counts while playing
 
 export class SceneView {
   private readonly store: Store;
@@ -33,7 +40,12 @@ export class SceneView {
   private readonly stage: Stage;
   private readonly labels: Labels;
   private readonly triads = new Triads();
+  private readonly named = new Triads();
+  readonly library: MeshLibrary;
   private readonly objects: ObjectsView;
+  private readonly clearances = new Clearances();
+  private readonly forces = new Forces();
+  private readonly ways: WaysView;
   private readonly torques = new TorqueBars();
   private readonly contact = new ContactShadows();
   private readonly handle: Mesh<SphereGeometry, MeshBasicMaterial>;
@@ -48,6 +60,8 @@ export class SceneView {
   private follow = false;
   private dragged: { robot: number; plane: Plane; offset: Vector3; pose: number[] } | null = null;
   showFrames = false;
+  // Whether lines show how near things are; what overlaps is shown always.
+  showClearance = false;
   // Whether bars show what motors give; null: of the robots for which the laboratory has a row that says so.
   showTorques: boolean | null = null;
   // Told how the camera is turned before each picture: a rotation from the world to the camera, in columns.
@@ -60,12 +74,15 @@ export class SceneView {
     this.intents = intents;
     this.host = host;
     this.stage = new Stage(host.stage);
-    this.objects = new ObjectsView(this.stage.software);
+    this.library = new MeshLibrary((name) => host.file(name), this.stage.software);
+    this.library.changed = () => this.redraw();
+    this.objects = new ObjectsView(this.stage.software, this.library);
+    this.ways = new WaysView(this.library);
     this.labels = new Labels(host.labels);
     this.handle = new Mesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ transparent: true, opacity: 0.35, depthTest: false, toneMapped: false }));
     this.handle.renderOrder = 5;
     this.stage.content.add(this.objects.group);
-    this.stage.scene.add(this.triads.group, this.ghostGroup, this.handle, this.torques.group, this.contact.mesh);
+    this.stage.scene.add(this.triads.group, this.named.group, this.ghostGroup, this.handle, this.torques.group, this.contact.mesh, this.clearances.group, this.forces.group, this.ways.group);
     this.stage.before = () => this.beforePicture();
     this.stage.controls.addEventListener("start", () => (this.follow = false));
     const scheme = matchMedia("(prefers-color-scheme: dark)");
@@ -80,7 +97,7 @@ export class SceneView {
     theme();
     this.listenToPointer();
     store.watch(
-      (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.hover, s.pull, s.nearest, isStale(s)],
+      (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.hover, s.pull, s.nearest, s.instant, isStale(s)],
       (s) => this.render(s),
     );
   }
@@ -107,6 +124,18 @@ export class SceneView {
     this.render(this.store.state);
   }
 
+  // Where a pointer meets what is shown or the floor, and whether that faces up; null: it points into the air.
+  pointAt(event: { clientX: number; clientY: number }): { at: Vector3; isLevel: boolean } | null {
+    const { ray } = this.place(event);
+    const hit = ray.intersectObject(this.stage.content, true).find((each) => each.object.visible);
+    if (hit) {
+      const up = hit.face?.normal.clone().transformDirection(hit.object.matrixWorld).z ?? 0;
+      return { at: hit.point, isLevel: up > 0.9 };
+    }
+    const at = ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
+    return at && at.distanceTo(this.stage.controls.target) < 20 * this.reach ? { at, isLevel: true } : null;
+  }
+
   // The picture as it is now.
   picture(): Promise<Blob | null> {
     this.stage.draw();
@@ -119,7 +148,7 @@ export class SceneView {
     if (!run) return "";
     const { t } = this.store.state;
     const arms = run.robots.map((robot, i) => {
-      const arm = new ArmView(robot, this.palette, false, 32);
+      const arm = new ArmView(robot, this.palette, false, { round: 32, library: this.library });
       arm.stand(run.qAt(i, t), run.changeAt(i, t));
       this.standFingers(run, i, arm, t);
       return arm;
@@ -160,12 +189,13 @@ export class SceneView {
 
   private rebuild(run: Run): void {
     for (const arm of [...this.arms, ...this.ghosts.values()]) arm.dispose();
+    this.ways.clear();
     for (const path of [...this.paths, ...this.oldPaths]) {
       path.clear();
       path.group.removeFromParent();
     }
     this.ghosts.clear();
-    this.arms = run.robots.map((robot) => new ArmView(robot, this.palette, false));
+    this.arms = run.robots.map((robot) => new ArmView(robot, this.palette, false, { library: this.library }));
     this.paths = run.robots.map(() => new PathView());
     this.oldPaths = run.robots.map(() => new PathView());
     for (const arm of this.arms) this.stage.content.add(arm.group);
@@ -216,6 +246,7 @@ export class SceneView {
     const labels: Label[] = [];
     this.standFrames(run, t, labels);
     this.standTorques(run, t, labels);
+    this.standThings(run, state, labels);
     if (pull?.reason && pull.nearest) labels.push({ text: pull.reason, at: pointOf(pull.nearest.pose), warning: true });
     else if (nearest) labels.push({ text: nearest.reason, at: pointOf(nearest.pose), warning: true });
     const failure = run.error;
@@ -254,7 +285,7 @@ export class SceneView {
     for (const [i, q] of wanted) {
       let arm = this.ghosts.get(i);
       if (!arm) {
-        arm = new ArmView(run.robots[i]!, this.palette, true);
+        arm = new ArmView(run.robots[i]!, this.palette, true, { library: this.library });
         this.ghosts.set(i, arm);
         this.ghostGroup.add(arm.group);
       }
@@ -271,6 +302,38 @@ export class SceneView {
     const pose = grasp && run.objectAt(grasp.object, t);
     const width = object && pose ? extent(object, pose, [along!.x, along!.y, along!.z]) : stroke;
     arm.closeFingers(grasp ? (grasp.closed * Math.max(0, stroke - width)) / 2 : 0);
+  }
+
+  private standThings(run: Run, state: State, labels: Label[]): void {
+    const { t, instant, playing } = state;
+    const isNow = instant?.run === run.id && Math.abs(instant.t - t) < (playing ? LATE : 1e-6);
+    const pairs = (isNow ? (instant.clearances ?? []) : []).filter((pair) => this.showClearance || overlaps(pair));
+    this.clearances.show(pairs, this.palette, (body) => this.partOf(run, t, body), labels);
+    const forces = run.robots.flatMap((_, i): Force[] => {
+      const force = run.contactAt(i, t);
+      const tool = force && run.toolAt(i, t);
+      return force && tool ? [{ at: pointOf(tool), force: new Vector3(...force), share: Math.hypot(...force) / Math.max(1e-9, run.topContact(i)) }] : [];
+    });
+    this.forces.show(forces, this.reach, this.palette, labels);
+    this.ways.show(run, t, this.palette);
+  }
+
+  private partOf(run: Run, t: number, body: NearBody): Group | null {
+    if (!body.object) return body.robot === null ? null : (this.arms[body.robot]?.linkOf(body.link) ?? null);
+    const found = run.objectNamed(body.object, t);
+    return found && this.objects.viewOf(found.index);
+  }
+
+  // Frames with names stay where the things are that they are on.
+  private namedFrames(run: Run, t: number): { name: string; frame: Matrix4 }[] {
+    const { instant } = this.store.state;
+    if (instant?.run !== run.id) return [];
+    return (instant.frames ?? []).flatMap(({ name, object, pose }) => {
+      const carrier = object ? run.objectNamed(object, t) : null;
+      if (object && !carrier) return [];
+      const frame = carrier ? multiply(poseMatrix(carrier.pose), poseMatrix(pose)) : poseMatrix(pose);
+      return [{ name, frame: new Matrix4().fromArray(frame) }];
+    });
   }
 
   private standFrames(run: Run, t: number, labels: Label[]): void {
@@ -297,6 +360,9 @@ export class SceneView {
       });
     }
     this.triads.show(frames, 0.12 * this.reach);
+    const named = this.namedFrames(run, t);
+    this.named.show(named.map(({ frame }) => frame), 0.07 * this.reach);
+    for (const { name, frame } of named) labels.push({ text: name, at: new Vector3().setFromMatrixPosition(frame) });
     this.handle.visible = this.intents.live && run.robots.length > 0;
   }
 
@@ -343,6 +409,9 @@ export class SceneView {
     camera.updateMatrixWorld();
     this.onTurn(camera.matrixWorldInverse.elements);
     this.torques.face(camera, clientHeight);
+    const pixel = pixelSize(camera, clientHeight);
+    this.clearances.face(pixel);
+    this.forces.face(pixel);
     this.labels.place(camera, clientWidth, clientHeight);
   }
 
@@ -367,7 +436,7 @@ export class SceneView {
     canvas.addEventListener("pointerleave", () => this.setHover(null));
   }
 
-  private place(event: PointerEvent): { x: number; y: number; width: number; height: number; ray: Raycaster } {
+  private place(event: { clientX: number; clientY: number }): { x: number; y: number; width: number; height: number; ray: Raycaster } {
     const box = this.canvas.getBoundingClientRect();
     const [x, y] = [event.clientX - box.left, event.clientY - box.top];
     const ray = new Raycaster();

@@ -1,5 +1,5 @@
 // The 3D view as a drawing of lines and areas: what is farther away is drawn first.
-import { BufferGeometry, Color, DoubleSide, Matrix3, Mesh, Vector3, type Object3D, type PerspectiveCamera } from "three";
+import { BoxGeometry, BufferGeometry, Color, DoubleSide, Matrix3, Mesh, Vector3, type Object3D, type PerspectiveCamera } from "three";
 import type { Surface } from "./surface.ts";
 
 export interface Stroke {
@@ -29,11 +29,25 @@ interface Area {
   color: string;
 }
 
+const MOST_TRIANGLES = 20_000; // of one mesh; a finer one is drawn as the box around it
+
+function coarse(mesh: Mesh): Mesh {
+  const { geometry } = mesh as Mesh<BufferGeometry>;
+  if ((geometry.getIndex()?.count ?? geometry.getAttribute("position").count) <= 3 * MOST_TRIANGLES) return mesh;
+  geometry.computeBoundingBox();
+  const size = geometry.boundingBox!.getSize(new Vector3());
+  const middle = geometry.boundingBox!.getCenter(new Vector3());
+  const box = new Mesh(new BoxGeometry(size.x, size.y, size.z).translate(middle.x, middle.y, middle.z), mesh.material);
+  box.matrixWorld.copy(mesh.matrixWorld);
+  return box;
+}
+
 const SPLIT = 14; // px: what is smaller can stand before or behind another area, but hardly both
 const HIDDEN = 1.5e-5; // of depth: what is farther behind than this is hidden
 
 function areasOf(mesh: Mesh, camera: PerspectiveCamera, project: (p: Vector3) => Vector3): Area[] {
-  const { geometry, material } = mesh as Mesh<BufferGeometry, Surface>;
+  const { geometry } = mesh as Mesh<BufferGeometry>;
+  const material = [mesh.material].flat()[0] as Surface;
   const position = geometry.getAttribute("position");
   const index = geometry.getIndex();
   const count = index ? index.count : position.count;
@@ -123,7 +137,7 @@ export function vectorPicture(content: Object3D[], camera: PerspectiveCamera, dr
   for (const part of content) {
     part.updateMatrixWorld(true);
     part.traverseVisible((node) => {
-      if (node instanceof Mesh) areas.push(...areasOf(node, camera, project));
+      if (node instanceof Mesh) for (const area of areasOf(coarse(node), camera, project)) areas.push(area);
     });
   }
   const map = new DepthMap(areas, width, height);

@@ -1,7 +1,7 @@
 // Title, who is in control, sharing, and which columns are open.
 import type { Intents } from "../store/intents.ts";
 import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
-import { recordingOf } from "../store/recording.ts";
+import { base64, filesOf, recordingOf } from "../store/recording.ts";
 import { inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { el, save, setText } from "./dom.ts";
@@ -36,7 +36,7 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     title, file, status, offer, el("span", { class: "gap" }), control,
     el("button", { onclick: () => void share(intents) }, "Share"),
     el("button", { onclick: () => save(store.state.welcome?.file.split("/").at(-1) || "program.rbt", new Blob([store.state.text], { type: "text/plain" })) }, "Save"),
-    el("button", { class: "desk", hidden: !intents.live, onclick: () => record(store.state, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
+    el("button", { class: "desk", hidden: !intents.live, onclick: () => void record(store.state, intents, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
     el("button", { hidden: !actions.alone, onclick: () => void handIn(intents, actions.source), title: "Save this laboratory with the program and all runs as a new file" }, "Hand in"),
     el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles),
     el("button", { class: "icon desk", "aria-label": "Keys and help", onclick: actions.help }, "?"),
@@ -87,9 +87,15 @@ function drawControl(host: HTMLElement, state: State, intents: Intents): void {
   host.replaceChildren(el("span", { class: "quiet" }, `You are page ${me}, in control.`), ...list.slice(0, 4));
 }
 
-function record(state: State, source: string): void {
+async function record(state: State, intents: Intents, source: string): Promise<void> {
   const run = shownRun(state);
-  if (run) save(`${baseName(state) || "recording"}.html`, new Blob([pageWithRecording(source, recordingOf(state, run))], { type: "text/html" }));
+  if (!run) return;
+  const files = new Map<string, string>();
+  for (const name of filesOf(run)) {
+    const bytes = await intents.file(name).catch(() => null);
+    if (bytes) files.set(name, base64(bytes));
+  }
+  save(`${baseName(state) || "recording"}.html`, new Blob([pageWithRecording(source, recordingOf(state, run, files))], { type: "text/html" }));
 }
 
 async function handIn(intents: Intents, source: string): Promise<void> {

@@ -7,6 +7,7 @@ import { inControl, isStale, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { TimeBar } from "../timebar/bar.ts";
 import { transport } from "../timebar/transport.ts";
+import { droppedFiles } from "./drop.ts";
 import { el, remember, remembered, setText } from "./dom.ts";
 import { header } from "./header.ts";
 import { hints } from "./hints.ts";
@@ -50,8 +51,10 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
         labels,
         pickObject: (name, span) => editor.find(name, undefined, span, version()),
         topSpeed: (v) => drawLegend(legend, v),
+        file: (name) => intents.file(name),
       });
       sceneTools(columns.view, scene, store, intents, editor);
+      droppedFiles(stage, scene, store, intents, editor);
     } catch (error) {
       // Everything else works without it.
       columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));

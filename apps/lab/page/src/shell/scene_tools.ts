@@ -39,6 +39,11 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     frames.setAttribute("aria-pressed", String(scene.showFrames));
     scene.redraw();
   } }, "Frames");
+  const clearance: HTMLButtonElement = el("button", { class: "tiny", hidden: !intents.live, "aria-pressed": "false", title: "How near each robot is to something, and what touches", onclick: () => {
+    scene.showClearance = intents.looksClosely = !scene.showClearance;
+    clearance.setAttribute("aria-pressed", String(scene.showClearance));
+    scene.redraw();
+  } }, "Clearance");
   const torques: HTMLButtonElement = el("button", { class: "tiny", hidden: true, "aria-pressed": "false", title: "What the motors give, as shares of what they can give", onclick: () => {
     scene.showTorques = torques.getAttribute("aria-pressed") === "false";
     torques.setAttribute("aria-pressed", String(scene.showTorques));
@@ -55,7 +60,7 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
   host.append(el(
     "div", { class: "scene-tools", role: "toolbar", "aria-label": "3D view" },
     ...PRESETS.map(([preset, label]) => el("button", { class: "tiny", onclick: () => scene.look(preset) }, label)),
-    el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), frames, torques, robots,
+    el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), frames, clearance, torques, robots,
     el("button", { class: "tiny", onclick: () => void picture() }, "PNG"),
     el("button", { class: "tiny", onclick: () => save("view.svg", new Blob([scene.drawing()], { type: "image/svg+xml" })) }, "SVG"),
     videoButton(scene.canvas, store, intents),

@@ -1,12 +1,15 @@
 // What a person wants: changes of the state and messages to the laboratory.
 import { Refused, type Connection } from "../home/connection.ts";
 import type { Incoming, Input, Pose, StepHow } from "../protocol/messages.ts";
+import { toBase85 } from "../protocol/base85.ts";
 import type { Store } from "./store.ts";
 import { inControl, shownRun, type State } from "./state.ts";
 
 const PAUSE_IN_TYPING = 150; // ms until the text runs
 const CHECK_AFTER = 30; // ms until it is checked
 const WHILE_PLAYING = 200; // ms between questions for variables
+const WHILE_LOOKING = 60; // the same, while how near things are is shown
+const PIECE = 480_000; // bytes of a file in one message
 const LONGEST_WAIT = 2000; // ms for an input to be taken, before the next one is sent
 
 export class Intents {
@@ -25,6 +28,8 @@ export class Intents {
   private givingInput = false;
   private lastInputs = "";
   private pulling = false;
+  // Whether what comes with an instant is drawn while playing.
+  looksClosely = false;
   private pullGoal: { robot: number; pose: Pose } | null = null;
 
   constructor(store: Store, connection: Connection, live: boolean) {
@@ -122,6 +127,21 @@ export class Intents {
     this.sendText(false);
     return this.connection.ask(message);
   };
+
+  // The bytes of a file that a description names.
+  file(name: string): Promise<ArrayBuffer> {
+    return this.connection.file(name);
+  }
+
+  // Keeps a file beside the program; gives the name under which it is there.
+  async keepFile(name: string, bytes: Uint8Array): Promise<string> {
+    let kept = "";
+    for (let at = 0; at === 0 || at < bytes.length; at += PIECE) {
+      const piece = toBase85(bytes.subarray(at, at + PIECE));
+      kept = (await this.connection.ask<"kept">({ type: "keep", name, base85: piece, first: at === 0, last: at + PIECE >= bytes.length })).name;
+    }
+    return kept;
+  }
 
   goTo(t: number): void {
     const run = shownRun(this.state);
@@ -284,7 +304,7 @@ export class Intents {
     const key = `${shown} ${t}`;
     if (!this.live || this.asking || shown === null || connection !== "open" || key === this.askedFor) return;
     const now = Date.now();
-    if (playing && now - this.askedAt < WHILE_PLAYING) return;
+    if (playing && now - this.askedAt < (this.looksClosely ? WHILE_LOOKING : WHILE_PLAYING)) return;
     const instant = this.state.instant;
     if (instant && instant.run === shown && Math.abs(instant.t - t) < 1e-9) return;
     this.asking = true;

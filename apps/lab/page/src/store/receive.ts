@@ -1,6 +1,6 @@
 // Messages of the laboratory into the state.
 import type { Incoming, IncomingOf } from "../protocol/messages.ts";
-import { ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
+import { CONTACT_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
 import { Rows, Track } from "./rows.ts";
 import { grow, Run } from "./run.ts";
 import { shownRun, type State } from "./state.ts";
@@ -62,6 +62,7 @@ const handlers: Handlers = {
     run.version++;
   },
   moves: (state, message) => growList(state, "moves", message),
+  ways: (state, message) => growList(state, "ways", message),
   statements: (state, message) => growList(state, "statements", message),
   objects: (state, message) => growList(state, "events", message),
   notes: (state, message) => growList(state, "notes", message),
@@ -111,6 +112,8 @@ export function receiveRows(state: State, block: RowBlock): void {
     rowsIn(run.elementRows, block).add(block);
   } else if (block.kind === FORCE_ROWS && block.columns >= 2) {
     rowsIn(run.forceRows, block).add(block);
+  } else if (block.kind === CONTACT_ROWS && block.columns === 7) {
+    rowsIn(run.contactRows, block).add(block);
   }
   run.version++;
   showAnnounced(state);
@@ -145,7 +148,7 @@ function forgetOld(state: State): void {
   }
 }
 
-function growList<T>(state: State, name: "moves" | "statements" | "events" | "notes", message: { run: number; first: number; items: T[] }): void {
+function growList<T>(state: State, name: "moves" | "ways" | "statements" | "events" | "notes", message: { run: number; first: number; items: T[] }): void {
   const run = runOf(state, message.run);
   grow(run[name] as T[], message.first, message.items);
   run.version++;

@@ -29,6 +29,7 @@ export class Run {
   layout = "";
   moves: M.Move[] = [];
   statements: [number, number][] = [];
+  ways: M.PlannedWay[] = [];
   events: M.ObjectEvent[] = [];
   notes: M.NoteItem[] = [];
   figures = new Map<number, Figure>();
@@ -36,6 +37,7 @@ export class Run {
   objectRows = new Map<number, Rows>();
   elementRows = new Map<number, Rows>();
   forceRows = new Map<number, Rows>();
+  contactRows = new Map<number, Rows>();
   // Values of elements at the time for which they were asked last.
   values: Record<string, M.ElementValue> = {};
   valuesAt = -1;
@@ -93,6 +95,31 @@ export class Run {
     return (this.forcesAt(robot, t) ?? []).map((force, k) => (joints[k]?.max_force ? force / joints[k].max_force : null));
   }
 
+  // Force that objects exert on the tool point of a robot at t, N; null: none.
+  contactAt(robot: number, t: number): [number, number, number] | null {
+    const rows = this.contactRows.get(robot);
+    if (!rows?.count || t < rows.time(0)) return null;
+    const [x = 0, y = 0, z = 0] = rows.between(t, 1, 3);
+    return x || y || z ? [x, y, z] : null;
+  }
+
+  // The largest of these forces in the run, N.
+  topContact(robot: number): number {
+    const rows = this.contactRows.get(robot);
+    let top = 0;
+    for (let i = 0; i < (rows?.count ?? 0); i++) top = Math.max(top, Math.hypot(rows!.at(i, 1), rows!.at(i, 2), rows!.at(i, 3)));
+    return top;
+  }
+
+  // The way that a robot goes around something at t, or is about to go: the newest that was planned until then, if the
+  // move behind it has not ended.
+  wayAt(robot: number, t: number): M.PlannedWay | null {
+    const way = this.ways.findLast((each) => each.robot === robot && each.t <= t + 1e-9);
+    if (!way) return null;
+    const move = this.moves.find((each) => each.robot === robot && each.t0 >= way.t - 1e-9 && each.t1 > each.t0);
+    return t <= (move?.t1 ?? Infinity) + 1e-9 ? way : null;
+  }
+
   // The pose of an object, or null while it does not exist.
   objectAt(index: number, t: number): M.Pose | null {
     const object = this.objects[index];
@@ -108,6 +135,15 @@ export class Run {
     if (there === false) return null;
     const rows = this.objectRows.get(index);
     return rows?.count && rows.time(0) <= t ? rows.poseAt(t, 1) : object.pose;
+  }
+
+  // The object of that name that is there at t, and its pose.
+  objectNamed(name: string, t: number): { index: number; pose: M.Pose } | null {
+    for (let i = this.objects.length - 1; i >= 0; i--) {
+      const pose = this.objects[i]!.name === name ? this.objectAt(i, t) : null;
+      if (pose) return { index: i, pose };
+    }
+    return null;
   }
 
   // The robot that holds the object at t, or null.

@@ -1,0 +1,120 @@
+// Meshes and pictures from files, as three.js draws them. Each file is read once; what is drawn shares its geometry.
+import {
+  Box3, CanvasTexture, Group, LoadingManager, Mesh, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type BufferGeometry, type Material, type Object3D, type Texture,
+} from "three";
+import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { decoded, safeGlb } from "./glb.ts";
+
+const KEPT = 32; // files that are kept although nothing shows them
+
+// A mesh from a file, z up. Without materials in the file it has none of its own.
+export interface Model {
+  group: Group;
+  hasMaterials: boolean;
+}
+type Entry<T> = { value: T | null; ready: Promise<T | null> };
+
+// glTF materials mirror their surroundings, of which there are none here: metal would be black.
+function calm(material: Material, plain: boolean): Material {
+  if (!(material instanceof MeshStandardMaterial)) return material;
+  if (!plain) {
+    material.metalness = Math.min(material.metalness, 0.3);
+    material.roughness = Math.max(material.roughness, 0.35);
+    material.metalnessMap = material.roughnessMap = null;
+    return material;
+  }
+  const { color, map, emissive, emissiveMap, vertexColors, side, transparent, opacity, alphaTest, name } = material;
+  return new MeshLambertMaterial({ color, map, emissive, emissiveMap, vertexColors, side, transparent, opacity, alphaTest, name });
+}
+
+export async function readModel(bytes: ArrayBuffer, plain: boolean): Promise<Model> {
+  const { file, hasMaterials } = await safeGlb(bytes);
+  const manager = new LoadingManager();
+  manager.setURLModifier((address) => (/^(blob|data):/.test(address) ? address : "data:,"));
+  const { scene } = await new GLTFLoader(manager).parseAsync(file, "");
+  const group = new Group();
+  group.rotation.x = Math.PI / 2; // y is up in the file
+  group.add(scene);
+  group.updateMatrixWorld(true);
+  const known = new Map<Material, Material>();
+  const others: Object3D[] = [];
+  group.traverse((node) => {
+    if (!(node instanceof Mesh)) {
+      if ("isLine" in node || "isPoints" in node || "isLight" in node) others.push(node);
+      return;
+    }
+    const mesh = node as Mesh<BufferGeometry, Material>;
+    if (!mesh.geometry.hasAttribute("normal")) mesh.geometry.computeVertexNormals();
+    const { material } = mesh;
+    if (!known.has(material)) known.set(material, calm(material, plain));
+    mesh.material = known.get(material)!;
+    mesh.castShadow = mesh.receiveShadow = true;
+    mesh.userData = { shared: true };
+  });
+  for (const node of others) node.removeFromParent();
+  return { group, hasMaterials };
+}
+
+// The sizes of a model along x, y and z, m.
+export function sizesOf(model: Model): [number, number, number] {
+  const box = new Box3().setFromObject(model.group, true);
+  return [box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z];
+}
+
+export class MeshLibrary {
+  private readonly models = new Map<string, Entry<Model>>();
+  private readonly textures = new Map<string, Entry<Texture>>();
+  private readonly file: (name: string) => Promise<ArrayBuffer>;
+  private readonly plain: boolean;
+  // Called when something has become known.
+  changed: () => void = () => {};
+
+  constructor(file: (name: string) => Promise<ArrayBuffer>, plain: boolean) {
+    this.file = file;
+    this.plain = plain;
+  }
+
+  // Null: it is not known yet, or cannot be shown.
+  model(name: string): Model | null {
+    return this.entry(this.models, name, async (bytes) => readModel(bytes, this.plain)).value;
+  }
+
+  texture(name: string): Texture | null {
+    return this.entry(this.textures, name, async (bytes) => {
+      const bitmap = await decoded(new Uint8Array(bytes));
+      if (!bitmap) return null;
+      const texture = new CanvasTexture(bitmap as unknown as HTMLCanvasElement);
+      texture.flipY = false; // it is turned already
+      texture.colorSpace = SRGBColorSpace;
+      texture.anisotropy = 8;
+      return texture;
+    }).value;
+  }
+
+  // Whether all files that were asked for have been read.
+  async settled(): Promise<void> {
+    await Promise.all([...this.models.values(), ...this.textures.values()].map((entry) => entry.ready));
+  }
+
+  // Forgets files that nothing has asked for since many others.
+  private entry<T extends Model | Texture>(map: Map<string, Entry<T>>, name: string, read: (bytes: ArrayBuffer) => Promise<T | null>): Entry<T> {
+    let entry = map.get(name);
+    if (!entry) {
+      const made: Entry<T> = { value: null, ready: Promise.resolve(null) };
+      made.ready = this.file(name).then(read).catch(() => null).then((value) => {
+        made.value = value;
+        if (value) this.changed();
+        return value;
+      });
+      entry = made;
+    } else map.delete(name);
+    map.set(name, entry); // the newest last
+    for (const [old, { value }] of map) {
+      if (map.size <= KEPT) break;
+      map.delete(old);
+      if (value && "dispose" in value) value.dispose();
+      else if (value) value.group.traverse((node) => node instanceof Mesh && (node.geometry as BufferGeometry).dispose());
+    }
+    return entry;
+  }
+}

@@ -1,0 +1,49 @@
+#pragma once
+// What a page draws of the cell at an instant, beside arms and objects.
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "armlet/cell/cell.hpp"
+
+namespace armlet::lab {
+
+// A frame with a name.
+//
+// object  that it moves with; empty: it stands in the world.
+// T       its pose in the frame of the object, or in the world.
+struct SeenFrame {
+  std::string name;
+  std::string object;
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+};
+
+// Two things that touch, or the nearest ones of a robot (armlet/cell/clearance.hpp).
+//
+// robot, other_robot    whose part it is, or who carries it; -1: nobody.
+// object, other_object  its name; empty: it is a part of the robot.
+// body, other           "link 3 of `arm`".
+// link, other_link      of a part of a robot: what joint `link` moves, counted from 1; 0: the base.
+struct SeenClearance {
+  int robot = -1;
+  std::string object;
+  int link = 0;
+  std::string body;
+  int other_robot = -1;
+  std::string other_object;
+  int other_link = 0;
+  std::string other;
+  double distance = 0.0;  // m, below zero if they overlap
+  Eigen::Vector3d p_body = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_other = Eigen::Vector3d::Zero();
+};
+
+struct SeenThings {
+  std::vector<SeenFrame> frames{};
+  std::vector<SeenClearance> clearances{};
+};
+
+[[nodiscard]] SeenThings things_of(const Cell& cell);
+
+}  // namespace armlet::lab

@@ -1,0 +1,74 @@
+// What a robot of a run is, as one needs it to draw it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace armlet {
+
+// Unit of a joint's position; speeds and accelerations are per second and per second squared.
+enum class JointUnit { kRadian, kMetre };
+
+// A joint and the link that it moves. With q its position, the frame of the link in the frame of
+// the link before, or in the base for the first joint, is
+//
+//   T_before_joint M(q) T_joint_link,
+//
+// M(q) the rotation by q about z (kRadian) or the translation by q along z (kMetre).
+//
+// lower, upper  limits of the position, rad or m.
+// max_speed     rad/s or m/s.
+// mesh          file of the link's shape, in the frame of the link; empty: none.
+struct JointInfo {
+  JointUnit unit = JointUnit::kRadian;
+  double lower = 0.0;
+  double upper = 0.0;
+  double max_speed = 0.0;
+  Eigen::Isometry3d T_before_joint = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_joint_link = Eigen::Isometry3d::Identity();
+  std::string mesh;
+};
+
+// What is mounted at the flange, which is the frame of the last link.
+//
+// kind    "none", "gripper", "suction cup", "point" or "fingers".
+// stroke  widest opening of a gripper, m.
+// radius  of a suction cup, m.
+// length  from the flange to the end of the hand along z, m.
+// T_flange_tool  the tool point.
+struct ToolInfo {
+  std::string kind = "none";
+  double stroke = 0.0;
+  double radius = 0.0;
+  double length = 0.0;
+  Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
+};
+
+// A picture of what joint `link` moves, counted from 1; it moves before T_joint_link.
+//
+// glb    bytes of a GLB, shared with the mesh of the link; never null.
+// T_glb  from the coordinates of the file, z up, to that frame.
+struct LinkPicture {
+  int link = 1;
+  std::shared_ptr<const std::string> glb;
+  Eigen::Affine3d T_glb = Eigen::Affine3d::Identity();
+};
+
+// A robot of the run, as one needs it to draw it. Its index in RunInfo names it in what follows.
+//
+// home      of each joint, rad or m.
+// on        the robot that carries the base, in whose flange T_world_base is then; -1: none.
+// pictures  in the place of the shapes of their links.
+struct RobotInfo {
+  std::string name;
+  std::vector<JointInfo> joints;
+  std::vector<double> home;
+  Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
+  int on = -1;
+  ToolInfo tool;
+  std::vector<LinkPicture> pictures;
+};
+
+}  // namespace armlet

@@ -1,0 +1,62 @@
+// GLB files made for tests: a box with a picture on each face, and what can be wrong with one.
+import { smallPng } from "./small_png.mjs";
+
+// A picture whose left half has one colour and whose right half another, [r, g, b].
+export function twoColours(left, right, size = 16) {
+  const data = new Uint8Array(4 * size * size);
+  for (let i = 0; i < size * size; i++) data.set([...(i % size < size / 2 ? left : right), 255], 4 * i);
+  return smallPng(size, size, data);
+}
+
+// Of these sizes in metres as glTF has them, y up. `picture`: bytes of a PNG; `change`: does something to the description.
+export function boxGlb([x, y, z], { picture = null, change = () => {} } = {}) {
+  const positions = [], uvs = [], corners = [];
+  for (let axis = 0; axis < 3; axis++) {
+    for (const side of [-1, 1]) {
+      const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+      const first = positions.length / 3;
+      for (const [s, t] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) {
+        const p = [0, 0, 0];
+        p[axis] = side;
+        p[u] = s;
+        p[v] = t;
+        positions.push(p[0] * x / 2, p[1] * y / 2, p[2] * z / 2);
+        uvs.push((1 + s) / 2, (1 - t) / 2);
+      }
+      corners.push(...(side > 0 ? [0, 1, 2, 0, 2, 3] : [0, 2, 1, 0, 3, 2]).map((k) => first + k));
+    }
+  }
+  const parts = [Float32Array.from(positions), Float32Array.from(uvs), Uint16Array.from(corners)].map((array) => Buffer.from(array.buffer));
+  if (picture) parts.push(Buffer.concat([picture, Buffer.alloc((4 - (picture.length % 4)) % 4)]));
+  let offset = 0;
+  const bufferViews = parts.map((part, i) => {
+    const view = { buffer: 0, byteOffset: offset, byteLength: i === 3 ? picture.length : part.length };
+    offset += part.length;
+    return view;
+  });
+  const json = {
+    asset: { version: "2.0" },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, indices: 2, ...(picture ? { material: 0 } : {}) }] }],
+    buffers: [{ byteLength: offset }],
+    bufferViews,
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: 24, type: "VEC3", min: [-x / 2, -y / 2, -z / 2], max: [x / 2, y / 2, z / 2] },
+      { bufferView: 1, componentType: 5126, count: 24, type: "VEC2" },
+      { bufferView: 2, componentType: 5123, count: 36, type: "SCALAR" },
+    ],
+    ...(picture ? {
+      materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0 } }],
+      textures: [{ source: 0 }],
+      images: [{ bufferView: 3, mimeType: "image/png" }],
+    } : {}),
+  };
+  change(json);
+  const text = Buffer.from(JSON.stringify(json));
+  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 0x20)]);
+  const binary = Buffer.concat(parts);
+  const head = (...words) => Buffer.from(Uint32Array.from(words).buffer);
+  return Buffer.concat([head(0x46546c67, 2, 28 + padded.length + binary.length, padded.length, 0x4e4f534a), padded, head(binary.length, 0x004e4942), binary]);
+}
