@@ -15,7 +15,7 @@ function(armlet_add_converter)
   find_package(nlohmann_json REQUIRED)
   add_executable(armlet-mesh exchange.cpp)
   armlet_target_sources(armlet-mesh converter/ assimp_import confine file_checks files gltf_pack images main scene_builder vrml_check
-    vrml_import)
+    vrml_import xml_check)
   armlet_compile_options(armlet-mesh)
   target_include_directories(armlet-mesh PRIVATE .)
   target_include_directories(armlet-mesh SYSTEM PRIVATE ${ARMLET_ASSIMP_HEADERS} ${ARMLET_COIN_HEADERS})

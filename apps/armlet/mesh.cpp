@@ -39,9 +39,9 @@ std::optional<double> length_of(const std::string& text) {
 }
 
 // What is converted, and for how long, in the last line of a terminal, or as lines.
-void tell(const MeshOptions& options, const std::string& stage, int seconds) {
+void tell(const std::string& file, const std::string& stage, int seconds) {
   constexpr int kBetweenLines = 10;  // s
-  const std::string text = fmt::format("{}: {}, {} s", options.from, stage, seconds);
+  const std::string text = fmt::format("{}: {}, {} s", file, stage, seconds);
   if (shows_status()) {
     status_line(text);
   } else if (seconds % kBetweenLines == 0) {
@@ -50,6 +50,21 @@ void tell(const MeshOptions& options, const std::string& stage, int seconds) {
 }
 
 }  // namespace
+
+MeshConverter mesh_converter() {
+  return [](const std::string& path, const std::string& name,
+            double unit) -> Result<std::string> {
+    const Result<Folder> folder = Folder::open(path);
+    if (!folder.ok()) return folder.error();
+    mesh::ConvertOptions how;
+    how.unit = unit;
+    how.cache = mesh::mesh_cache_folder();
+    how.progress = [&](const std::string& stage, int seconds) { tell(name, stage, seconds); };
+    Result<std::string> glb = mesh::convert_mesh(*folder, path, name, how);
+    if (shows_status()) status_line({});
+    return glb;
+  };
+}
 
 int convert_mesh(const MeshOptions& options) {
   mesh::ConvertOptions how;
@@ -64,12 +79,12 @@ int convert_mesh(const MeshOptions& options) {
   if (!options.up.empty()) how.up = options.up.front();
   if (!is_glb_name(options.to))
     return refuse_mesh(fmt::format("what is written is a GLB: {} has to end in .glb", options.to), kUsage);
-  if (mesh::mesh_format(options.from).empty()) {
-    return refuse_mesh(fmt::format("{} ends in no format that is read: {}", options.from, mesh::kMeshFormats),
+  if (mesh_format(options.from).empty()) {
+    return refuse_mesh(fmt::format("{} ends in no format that is read: {}", options.from, kMeshFormats),
                   kUsage);
   }
   if (!options.quiet)
-    how.progress = [&](const std::string& stage, int seconds) { tell(options, stage, seconds); };
+    how.progress = [&](const std::string& stage, int seconds) { tell(options.from, stage, seconds); };
   const Result<std::string> glb = mesh::convert_mesh(options.from, how);
   if (how.progress && shows_status()) status_line({});
   if (!glb.ok()) {
@@ -86,7 +101,7 @@ int convert_mesh(const MeshOptions& options) {
   if (!options.quiet) {
     const Result<TriangleMesh> read = read_glb(*glb);
     if (read.ok()) {
-      const Eigen::Vector3d size = read->high() - read->low();
+      const Eigen::Vector3d size = (1e9 * (read->high() - read->low())).array().round() / 1e9;
       progress(fmt::format("{}: {} triangles, {:.4g} x {:.4g} x {:.4g} m, {}", options.to,
                            read->triangles().size(), size.x(), size.y(), size.z(),
                            read->is_closed() ? "closed" : read->open_because()));

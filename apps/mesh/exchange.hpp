@@ -45,9 +45,4 @@ inline constexpr std::size_t kSayHeader = 5;
 std::string say_header(Say what, std::size_t length);
 std::size_t said_length(const char* header);
 
-// The kinds of files that are converted, by the ending of the name in lower case without its dot;
-// empty: it is none of them.
-std::string_view mesh_format(std::string_view name);
-inline constexpr std::string_view kMeshFormats = "OBJ, 3DS, VRML 2.0, STL, DAE, PLY, glTF and GLB";
-
 }  // namespace armlet::mesh

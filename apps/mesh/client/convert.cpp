@@ -6,6 +6,7 @@
 #include <map>
 
 #include "armlet/core/platform.hpp"
+#include "armlet/mesh/glb.hpp"
 #include "client/cache.hpp"
 #include "client/process.hpp"
 #include "client/sha256.hpp"

@@ -85,11 +85,11 @@ Sibling Siblings::find(std::string_view asked, std::size_t most) const {
       return {name.error().code == "outside" ? Say::kOutside : Say::kUnusable,
               name.error().message};
     }
-    for (const std::string& each : {*name, in_another_case(*name)}) {
-      if (each.empty()) continue;
-      Sibling found = read(each, most);
-      if (found.state != Say::kAbsent) return found;
-    }
+    Sibling found = read(*name, most);
+    if (found.state != Say::kAbsent) return found;
+    const std::string other = in_another_case(*name);
+    if (!other.empty()) found = read(other, most);
+    if (found.state != Say::kAbsent) return found;
     if (written == read_as) break;
   }
   return {Say::kAbsent, "there is no such file beside the mesh"};

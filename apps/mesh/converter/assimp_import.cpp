@@ -11,6 +11,7 @@
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cstring>
+#include <new>
 #include <vector>
 
 #include "armlet/core/error.hpp"
@@ -251,6 +252,7 @@ void import_with_assimp(const Input& input, Files& files, SceneBuilder& scene) {
   if (read == nullptr || read->mRootNode == nullptr) {
     std::string why = importer.GetErrorString();
     std::replace(why.begin(), why.end(), '\n', ' ');
+    if (why.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     throw ArgumentError(why.empty() ? "it cannot be read" : fmt::format("it cannot be read: {}", why));
   }
   for (const std::string& each : given->missed()) scene.note(each);

@@ -3,40 +3,80 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "armlet/core/error.hpp"
 
 namespace armlet::mesh {
 namespace {
 
-constexpr int kDeepest = 64;
-
 [[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
 
-// DAE: no declarations of its own, and elements in one another that a recursion can follow.
-void check_xml(std::string_view text) {
-  if (text.find("<!DOCTYPE") != std::string_view::npos ||
-      text.find("<!ENTITY") != std::string_view::npos)
-    refuse("it declares entities, which are not read");
-  if (text.find("XInclude") != std::string_view::npos ||
-      text.find("<xi:include") != std::string_view::npos)
-    refuse("it includes another file, which is not read");
-  int depth = 0;
-  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
-    const std::string_view rest = text.substr(at);
-    if (rest.starts_with("<!--")) {
-      at = std::min(text.find("-->", at), text.size() - 1);
+// OBJ: corners of faces name positions, places on the picture and normals that stand above them, from
+// 1 on, or from -1 on backwards. Assimp passes over those of the last two that are not there.
+class ObjCheck {
+ public:
+  void look(std::string_view line) {
+    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+    if (line.starts_with("v ") || line.starts_with("v\t")) ++counts_[0];
+    if (line.starts_with("vt")) ++counts_[1];
+    if (line.starts_with("vn")) ++counts_[2];
+    if (line.starts_with("f ") || line.starts_with("f\t")) look_at_face(line.substr(2));
+  }
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+  void look_at_face(std::string_view corners) const {
+    std::size_t kind = 0;
+    for (std::size_t at = 0; at < corners.size();) {
+      const char c = corners[at];
+      if (is_blank(c)) kind = 0;
+      if (c == '/') ++kind;
+      if (c != '-' && (c < '0' || c > '9')) {
+        ++at;
+        continue;
+      }
+      const std::size_t begin = at++;
+      while (at < corners.size() && corners[at] >= '0' && corners[at] <= '9') ++at;
+      check(corners.substr(begin, at - begin), kind);
+    }
+  }
+
+  void check(std::string_view digits, std::size_t kind) const {
+    constexpr std::array<std::string_view, 3> kWhat = {"v", "vt", "vn"};
+    std::size_t value = 0;
+    for (const char c : digits) {
+      if (c != '-') value = std::min<std::size_t>(value * 10 + static_cast<std::size_t>(c - '0'), 1ULL << 40);
+    }
+    if (kind < kWhat.size() && (value == 0 || value > counts_[kind])) {
+      refuse(fmt::format("a face names {} {}, but there are {} above it", kWhat[kind], digits.substr(0, 20),
+                         counts_[kind]));
+    }
+  }
+
+  std::array<std::size_t, 3> counts_{};
+};
+
+void check_obj(std::string_view text) {
+  ObjCheck check;
+  std::string joined;  // of lines that a \ at the end continues
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.ends_with('\\')) {
+      joined += line.substr(0, line.size() - 1);
+      joined += ' ';
       continue;
     }
-    if (rest.starts_with("</")) {
-      --depth;
-      continue;
+    if (joined.empty()) {
+      check.look(line);
+    } else {
+      check.look(joined += line);
+      joined.clear();
     }
-    if (rest.starts_with("<?") || rest.starts_with("<!")) continue;
-    const std::size_t end = text.find('>', at);
-    if (end == std::string_view::npos) refuse("it is cut off in an element");
-    if (text[end - 1] != '/') ++depth;
-    if (depth > kDeepest) refuse(fmt::format("it has more than {} elements in one another", kDeepest));
   }
 }
 
@@ -104,11 +144,14 @@ void check_lines(std::string_view text, std::string_view name) {
 
 void check_before_assimp(const Input& input) {
   const std::string_view bytes = input.bytes;
-  if (input.format == "obj") check_lines(bytes, input.name);
+  if (input.format == "obj") {
+    check_lines(bytes, input.name);
+    check_obj(bytes);
+  }
   if (input.format == "dae") {
     if (bytes.starts_with("PK")) refuse("it is a packed archive; unpack it first");
     check_lines(bytes, input.name);
-    check_xml(bytes);
+    check_dae(bytes);
   }
   if (input.format == "3ds") check_3ds(bytes);
   if (input.format == "stl") check_stl(bytes);

@@ -9,6 +9,10 @@ namespace armlet::mesh {
 
 // throws  ArgumentError.
 void check_before_assimp(const Input& input);
+// No entities, no loops of references, elements in one another that a recursion can follow.
+//
+// throws  ArgumentError.
+void check_dae(std::string_view text);
 // Text in lines, without bytes that no text has.
 //
 // throws  ArgumentError.

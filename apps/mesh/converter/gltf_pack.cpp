@@ -93,13 +93,9 @@ class Packer {
         own_ = rest.substr(8, most);
       }
     }
-    bool deep = false;
-    const auto look = [&](int depth, Json::parse_event_t, Json&) {
-      deep = deep || depth > kDeepest;
-      return !deep;
-    };
-    json_ = Json::parse(text.begin(), text.end(), look, false);
-    if (deep) refuse(fmt::format("it has more than {} values in one another", kDeepest));
+    if (json_depth(text) > kDeepest)
+      refuse(fmt::format("it has more than {} values in one another", kDeepest));
+    json_ = Json::parse(text.begin(), text.end(), nullptr, false);
     if (!json_.is_object()) refuse("it is broken: its text is no JSON object");
   }
 

@@ -65,7 +65,8 @@ std::string converted(const Input& input, Files& files) {
     check_result(glb);
     files.finish(glb);
   } catch (const std::bad_alloc&) {
-    files.fail(fmt::format("it needs more than {} MB of memory", memory >> 20));
+    files.fail(
+        fmt::format("a size in it is false, or it needs more than {} MB of memory", memory >> 20));
   } catch (const std::length_error&) {
     files.fail("a size in it is larger than any memory");
   } catch (const std::exception& error) {

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "armlet/core/error.hpp"
 #include "converter/importers.hpp"
@@ -48,8 +51,83 @@ std::size_t skip_quoted(std::string_view text, std::size_t at) {
   refuse(fmt::format("line {}: a text in quotes does not end", line_of(text, at)));
 }
 
-// Behind the end of the word at `at`.
-std::size_t skip_word(std::string_view text, std::size_t at) {
+// Which nodes and prototypes are open where a word stands, and what prototypes make.
+//
+// Coin follows USE inside of the node of that name, and a prototype in itself, until its stack ends.
+class Names {
+ public:
+  explicit Names(std::string_view text) : text_(text) {}
+
+  void open(std::size_t at, char bracket) {
+    if (static_cast<int>(brackets_.size()) >= kDeepest) {
+      refuse(fmt::format("line {}: more than {} nodes in one another", line_of(text_, at), kDeepest));
+    }
+    Bracket made;
+    if (bracket == '{') {
+      made.node = std::exchange(node_, {});
+      // The body of a prototype is the first {...} behind its [...] on the same level.
+      if (!prototype_.empty() && brackets_.size() == level_) made.prototype = std::exchange(prototype_, {});
+    }
+    if (!made.node.empty()) ++open_nodes_[made.node];
+    brackets_.push_back(std::move(made));
+  }
+
+  void close(std::size_t at) {
+    if (brackets_.empty()) {
+      refuse(fmt::format("line {}: {} closes what was not opened", line_of(text_, at), text_[at]));
+    }
+    const Bracket done = std::move(brackets_.back());
+    brackets_.pop_back();
+    if (!done.node.empty()) --open_nodes_[done.node];
+    if (!done.prototype.empty()) makes_[done.prototype] = 1.0 + done.made;
+    if (!brackets_.empty()) brackets_.back().made += done.prototype.empty() ? done.made : 0.0;
+  }
+
+  void word(std::size_t at, const std::string& word) {
+    if (before_ == "DEF") {
+      node_ = word;
+    } else if (before_ == "USE") {
+      if (open_nodes_[word] > 0)
+        refuse(fmt::format("line {}: the node {} contains itself", line_of(text_, at), word));
+    } else if (before_ == "PROTO") {
+      if (!makes_.emplace(word, -1.0).second)
+        refuse(fmt::format("line {}: PROTO {} is there twice", line_of(text_, at), word));
+      prototype_ = word;
+      level_ = brackets_.size();
+    } else if (const auto made = makes_.find(word); made != makes_.end()) {
+      if (made->second < 0.0)
+        refuse(fmt::format("line {}: PROTO {} contains itself", line_of(text_, at), word));
+      all_ += made->second;
+      if (!brackets_.empty()) brackets_.back().made += made->second;
+      if (made->second > kMostMade || all_ > kMostMade) {
+        refuse(fmt::format("line {}: its prototypes make more than {} nodes", line_of(text_, at),
+                           kMostMade));
+      }
+    }
+    before_ = word;
+  }
+
+  [[nodiscard]] std::size_t depth() const { return brackets_.size(); }
+
+ private:
+  static constexpr double kMostMade = 10'000;
+  struct Bracket {
+    std::string node;       // that it is the inside of
+    std::string prototype;  // that it is the body of
+    double made = 0.0;      // nodes that prototypes make in it
+  };
+
+  std::string_view text_;
+  std::vector<Bracket> brackets_;
+  std::map<std::string, int> open_nodes_;
+  std::map<std::string, double> makes_;
+  std::string before_, node_, prototype_;
+  std::size_t level_ = 0;
+  double all_ = 0.0;
+};
+
+// The word that begins at `at`.
+std::string_view word_at(std::string_view text, std::size_t at) {
   std::size_t end = at;
   while (end < text.size() && !ends_word(text[end])) ++end;
   const std::string_view word = text.substr(at, end - at);
@@ -57,17 +135,7 @@ std::size_t skip_word(std::string_view text, std::size_t at) {
     refuse(fmt::format("line {}: `{}` would open another file or run a script, which is not done",
                        line_of(text, at), word));
   }
-  return end;
-}
-
-// Opens and closes what is counted by `depth`.
-void follow_bracket(std::string_view text, std::size_t at, int& depth) {
-  depth += text[at] == '{' || text[at] == '[' ? 1 : -1;
-  if (depth > kDeepest) {
-    refuse(fmt::format("line {}: more than {} nodes in one another", line_of(text, at), kDeepest));
-  }
-  if (depth < 0)
-    refuse(fmt::format("line {}: {} closes what was not opened", line_of(text, at), text[at]));
+  return word;
 }
 
 }  // namespace
@@ -77,7 +145,7 @@ std::string safe_vrml(std::string_view text) {
   if (text.find('\0') != std::string_view::npos) refuse("it is no text: it has a byte of 0");
   std::string safe;
   safe.reserve(text.size());
-  int depth = 0;
+  Names names(text);
   for (std::size_t at = 0; at < text.size();) {
     const char c = text[at];
     std::size_t end = at + 1;
@@ -85,16 +153,21 @@ std::string safe_vrml(std::string_view text) {
       end = std::min(text.find_first_of("\r\n", at), text.size());
     } else if (c == '"') {
       end = skip_quoted(text, at);
-    } else if (c == '{' || c == '}' || c == '[' || c == ']') {
-      follow_bracket(text, at, depth);
+    } else if (c == '{' || c == '[') {
+      names.open(at, c);
+    } else if (c == '}' || c == ']') {
+      names.close(at);
     } else if (!ends_word(c)) {
-      end = skip_word(text, at);
+      const std::string_view word = word_at(text, at);
+      end = at + word.size();
+      names.word(at, std::string(word));
     }
     const std::string_view part = text.substr(at, end - at);
     safe += part == "ImageTexture" ? std::string_view("MovieTexture") : part;
     at = end;
   }
-  if (depth > 0) refuse(fmt::format("it is cut off: {} brackets are not closed", depth));
+  if (names.depth() > 0)
+    refuse(fmt::format("it is cut off: {} brackets are not closed", names.depth()));
   return safe;
 }
 

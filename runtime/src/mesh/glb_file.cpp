@@ -1,6 +1,7 @@
 // What a GLB file is made of: a header, a description, a binary part, and notes.
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "armlet/core/error.hpp"
@@ -71,18 +72,45 @@ std::vector<std::string> glb_notes(std::string_view bytes) {
   return notes;
 }
 
+int json_depth(std::string_view text) {
+  int depth = 0, deepest = 0;
+  bool quoted = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (quoted && c == '\\') {
+      ++k;
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && (c == '{' || c == '[')) {
+      deepest = std::max(deepest, ++depth);
+    } else if (!quoted && (c == '}' || c == ']')) {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
 std::string_view image_kind(std::string_view bytes) {
   if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return "image/png";
   if (bytes.starts_with("\xff\xd8\xff")) return "image/jpeg";
   return {};
 }
 
-bool is_glb_name(std::string_view name) {
-  constexpr std::string_view kEnding = ".glb";
-  if (name.size() < kEnding.size()) return false;
-  const std::string_view ending = name.substr(name.size() - kEnding.size());
-  return std::equal(ending.begin(), ending.end(), kEnding.begin(),
-                    [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b); });
+std::string_view mesh_format(std::string_view name) {
+  constexpr std::array<std::string_view, 8> kEndings = {"obj", "3ds", "wrl",  "stl",
+                                                        "dae", "ply", "gltf", "glb"};
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return {};
+  const std::string_view ending = name.substr(dot + 1);
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  for (const std::string_view each : kEndings) {
+    if (std::equal(ending.begin(), ending.end(), each.begin(), each.end(),
+                   [&](char a, char b) { return lower(a) == b; }))
+      return each;
+  }
+  return {};
 }
+
+bool is_glb_name(std::string_view name) { return mesh_format(name) == "glb"; }
 
 }  // namespace armlet

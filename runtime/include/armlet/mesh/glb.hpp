@@ -105,8 +105,16 @@ std::string make_glb(std::string json, std::string binary, const std::vector<std
 // there is no such chunk or the file is broken.
 std::vector<std::string> glb_notes(std::string_view bytes);
 
+// How many lists and objects of a JSON text lie in one another at most, whether it is whole or not.
+int json_depth(std::string_view text);
+
 // "image/png" or "image/jpeg" by the first bytes; empty for other kinds.
 std::string_view image_kind(std::string_view bytes);
+
+// The format of a mesh by the ending of its name, in lower case without the dot ("obj"), if armlet or
+// its converter reads it; otherwise empty.
+std::string_view mesh_format(std::string_view name);
+inline constexpr std::string_view kMeshFormats = "OBJ, 3DS, VRML 2.0, STL, DAE, PLY, glTF and GLB";
 
 // Whether a file is one by its name, ".glb" in whatever case.
 bool is_glb_name(std::string_view name);
