@@ -80,6 +80,14 @@ struct RobotOptions {
   bool published = false;  // keep inertias that no rigid body has
 };
 
+struct MeshOptions {
+  std::string from;  // a mesh of any format that is read
+  std::string to;    // a .glb file
+  std::string unit;  // of the file, "1mm"; empty: as the format says, metres if it says nothing
+  std::string up;    // the axis that points up, y or z; empty: as the format says
+  bool quiet = false;
+};
+
 struct PromptOptions {
   ProgramOptions program;
   std::string record;  // where the log of the session is left; empty: nowhere
@@ -97,6 +105,7 @@ int complete(const EditorOptions& options);
 int hover(const EditorOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
+int convert_mesh(const MeshOptions& options);
 int serve_lab(const LabOptions& options, const RunOptions& run);
 // --export and --record FILE.html: a page that needs no command.
 int save_lab(const LabOptions& options, const RunOptions& run);

@@ -110,6 +110,7 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
   // What a program may write lies below its own folder.
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   session.folder = folder.empty() ? std::filesystem::path(".") : folder;
+  session.convert_mesh = mesh_converter();
   session.limits.steps = options.steps;
   session.output = [](std::string_view text) {
     print_out(text);

@@ -21,6 +21,8 @@ struct Setup {
   SessionOptions session;
   int exit = kDone;
 };
+// Converts meshes of programs, with a cache; says so after a while.
+MeshConverter mesh_converter();
 Setup make_setup(const ProgramOptions& options, const std::string& file);
 
 // The robot of that name of the catalogue, or null after a message.

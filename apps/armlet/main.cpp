@@ -60,6 +60,7 @@ struct Asked {
   EditorOptions editor;
   FormatOptions format;
   RobotOptions robot;
+  MeshOptions mesh;
   std::vector<std::string> files;
   std::string file;
   std::string code;
@@ -181,6 +182,28 @@ void add_robot_options(CLI::App& command, Asked& asked) {
                    "of a .urdf file: keep inertias that no rigid body has");
 }
 
+void add_mesh_options(CLI::App& command, Asked& asked) {
+  MeshOptions& mesh = asked.mesh;
+  command.require_subcommand(1);
+  CLI::App* convert = command.add_subcommand(
+      "convert", "make a GLB of a mesh, with its colours and pictures inside");
+  convert->add_option("IN", mesh.from, "OBJ, 3DS, VRML 2.0 (.wrl), STL, DAE, PLY, glTF or GLB")
+      ->required();
+  convert->add_option("OUT", mesh.to, "a .glb file, which is replaced if it is there")->required();
+  convert
+      ->add_option("--unit", mesh.unit,
+                   "the length of one unit of IN, for example 1mm (default: as its format says; 1m "
+                   "for OBJ, 3DS, STL and PLY, which say nothing)")
+      ->type_name("LENGTH");
+  convert
+      ->add_option("--up", mesh.up,
+                   "the axis of IN that points up (default: as its format says; z for OBJ, 3DS, STL "
+                   "and PLY, which say nothing)")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"y", "z"}));
+  convert->add_flag("--quiet", mesh.quiet, "say nothing but what is wrong");
+}
+
 void add_lab_options(CLI::App& command, Asked& asked) {
   LabOptions& lab = asked.lab;
   CLI::Option* file = command.add_option("FILE", asked.run.file, "the program");
@@ -262,6 +285,8 @@ constexpr Command kCommands[] = {
      [](const Asked& asked) { return hover(asked.editor); }},
     {"robot", "show the table of a ready robot: rows, limits, reach, kinematics", add_robot_options,
      [](const Asked& asked) { return robot(asked.robot); }},
+    {"mesh", "make a GLB of a mesh in another format", add_mesh_options,
+     [](const Asked& asked) { return convert_mesh(asked.mesh); }},
     {"explain", "say what a message means, with a wrong and a right program", add_explain_options,
      [](const Asked& asked) { return explain(asked.code); }},
     {"help", "say what a function does, with an example", add_help_options,

@@ -63,8 +63,16 @@ Result<std::shared_ptr<const TriangleMesh>> read_mesh(const std::string& folder,
                                                       const std::string& mesh) {
   constexpr std::size_t kMostBytes = 128 << 20;
   std::shared_ptr<const TriangleMesh> made;
-  if (!is_glb_name(mesh)) return made;
-  const Result<std::string> bytes = armlet::read_file(find_mesh(folder, {}, mesh), kMostBytes);
+  if (mesh_format(mesh).empty()) return made;
+  const std::string path = find_mesh(folder, {}, mesh);
+  const std::size_t slash = path.rfind('/');
+  const Result<std::string> bytes =
+      is_glb_name(path) ? armlet::read_file(path, kMostBytes)
+                        : mesh_converter()(path.substr(0, slash + 1), path.substr(slash + 1), 0.0);
+  if (!bytes.ok() && bytes.error().code == "converter") {
+    progress(fmt::format("{} is left out: {}", mesh, bytes.error().message));
+    return made;
+  }
   if (!bytes.ok()) return bytes.error();
   Result<TriangleMesh> read = read_glb(*bytes);
   if (!read.ok()) return read.error();

@@ -8,6 +8,7 @@ namespace armlet::glb {
 inline constexpr std::uint32_t kMagic = 0x46546C67;        // "glTF"
 inline constexpr std::uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
 inline constexpr std::uint32_t kBinaryChunk = 0x004E4942;  // "BIN"
+inline constexpr std::uint32_t kNotesChunk = 0x45544F4E;   // "NOTE", of Armlet alone
 
 inline constexpr int kArrayBuffer = 34962;
 inline constexpr int kElementArrayBuffer = 34963;

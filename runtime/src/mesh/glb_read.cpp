@@ -69,13 +69,9 @@ class Document {
   explicit Document(std::string_view text) {
     if (text.size() > kMostJson)
       refuse(fmt::format("its JSON part has {} bytes; expected 8 MB at most", text.size()));
-    bool deep = false;
-    const auto look = [&](int depth, Json::parse_event_t, Json&) {
-      deep = deep || depth > kDeepest;
-      return !deep;
-    };
-    root_ = Json::parse(text.begin(), text.end(), look, false);
-    if (deep) refuse(fmt::format("its JSON part has more than {} values in one another", kDeepest));
+    if (json_depth(text) > kDeepest)
+      refuse(fmt::format("its JSON part has more than {} values in one another", kDeepest));
+    root_ = Json::parse(text.begin(), text.end(), nullptr, false);
     if (!root_.is_object()) refuse("its JSON part is broken");
   }
 

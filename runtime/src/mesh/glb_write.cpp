@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "armlet/core/error.hpp"
@@ -32,7 +31,9 @@ OrderedJson rotation_of(const Eigen::Isometry3d& T) {
 
 void check_part(const GlbScene& scene, const GlbNode& node, const GlbPart& part) {
   const auto in_range = [](std::size_t index, std::size_t size) { return index < size; };
+  const auto fits_all = [&](std::size_t size) { return size == 0 || size == part.positions.size(); };
   const bool fits = part.positions.size() == part.normals.size() && part.corners.size() % 3 == 0 &&
+                    fits_all(part.on_image.size()) && fits_all(part.colors.size()) &&
                     !part.corners.empty() && part.material >= 0 &&
                     in_range(static_cast<std::size_t>(part.material), scene.materials.size()) &&
                     std::ranges::all_of(part.corners, [&](std::uint32_t i) {
@@ -47,6 +48,7 @@ class Writer {
   explicit Writer(const GlbScene& scene) : scene_(scene) {}
 
   std::string bytes() {
+    for (const GlbImage& each : scene_.images) add_image(each);
     for (const GlbMaterial& each : scene_.materials) add_material(each);
     OrderedJson roots = OrderedJson::array();
     for (std::size_t i = 0; i < scene_.nodes.size(); ++i) add_node(static_cast<int>(i), roots);
@@ -62,41 +64,42 @@ class Writer {
       json["meshes"] = meshes_;
       json["materials"] = materials_;
       json["accessors"] = accessors_;
+      if (!images_.empty()) {
+        json["images"] = images_;
+        json["textures"] = textures_;
+      }
       json["bufferViews"] = views_;
       json["buffers"] = {{{"byteLength", binary_.size()}}};
     }
-    return with_header(json.dump());
+    return make_glb(json.dump(), std::move(binary_), scene_.notes);
   }
 
  private:
-  [[nodiscard]] std::string with_header(std::string json) {
-    pad(json, ' ');
-    const std::size_t binary = binary_.empty() ? 0 : 8 + binary_.size();
-    const std::size_t length = 20 + json.size() + binary;
-    if (length > std::numeric_limits<std::uint32_t>::max())
-      throw ArgumentError("The scene would be a file of more than 4 GB.");
-    std::string bytes;
-    bytes.reserve(length);
-    append_u32(bytes, glb::kMagic);
-    append_u32(bytes, 2);
-    append_u32(bytes, static_cast<std::uint32_t>(length));
-    append_u32(bytes, static_cast<std::uint32_t>(json.size()));
-    append_u32(bytes, glb::kJsonChunk);
-    bytes += json;
-    if (!binary_.empty()) {
-      append_u32(bytes, static_cast<std::uint32_t>(binary_.size()));
-      append_u32(bytes, glb::kBinaryChunk);
-      bytes += binary_;
-    }
-    return bytes;
+  void add_image(const GlbImage& image) {
+    const std::string_view kind = image_kind(image.bytes);
+    if (kind.empty())
+      throw ArgumentError(fmt::format("The image \"{}\" is no PNG and no JPEG.", image.name));
+    pad(binary_, '\0');
+    const std::size_t offset = binary_.size();
+    binary_ += image.bytes;
+    images_.push_back(
+        {{"name", image.name}, {"mimeType", kind}, {"bufferView", add_view(offset, 0)}});
+    textures_.push_back({{"source", images_.size() - 1}});
+    pad(binary_, '\0');
   }
 
   void add_material(const GlbMaterial& material) {
-    materials_.push_back({{"name", material.name},
-                          {"pbrMetallicRoughness",
-                           {{"baseColorFactor", material.color},
-                            {"metallicFactor", material.metallic},
-                            {"roughnessFactor", material.roughness}}}});
+    OrderedJson look = {{"baseColorFactor", material.color},
+                        {"metallicFactor", material.metallic},
+                        {"roughnessFactor", material.roughness}};
+    if (material.texture >= static_cast<int>(scene_.images.size()))
+      throw ArgumentError(
+          fmt::format("The image of the material \"{}\" is not there.", material.name));
+    if (material.texture >= 0) look["baseColorTexture"] = {{"index", material.texture}};
+    OrderedJson json = {{"name", material.name}, {"pbrMetallicRoughness", look}};
+    if (material.two_sided) json["doubleSided"] = true;
+    if (material.color[3] < 1.0) json["alphaMode"] = "BLEND";
+    materials_.push_back(json);
   }
 
   // With its place in its parent, or in `roots`.
@@ -128,9 +131,11 @@ class Writer {
     OrderedJson primitives = OrderedJson::array();
     for (const GlbPart& part : node.parts) {
       check_part(scene_, node, part);
-      primitives.push_back({{"attributes",
-                             {{"POSITION", add_vectors(part.positions, true)},
-                              {"NORMAL", add_vectors(part.normals, false)}}},
+      OrderedJson attributes = {{"POSITION", add_vectors(part.positions, true)},
+                                {"NORMAL", add_vectors(part.normals, false)}};
+      if (!part.on_image.empty()) attributes["TEXCOORD_0"] = add_vectors(part.on_image, false);
+      if (!part.colors.empty()) attributes["COLOR_0"] = add_vectors(part.colors, false);
+      primitives.push_back({{"attributes", attributes},
                             {"indices", add_indices(part.corners)},
                             {"material", part.material}});
     }
@@ -138,18 +143,22 @@ class Writer {
     return meshes_.size() - 1;
   }
 
+  // target  0: what lies there is no list of vertices or indices.
   std::size_t add_view(std::size_t offset, int target) {
-    views_.push_back({{"buffer", 0},
-                      {"byteOffset", offset},
-                      {"byteLength", binary_.size() - offset},
-                      {"target", target}});
+    OrderedJson view = {
+        {"buffer", 0}, {"byteOffset", offset}, {"byteLength", binary_.size() - offset}};
+    if (target != 0) view["target"] = target;
+    views_.push_back(view);
     return views_.size() - 1;
   }
 
-  std::size_t add_vectors(const std::vector<Eigen::Vector3f>& vectors, bool with_bounds) {
+  template <int kWidth>
+  std::size_t add_vectors(const std::vector<Eigen::Matrix<float, kWidth, 1>>& vectors,
+                          bool with_bounds) {
+    using Vector = Eigen::Matrix<float, kWidth, 1>;
     const std::size_t offset = binary_.size();
-    Eigen::Vector3f low = vectors.front(), high = vectors.front();
-    for (const Eigen::Vector3f& each : vectors) {
+    Vector low = vectors.front(), high = vectors.front();
+    for (const Vector& each : vectors) {
       low = low.cwiseMin(each);
       high = high.cwiseMax(each);
       for (const float x : each) append_u32(binary_, std::bit_cast<std::uint32_t>(x));
@@ -157,10 +166,10 @@ class Writer {
     OrderedJson accessor = {{"bufferView", add_view(offset, glb::kArrayBuffer)},
                             {"componentType", glb::kFloat},
                             {"count", vectors.size()},
-                            {"type", "VEC3"}};
+                            {"type", fmt::format("VEC{}", kWidth)}};
     if (with_bounds) {
-      accessor["min"] = {low.x(), low.y(), low.z()};
-      accessor["max"] = {high.x(), high.y(), high.z()};
+      accessor["min"] = std::vector<float>(low.begin(), low.end());
+      accessor["max"] = std::vector<float>(high.begin(), high.end());
     }
     accessors_.push_back(accessor);
     return accessors_.size() - 1;
@@ -180,19 +189,12 @@ class Writer {
   std::string binary_;
   OrderedJson nodes_ = OrderedJson::array(), meshes_ = OrderedJson::array(),
               materials_ = OrderedJson::array(), accessors_ = OrderedJson::array(),
-              views_ = OrderedJson::array();
+              views_ = OrderedJson::array(), images_ = OrderedJson::array(),
+              textures_ = OrderedJson::array();
 };
 
 }  // namespace
 
 std::string write_glb(const GlbScene& scene) { return Writer(scene).bytes(); }
-
-bool is_glb_name(std::string_view name) {
-  constexpr std::string_view kEnding = ".glb";
-  if (name.size() < kEnding.size()) return false;
-  const std::string_view ending = name.substr(name.size() - kEnding.size());
-  return std::equal(ending.begin(), ending.end(), kEnding.begin(),
-                    [](char a, char b) { return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b); });
-}
 
 }  // namespace armlet

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "armlet/mesh/glb.hpp"
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "replay/journal.hpp"
@@ -49,6 +50,23 @@ Result<std::string> Host::read(const std::string& name, std::size_t most) const 
   Result<std::string> text = folder->read(name, most);
   if (!text.ok()) return refusal(text.error(), "read");
   return text;
+}
+
+Result<std::string> Host::read_mesh(const std::string& name, double unit) const {
+  constexpr std::size_t kMostBytes = 128 << 20;
+  if (is_glb_name(name)) {
+    if (unit != 0.0 && unit != 1.0) return refuse("GLB is in metres; it takes no other unit");
+    return read(name, kMostBytes);
+  }
+  if (mesh_format(name).empty())
+    return refuse(fmt::format("its name ends in no format that is read: {}", kMeshFormats));
+  if (options_.folder.empty()) return refuse("this host lets programs read no files");
+  if (!options_.convert_mesh) {
+    return Error{"converter", "this host reads GLB alone; make one of it with armlet mesh convert"};
+  }
+  const Result<std::string> glb = options_.convert_mesh(options_.folder.string(), name, unit);
+  if (!glb.ok() && glb.error().code == "outside") return refusal(glb.error(), "read");
+  return glb;
 }
 
 std::string Host::mesh_path(const std::string& file, const std::string& mesh) const {
@@ -100,15 +118,22 @@ Result<std::string> Host::load_file(const std::string& name, std::size_t most) c
 }
 
 Result<std::string> Host::load_mesh(const std::string& file, const std::string& mesh) const {
-  constexpr std::size_t kMostBytes = 128 << 20;
-  const auto read_mesh = [&]() -> Result<std::string> {
+  const auto read_it = [&]() -> Result<std::string> {
     const std::string path = mesh_path(file, mesh);
     if (path.empty()) return refuse("there is no such file");
-    return read(path, kMostBytes);
+    return read_mesh(path, 0.0);
   };
-  if (options_.journal == nullptr) return read_mesh();
+  if (options_.journal == nullptr) return read_it();
   Reply reply = options_.journal->load(fmt::format("{} of {}", mesh, file),
-                                       [&] { return reply_of(read_mesh()); });
+                                       [&] { return reply_of(read_it()); });
+  if (reply.error) return *reply.error;
+  return std::move(reply.text);
+}
+
+Result<std::string> Host::load_shape(const std::string& name, double unit) const {
+  if (options_.journal == nullptr) return read_mesh(name, unit);
+  const std::string asked = unit == 0.0 ? name : fmt::format("{} in {} m", name, unit);
+  Reply reply = options_.journal->load(asked, [&] { return reply_of(read_mesh(name, unit)); });
   if (reply.error) return *reply.error;
   return std::move(reply.text);
 }

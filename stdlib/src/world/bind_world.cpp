@@ -250,9 +250,11 @@ constexpr NativeFunction kWorldFunctions[] = {
                "A thin rectangle that faces up, its frame in the middle.", "plane(400mm, 300mm)",
                {.check = check_plane}),
     def<mesh_shape>(
-        "mesh(path: string, density: density?) -> shape",
-        "The body whose surface is in a GLB file of the program's folder; its frame is in the "
-        "middle of the box around it, z up. With a density its objects have a mass.",
+        "mesh(path: string, density: density?, unit: length?) -> shape",
+        "The body whose surface is in a file of the program's folder: GLB, or OBJ, 3DS, VRML 2.0, "
+        "STL, DAE, PLY and glTF, which are converted. Its frame is in the middle of the box around "
+        "it, z up. With a density its objects have a mass; `unit` is the length of one unit of a "
+        "file that does not say so, such as 1mm of an STL.",
         "mesh(\"part.glb\", density: 2700kg/m^3)"),
     def<object_block>(
         "object{}(name: string, shape: shape, at: posC, mass: mass = 0kg, friction: double = 0.5, "

@@ -19,12 +19,45 @@ Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::strin
   return fail(vm, std::move(f));
 }
 
+namespace {
+
+// W0740: what a converted mesh lacks of its source.
+void advise_notes(Vm& vm, const std::string& path, const std::string& bytes) {
+  for (const std::string& note : glb_notes(bytes)) {
+    Failure advice;
+    advice.headline = {row("W0740"), {path, note}};
+    advice.mark_parameter = kMarkCallee;
+    advice.fix = "put it beside the mesh, or take its name out of the file";
+    vm.advise(advice);
+  }
+}
+
+Failed fail_unread(Vm& vm, const std::string& path, const Error& error) {
+  if (error.code != "converter") return fail_mesh(vm, path, error.message);
+  Failure f;
+  f.headline = {row("R0660"), {path}};
+  f.mark_parameter = 0;
+  f.why = error.message;
+  return fail(vm, std::move(f));
+}
+
+}  // namespace
+
 Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::string& file,
                                                            const std::string& mesh) {
   std::shared_ptr<const TriangleMesh> loaded;
-  if (!is_glb_name(mesh)) return loaded;
+  if (mesh_format(mesh).empty()) return loaded;
   const Result<std::string> bytes = Host::of(vm).load_mesh(file, mesh);
+  if (!bytes.ok() && bytes.error().code == "converter") {
+    Failure advice;
+    advice.headline = {row("W0741"), {mesh}};
+    advice.mark_parameter = kMarkCallee;
+    advice.why = bytes.error().message;
+    vm.advise(advice);
+    return loaded;
+  }
   if (!bytes.ok()) return bytes.error();
+  advise_notes(vm, mesh, *bytes);
   Result<TriangleMesh> triangles = read_glb(*bytes);
   if (!triangles.ok()) return triangles.error();
   TriangleMesh known = std::move(triangles).value();
@@ -33,15 +66,19 @@ Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::st
   return loaded;
 }
 
-Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density) try {
-  constexpr std::size_t kMostBytes = 128 << 20;
+Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density,
+                              std::optional<double> unit) try {
   const std::string file(path);
   if (density && !(std::isfinite(*density) && *density > 0.0)) {
     return fail_mesh(vm, file,
                      fmt::format("its density is {} kg/m^3; expected more than 0", *density));
   }
-  const Result<std::string> bytes = Host::of(vm).load_file(file, kMostBytes);
-  if (!bytes.ok()) return fail_mesh(vm, file, bytes.error().message);
+  if (unit && !(std::isfinite(*unit) && *unit > 0.0)) {
+    return fail_mesh(vm, file, fmt::format("its unit is {} m; expected more than 0", *unit), {}, 2);
+  }
+  const Result<std::string> bytes = Host::of(vm).load_shape(file, unit.value_or(0.0));
+  if (!bytes.ok()) return fail_unread(vm, file, bytes.error());
+  advise_notes(vm, file, *bytes);
   Result<TriangleMesh> read = read_glb(*bytes);
   if (!read.ok()) return fail_mesh(vm, file, read.error().message);
   TriangleMesh triangles = std::move(read).value();

@@ -16,11 +16,12 @@ namespace armlet::bind {
 Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::string fix = {},
                  int parameter = 0);
 
-// mesh(path, density): a body.
-Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density);
+// mesh(path, density, unit): a body.
+Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density,
+                              std::optional<double> unit);
 
 // The mesh of a link that `file` names, the program itself if it is empty; null if it is of a kind
-// that is not read.
+// that is not read, or if it would have to be converted and nothing does that (W0741).
 Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::string& file,
                                                            const std::string& mesh);
 

@@ -16,22 +16,36 @@ namespace armlet {
 
 // How a surface looks.
 //
-// color  red, green, blue, opacity, 0 to 1, linear.
+// color      red, green, blue, opacity, 0 to 1, linear; a texture is multiplied by it.
+// texture    the image that is laid over it; -1: none.
+// two_sided  whether it is seen from inside too.
 struct GlbMaterial {
   std::string name;
   std::array<double, 4> color{1.0, 1.0, 1.0, 1.0};
   double metallic = 0.0;
   double roughness = 0.6;
+  int texture = -1;
+  bool two_sided = false;
+};
+
+// A picture as it is in its own file, a PNG or a JPEG.
+struct GlbImage {
+  std::string name;
+  std::string bytes;
 };
 
 // Triangles of one material.
 //
 // positions  in the frame of the node, m.
 // normals    as many, unit vectors.
+// on_image   where each lies on the picture, 0 to 1 from its upper left corner; empty: nowhere.
+// colors     of each, linear, times that of the material; empty: none.
 // corners    three indices for each triangle, counterclockwise seen from outside.
 struct GlbPart {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
+  std::vector<Eigen::Vector2f> on_image{};
+  std::vector<Eigen::Vector4f> colors{};
   std::vector<std::uint32_t> corners;
   int material = 0;
 };
@@ -55,16 +69,20 @@ struct GlbNode {
   std::vector<GlbPart> parts;
 };
 
+// notes  what the scene lacks of what it was made from, a sentence each; glb_notes reads them.
 struct GlbScene {
   std::vector<GlbMaterial> materials;
   std::vector<GlbNode> nodes;
+  std::vector<GlbImage> images{};
+  std::vector<std::string> notes{};
 };
 
 // The bytes of a file, the same for the same scene. glTF has y up: nodes without a parent get one
 // that turns z up into it.
 //
-// throws  ArgumentError for a parent that does not come before its node, a material that is not
-//         there, parts whose arrays do not fit together, and a file of more than 4 GB.
+// throws  ArgumentError for a parent that does not come before its node, a material or an image that
+//         is not there, an image of another kind, parts whose arrays do not fit together, and a file
+//         of more than 4 GB.
 // source  Khronos Group, glTF 2.0 specification, 2021, chapters 3 and 4.4 (GLB).
 std::string write_glb(const GlbScene& scene);
 
@@ -77,6 +95,26 @@ std::string write_glb(const GlbScene& scene);
 //          needs, and what TriangleMesh refuses.
 // source   as write_glb.
 Result<TriangleMesh> read_glb(std::string_view bytes);
+
+// A GLB of a description and its binary part, with notes as GlbScene has them.
+//
+// throws  ArgumentError for a file of more than 4 GB.
+std::string make_glb(std::string json, std::string binary, const std::vector<std::string>& notes);
+
+// The notes of a file, which stand in a chunk of their own that other programs pass over; none if
+// there is no such chunk or the file is broken.
+std::vector<std::string> glb_notes(std::string_view bytes);
+
+// How many lists and objects of a JSON text lie in one another at most, whether it is whole or not.
+int json_depth(std::string_view text);
+
+// "image/png" or "image/jpeg" by the first bytes; empty for other kinds.
+std::string_view image_kind(std::string_view bytes);
+
+// The format of a mesh by the ending of its name, in lower case without the dot ("obj"), if armlet or
+// its converter reads it; otherwise empty.
+std::string_view mesh_format(std::string_view name);
+inline constexpr std::string_view kMeshFormats = "OBJ, 3DS, VRML 2.0, STL, DAE, PLY, glTF and GLB";
 
 // Whether a file is one by its name, ".glb" in whatever case.
 bool is_glb_name(std::string_view name);

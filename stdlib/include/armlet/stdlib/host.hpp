@@ -104,6 +104,12 @@ struct NamedPlanner {
   Through through = Through::kStops;
 };
 
+// Makes a GLB of a mesh in another format: the file `name` in a folder, which is what it may read,
+// with `unit` m in one unit of it, 0 if its format says so. An error with the code "converter" means
+// that this host has no means to.
+using MeshConverter = std::function<Result<std::string>(const std::string& folder,
+                                                        const std::string& name, double unit)>;
+
 struct HostOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
   std::vector<NamedPlanner> planners;  // beside the built-in ones
@@ -113,6 +119,7 @@ struct HostOptions {
   std::function<bool(std::int64_t t_ns)> pace;
   // The folder below which the program may write files; empty: none.
   std::filesystem::path folder{};
+  MeshConverter convert_mesh{};  // null: of meshes, only GLB is read
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
   std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
@@ -179,9 +186,12 @@ class Host : public Timeline {
                                                         const std::string& name,
                                                         std::string_view content) const;
 
-  // The bytes of a mesh, found as has_mesh finds it; 128 MB at most.
+  // The bytes of a mesh as GLB, found as has_mesh finds it; 128 MB at most.
   [[nodiscard]] Result<std::string> load_mesh(const std::string& file,
                                               const std::string& mesh) const;
+  // The same for a file of the program, as load_file finds it.
+  // unit  m in one unit of the file; 0: as its format says.
+  [[nodiscard]] Result<std::string> load_shape(const std::string& name, double unit) const;
   // The text of a file of the program, under the same rule. Fails with the reason.
   // most  bytes; a larger file is refused.
   [[nodiscard]] Result<std::string> load_file(const std::string& name,
@@ -234,6 +244,7 @@ class Host : public Timeline {
   [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
                                                     std::string_view content) const;
   [[nodiscard]] Result<std::string> read(const std::string& name, std::size_t most) const;
+  [[nodiscard]] Result<std::string> read_mesh(const std::string& name, double unit) const;
   [[nodiscard]] std::string mesh_path(const std::string& file, const std::string& mesh) const;
   [[nodiscard]] bool finds_mesh(const std::string& file, const std::string& mesh) const;
   bool pace_to(std::int64_t t_ns);

@@ -1,0 +1,21 @@
+#pragma once
+// What is looked at before a library reads a file: what it would take too much of, or fall over.
+
+#include <string_view>
+
+#include "converter/importers.hpp"
+
+namespace armlet::mesh {
+
+// throws  ArgumentError.
+void check_before_assimp(const Input& input);
+// No entities, no loops of references, elements in one another that a recursion can follow.
+//
+// throws  ArgumentError.
+void check_dae(std::string_view text);
+// Text in lines, without bytes that no text has.
+//
+// throws  ArgumentError.
+void check_lines(std::string_view text, std::string_view name);
+
+}  // namespace armlet::mesh

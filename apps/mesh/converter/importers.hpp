@@ -1,0 +1,43 @@
+#pragma once
+// The formats, one door each: behind it is the library that reads them.
+
+#include <string>
+#include <string_view>
+
+#include "converter/files.hpp"
+#include "converter/scene_builder.hpp"
+
+namespace armlet::mesh {
+
+// What is to be read.
+//
+// up  'y' or 'z': the axis of the file that points up; 0: as the format says.
+struct Input {
+  std::string format;  // as mesh_format gives it
+  std::string name;    // of the file, without a folder
+  std::string bytes;
+  double unit = 0.0;  // m; 0: as the format says
+  char up = 0;
+};
+
+// Loads what the libraries load at their first use, while the process can still open files.
+void prepare_vrml();
+
+// OBJ with MTL, 3DS, STL, DAE and PLY, by Assimp.
+//
+// throws  ArgumentError or another exception that says what is wrong.
+void import_with_assimp(const Input& input, Files& files, SceneBuilder& scene);
+// VRML 2.0, by Coin.
+void import_vrml(const Input& input, Files& files, SceneBuilder& scene);
+// The text with each ImageTexture called MovieTexture: it has the same fields, and Coin opens the
+// file of the one while it reads, and never that of the other.
+//
+// throws  ArgumentError for what would make Coin open a file, run a script, or call itself too
+//         deeply, films among it.
+std::string safe_vrml(std::string_view text);
+// glTF and GLB as one GLB.
+//
+// throws  ArgumentError.
+std::string pack_gltf(const Input& input, Files& files);
+
+}  // namespace armlet::mesh
