@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "armlet/stdlib/session.hpp"
+#include "kept_file.hpp"
 #include "messages/write_message.hpp"
 #include "runs/live_run.hpp"
 
@@ -38,8 +39,9 @@ struct LaboratoryOptions {
   std::size_t most_bytes = std::size_t{192} << 20U;
   int most_pages = 64;
   // Keeps a file beside the program, under this name or, where another file has it, one like it,
-  // which is returned; or says why not, as a sentence. Null: nothing can be kept.
-  std::function<Result<std::string>(const std::string& name, std::string bytes)> keep_file{};
+  // which is returned; or says why not, as a sentence. Null: nothing can be kept. A name without
+  // letters: it is kept for what comes later.
+  std::function<Result<KeptFile>(const std::string& name, std::string bytes)> keep_file{};
 };
 
 class Laboratory {

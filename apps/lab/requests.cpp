@@ -307,7 +307,7 @@ void Laboratory::State::handle(Page& page, Seq seq, const SendFile& sent) {
   const std::string name = file_name(file.name);
   if (name.empty())
     return refuse(page, seq, "refused", "The name of the file has no letters or digits.");
-  const Result<std::string> kept = options.keep_file(name, file.bytes);
+  const Result<KeptFile> kept = options.keep_file(name, file.bytes);
   if (!kept.ok()) return refuse(page, seq, "refused", kept.error().message);
   pages.answer(page, write_kept(seq, *kept));
 }

@@ -8,9 +8,8 @@
 #include <thread>
 #include <utility>
 
-#include "armlet/core/files.hpp"
 #include "console.hpp"
-#include "kept_file.hpp"
+#include "lab/dropped_files.hpp"
 #include "lab_demo.hpp"
 #include "server/http_guard.hpp"
 #include "server/server.hpp"
@@ -42,25 +41,6 @@ int refuse(const std::string& why, int exit) {
   return exit;
 }
 
-// What has a name in the folder: whatever it is, nothing is put in its place.
-lab::NameInUse look_at(const Folder& folder, const std::string& name) {
-  Result<std::string> bytes = folder.read(name, lab::kMostFileBytes);
-  if (bytes.ok()) return {.is_used = true, .bytes = std::move(bytes).value()};
-  return {.is_used = bytes.error().code != "missing"};
-}
-
-// Keeps what is dropped onto a page beside the program.
-Result<std::string> keep_in(const std::string& path, const std::string& name, std::string bytes) {
-  const Result<Folder> folder = Folder::open(path);
-  if (!folder.ok()) return Error{"folder", "The folder of the program cannot be opened."};
-  // Files of other formats than GLB are to be converted here, before they are kept.
-  return lab::keep_beside(
-      name, bytes, [&](const std::string& each) { return look_at(*folder, each); },
-      [&](const std::string& each, const std::string& content) {
-        return folder->save(each, content);
-      });
-}
-
 }  // namespace
 
 int serve_lab(const LabOptions& options, const RunOptions& run) {
@@ -88,10 +68,11 @@ int serve_lab(const LabOptions& options, const RunOptions& run) {
   if (setup.exit != kDone) return setup.exit;
   const StayOnInterrupt guard;
   // The demonstration has no folder of its own.
-  std::function<Result<std::string>(const std::string&, std::string)> keep;
+  DroppedFiles dropped(setup.session.folder.string());
+  std::function<Result<lab::KeptFile>(const std::string&, std::string)> keep;
   if (!options.demo) {
-    keep = [folder = setup.session.folder.string()](const std::string& name, std::string bytes) {
-      return keep_in(folder, name, std::move(bytes));
+    keep = [&](const std::string& name, const std::string& bytes) {
+      return dropped.keep(name, bytes);
     };
   }
   lab::Laboratory laboratory({.session = std::move(setup.session),

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "armlet/interpreter/editor/analysis.hpp"
+#include "kept_file.hpp"
 #include "runs/lab_elements.hpp"
 #include "runs/looker.hpp"
 #include "runs/record.hpp"
@@ -106,7 +107,7 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 inline constexpr std::uint32_t kFileMessage = 6;
 [[nodiscard]] Message write_file(std::uint32_t to, std::string_view bytes);
 // The file that a page has sent is kept under this name.
-[[nodiscard]] Message write_kept(Seq to, const std::string& name);
+[[nodiscard]] Message write_kept(Seq to, const KeptFile& kept);
 // A laboratory as it goes on elsewhere.
 //
 // world  given by the user; null: the command's own.

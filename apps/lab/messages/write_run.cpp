@@ -193,9 +193,10 @@ Message write_file(std::uint32_t to, std::string_view bytes) {
   return out;
 }
 
-Message write_kept(Seq to, const std::string& name) {
+Message write_kept(Seq to, const KeptFile& kept) {
   OrderedJson out = answer("kept", to);
-  out["name"] = name;
+  out["name"] = kept.name;
+  out["size"] = kept.size;
   return message_of(out);
 }
 

@@ -306,7 +306,7 @@ export type Incoming = { to?: number | null } & (
   | { type: "formatted"; text: string | null }
   | { type: "inverse"; ok: boolean; q?: number[] | null; reason?: string | null; nearest?: Nearest | null }
   | { type: "taken"; run: number }
-  | { type: "kept"; name: string }
+  | { type: "kept"; name: string; size: [number, number, number] }
   | { type: "exported"; laboratory: Record<string, unknown> }
   | { type: "error"; reason: string; message: string; robot?: number; goal?: Pose; nearest?: Nearest | null }
 );

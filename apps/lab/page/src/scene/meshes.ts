@@ -1,6 +1,6 @@
 // Meshes and pictures from files, as three.js draws them. Each file is read once; what is drawn shares its geometry.
 import {
-  Box3, CanvasTexture, Group, LoadingManager, Mesh, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type BufferGeometry, type Material, type Object3D, type Texture,
+  CanvasTexture, Group, LoadingManager, Mesh, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type BufferGeometry, type Material, type Object3D, type Texture,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { decoded, safeGlb } from "./glb.ts";
@@ -53,12 +53,6 @@ export async function readModel(bytes: ArrayBuffer, plain: boolean): Promise<Mod
   });
   for (const node of others) node.removeFromParent();
   return { group, hasMaterials };
-}
-
-// The sizes of a model along x, y and z, m.
-export function sizesOf(model: Model): [number, number, number] {
-  const box = new Box3().setFromObject(model.group, true);
-  return [box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z];
 }
 
 export class MeshLibrary {

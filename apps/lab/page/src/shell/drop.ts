@@ -2,15 +2,15 @@
 import type { Editor } from "../editor/editor.ts";
 import { nameForObject, objectText, placeForObject } from "../editor/new_object.ts";
 import { Refused } from "../home/connection.ts";
-import { readModel, sizesOf } from "../scene/meshes.ts";
 import type { SceneView } from "../scene/scene.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 
 const MOST_BYTES = 32 * 2 ** 20; // as the laboratory takes them
-const MOST_FILES = 8; // at once
+const MOST_FILES = 16; // at once
 const MANY_METRES = 10;
+const COMPANION = /\.(mtl|png|jpe?g|bin)$/i;
 
 export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store, intents: Intents, editor: Editor): void {
   const holds = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
@@ -27,7 +27,8 @@ export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store,
     stage.classList.remove("takes");
     if (!holds(event)) return;
     event.preventDefault();
-    const files = [...event.dataTransfer!.files].slice(0, MOST_FILES);
+    // Materials and pictures before the meshes that name them.
+    const files = [...event.dataTransfer!.files].sort((a, b) => Number(COMPANION.test(b.name)) - Number(COMPANION.test(a.name))).slice(0, MOST_FILES);
     const { clientX, clientY } = event;
     void (async () => {
       for (const file of files) await take(file, { clientX, clientY });
@@ -39,22 +40,19 @@ export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store,
     if (!inControl(store.state)) return intents.say("Only the page in control can put something into the program.");
     if (file.size > MOST_BYTES) return intents.say(`${file.name} has ${(file.size / 2 ** 20).toFixed(0)} MB; files of up to 32 MB are taken.`);
     try {
-      const bytes = await file.arrayBuffer();
-      // What is not GLB is for the laboratory to judge.
-      const model = /\.glb$/i.test(file.name) ? await readModel(bytes.slice(0), true) : null;
-      const size = model ? sizesOf(model) : [0, 0, 0];
-      const kept = await intents.keepFile(file.name, new Uint8Array(bytes));
+      const { name: kept, size } = await intents.keepFile(file.name, new Uint8Array(await file.arrayBuffer()));
+      if (kept === "") return;
       const { text } = store.state;
       const found = scene.pointAt(pointer);
       const at = found ? found.at.toArray() : [0, 0, 0];
       // Its frame is in the middle of the box around it.
-      const height = Math.max(at[2]!, 0) + size[2]! / 2;
+      const height = Math.max(at[2]!, 0) + size[2] / 2;
       const words = Object.values(store.state.welcome?.words ?? {}).flat();
       const things = shownRun(store.state)?.objects.map((object) => object.name) ?? [];
       const name = nameForObject(kept, text, [...words, ...things]);
       editor.insertLines(...lines(text, objectText(name, kept, [at[0]!, at[1]!, height])));
       const widest = Math.max(...size);
-      if (widest > MANY_METRES || (model && widest < 1e-3)) intents.say(`${kept} is ${widest > 1 ? `${widest.toFixed(0)} m` : `${(1000 * widest).toFixed(3)} mm`} wide: lengths in a GLB file are metres.`);
+      if (widest > MANY_METRES || widest < 1e-3) intents.say(`${kept} is ${widest > 1 ? `${widest.toFixed(0)} m` : `${(1000 * widest).toFixed(3)} mm`} wide: where a file does not say what its lengths are, they are taken for metres.`);
     } catch (error) {
       intents.say(error instanceof Refused || error instanceof Error ? `${file.name}: ${error.message}` : `${file.name} cannot be read.`);
     }

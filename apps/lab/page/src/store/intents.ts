@@ -133,12 +133,12 @@ export class Intents {
     return this.connection.file(name);
   }
 
-  // Keeps a file beside the program; gives the name under which it is there.
-  async keepFile(name: string, bytes: Uint8Array): Promise<string> {
-    let kept = "";
+  // Keeps a file beside the program; gives the name under which the mesh is there, empty for what belongs to one that comes later.
+  async keepFile(name: string, bytes: Uint8Array): Promise<{ name: string; size: [number, number, number] }> {
+    let kept: { name: string; size: [number, number, number] } = { name: "", size: [0, 0, 0] };
     for (let at = 0; at === 0 || at < bytes.length; at += PIECE) {
       const piece = toBase85(bytes.subarray(at, at + PIECE));
-      kept = (await this.connection.ask<"kept">({ type: "keep", name, base85: piece, first: at === 0, last: at + PIECE >= bytes.length })).name;
+      kept = (await this.connection.ask<"kept">({ type: "keep", name, base85: piece, first: at === 0, last: at + PIECE >= bytes.length }));
     }
     return kept;
   }
