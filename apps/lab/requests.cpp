@@ -48,7 +48,9 @@ std::string file_name(std::string_view given) {
   const std::size_t point = name.rfind('.');
   const std::string ending = point == std::string::npos ? std::string() : name.substr(point);
   if (!has_letter || ending.size() > 8) return {};
-  return name.substr(0, std::min<std::size_t>(60, point)) + ending;
+  name = name.substr(0, std::min<std::size_t>(60, point));
+  while (name.ends_with('-') || name.ends_with('.')) name.pop_back();
+  return name.empty() ? std::string() : name + ending;
 }
 
 std::vector<double> numbers_of(const Eigen::VectorXd& q) { return {q.begin(), q.end()}; }

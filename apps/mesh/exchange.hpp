@@ -45,4 +45,7 @@ inline constexpr std::size_t kSayHeader = 5;
 std::string say_header(Say what, std::size_t length);
 std::size_t said_length(const char* header);
 
+// A text of a file as it can be shown: one line of UTF-8, with ? for other bytes.
+std::string shown_text(std::string_view text);
+
 }  // namespace armlet::mesh

@@ -45,6 +45,7 @@ void add_things(OrderedJson& out, const SeenThings& things) {
   for (const SeenClearance& each : things.clearances) {
     out["clearances"].push_back(
         {{"distance", each.distance},
+         {"felt", each.is_felt},
          {"body", body_json(each.robot, each.object, each.link, each.body, each.p_body)},
          {"other", body_json(each.other_robot, each.other_object, each.other_link, each.other,
                              each.p_other)}});

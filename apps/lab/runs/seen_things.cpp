@@ -59,6 +59,7 @@ SeenThings things_of(const Cell& cell) {
                                  .other_link = link_of(cell, each.other),
                                  .other = body_text(cell, each.other),
                                  .distance = each.distance,
+                                 .is_felt = feels(cell, each.body) && !each.other.object.empty(),
                                  .p_body = each.p_body,
                                  .p_other = each.p_other});
     }

@@ -35,6 +35,7 @@ struct SeenClearance {
   int other_link = 0;
   std::string other;
   double distance = 0.0;  // m, below zero if they overlap
+  bool is_felt = false;   // it is the hand that presses into the other one, which it feels
   Eigen::Vector3d p_body = Eigen::Vector3d::Zero();
   Eigen::Vector3d p_other = Eigen::Vector3d::Zero();
 };

@@ -122,8 +122,8 @@ class Talk {
       while (const auto message = next()) {
         const auto& [what, text] = *message;
         if (what == Say::kDone) return std::string(text);
-        if (what == Say::kFailed) return failed(std::string(text.substr(0, 4000)));
-        if (what == Say::kStage) stage_ = text.substr(0, 80);
+        if (what == Say::kFailed) return failed(shown_text(text.substr(0, 2000)));
+        if (what == Say::kStage) stage_ = shown_text(text.substr(0, 80));
         if (what == Say::kWant) answer(std::string(text));
         in_.erase(0, kSayHeader + text.size());
       }

@@ -74,6 +74,7 @@ class Packer {
     if (binary_.empty()) refuse("there is no geometry in it");
     while (binary_.size() % 4 != 0) binary_ += '\0';
     json_["buffers"] = {{{"byteLength", binary_.size()}}};
+    for (std::string& each : notes_) each = shown_text(each);
     return make_glb(json_.dump(-1, ' ', true, Json::error_handler_t::replace), std::move(binary_),
                     notes_);
   }

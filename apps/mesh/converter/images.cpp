@@ -99,7 +99,7 @@ std::optional<GlbImage> load_image(Files& files, const std::string& name,
     return std::nullopt;
   }
   check_image(file.text, name);
-  return GlbImage{name, file.text};
+  return GlbImage{shown_text(name), file.text};
 }
 
 }  // namespace armlet::mesh

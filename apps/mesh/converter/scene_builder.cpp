@@ -43,7 +43,7 @@ std::size_t SceneBuilder::Hash::operator()(const Key& key) const {
 void SceneBuilder::note(std::string text) {
   constexpr std::size_t kMostNotes = 20;
   if (scene_.notes.size() >= kMostNotes) return;
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  text = shown_text(text);
   if (std::ranges::find(scene_.notes, text) == scene_.notes.end())
     scene_.notes.push_back(std::move(text));
 }
@@ -67,7 +67,7 @@ int SceneBuilder::texture(const std::string& name) {
 int SceneBuilder::material(const std::string& name, const Eigen::Vector4d& color,
                            const std::string& texture_name, bool two_sided) {
   GlbMaterial made;
-  made.name = name;
+  made.name = shown_text(name);
   for (int k = 0; k < 3; ++k) made.color[static_cast<std::size_t>(k)] = linear(color[k]);
   made.color[3] = std::isfinite(color[3]) ? std::clamp(color[3], 0.0, 1.0) : 1.0;
   made.texture = texture(texture_name);
@@ -141,7 +141,7 @@ void SceneBuilder::add_triangle(int material, const std::array<Corner, 3>& corne
 GlbScene SceneBuilder::finish(const std::string& name) && {
   if (triangles_ == 0) throw ArgumentError("there are no triangles in it");
   GlbNode node;
-  node.name = name;
+  node.name = shown_text(name);
   for (auto& [kind, part] : parts_) node.parts.push_back(std::move(part.part));
   scene_.nodes.push_back(std::move(node));
   return std::move(scene_);

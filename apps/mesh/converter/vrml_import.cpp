@@ -21,6 +21,7 @@
 #include <Inventor/VRMLnodes/SoVRMLText.h>
 #include <Inventor/VRMLnodes/SoVRMLTextureCoordinate.h>
 #include <Inventor/actions/SoCallbackAction.h>
+#include <Inventor/elements/SoMultiTextureEnabledElement.h>
 #include <Inventor/errors/SoDebugError.h>
 #include <Inventor/errors/SoMemoryError.h>
 #include <Inventor/errors/SoReadError.h>
@@ -186,6 +187,7 @@ class Collector {
     for (const SoType type : {SoVRMLText::getClassTypeId(), SoVRMLIndexedLineSet::getClassTypeId(),
                               SoVRMLPointSet::getClassTypeId()})
       action.addPreCallback(type, pass_over, this);
+    action.addPreCallback(SoVRMLGeometry::getClassTypeId(), begin_geometry, this);
     action.addTriangleCallback(SoVRMLGeometry::getClassTypeId(), take_triangle, this);
     action.apply(root);
     if (!fault_.empty()) refuse(fault_);
@@ -206,6 +208,14 @@ class Collector {
       me.fault_ = error.what();
       return SoCallbackAction::ABORT;
     }
+    return SoCallbackAction::CONTINUE;
+  }
+
+  // Coin gives places on a picture only where one is shown.
+  static SoCallbackAction::Response begin_geometry(void* self, SoCallbackAction* action,
+                                                   const SoNode*) {
+    if (!static_cast<Collector*>(self)->texture_.empty())
+      SoMultiTextureEnabledElement::set(action->getState(), TRUE);
     return SoCallbackAction::CONTINUE;
   }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "armlet/core/error.hpp"
@@ -15,7 +16,16 @@
 namespace armlet::mesh {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr std::size_t kDeepest = 64;
+// What Assimp reads without asking whether it is there.
+constexpr std::pair<std::string_view, const char*> kNeeded[] = {
+    {"float_array", "id"},   {"float_array", "count"},  {"accessor", "source"},
+    {"accessor", "count"},   {"input", "semantic"},     {"input", "source"},
+    {"geometry", "id"},      {"vertices", "id"},        {"newparam", "sid"},
+    {"instance_geometry", "url"}, {"instance_node", "url"}, {"instance_material", "target"},
+    {"instance_effect", "url"}, {"visual_scene", "id"}, {"instance_visual_scene", "url"},
+    {"material", "id"},      {"effect", "id"},          {"image", "id"},
+    {"triangles", "count"},  {"polylist", "count"},     {"polygons", "count"}};
 constexpr double kMostNodes = 1e6;  // each as often as it is used
 
 [[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
@@ -57,6 +67,36 @@ Tag tag_at(std::string_view text, std::size_t at) {
   tag.attributes = inner.substr(length);
   tag.end = end + 1;
   return tag;
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.' || c == ':';
+  });
+}
+
+// A name, and attributes with their values in quotes. Assimp takes what it needs of them as given.
+void check_tag(const Tag& tag) {
+  const auto wrong = [&] { refuse(fmt::format("an element <{:.40}> is no XML", tag.name)); };
+  if (!is_name(tag.name)) wrong();
+  std::string_view rest = tag.attributes;
+  const auto skip_spaces = [&] {
+    while (!rest.empty() && is_space(rest.front())) rest.remove_prefix(1);
+  };
+  for (skip_spaces(); !rest.empty() && rest != "/"; skip_spaces()) {
+    const std::size_t end = std::min(rest.find_first_of("= \t\r\n"), rest.size());
+    if (!is_name(rest.substr(0, end))) wrong();
+    rest.remove_prefix(end);
+    skip_spaces();
+    if (!rest.starts_with('=')) wrong();
+    rest.remove_prefix(1);
+    skip_spaces();
+    if (!rest.starts_with('"') && !rest.starts_with('\'')) wrong();
+    const std::size_t close = rest.find(rest.front(), 1);
+    if (close == std::string_view::npos) wrong();
+    rest.remove_prefix(close + 1);
+  }
 }
 
 // The value of an attribute; empty if it is not there.
@@ -154,7 +194,8 @@ class DaeCheck {
         at = tag.end;
       }
     }
-    if (depth_ > 0) refuse(fmt::format("it is cut off: {} elements are not closed", depth_));
+    if (!open_.empty())
+      refuse(fmt::format("it is cut off: {} elements are not closed", open_.size()));
     nodes_.check("node");
     controllers_.check("controller");
   }
@@ -169,15 +210,23 @@ class DaeCheck {
   void look(const Tag& tag) {
     if (tag.name.find("include") != std::string_view::npos)
       refuse("it includes another file, which is not read");
+    check_tag(tag);
     if (tag.closes) {
-      --depth_;
+      if (open_.empty() || open_.back() != tag.name)
+        refuse(fmt::format("</{:.40}> closes another element", tag.name));
+      open_.pop_back();
       if (tag.name == "node" && !open_nodes_.empty()) open_nodes_.pop_back();
       if (tag.name == "effect") end_effect();
       if (tag.name == "newparam") parameter_ = -1;
       return;
     }
-    if (!tag.is_empty && ++depth_ > kDeepest)
+    if (!tag.is_empty) open_.push_back(tag.name);
+    if (open_.size() > kDeepest)
       refuse(fmt::format("it has more than {} elements in one another", kDeepest));
+    for (const auto& [name, key] : kNeeded) {
+      if (tag.name == name && attribute(tag, key).empty())
+        refuse(fmt::format("an element <{}> has no `{}`", name, key));
+    }
     look_at_nodes(tag);
     look_at_parameters(tag);
     if (tag.name == "p" || tag.name == "v" || tag.name == "vcount") look_at_indices(tag);
@@ -229,7 +278,7 @@ class DaeCheck {
   }
 
   std::string_view text_;
-  int depth_ = 0;
+  std::vector<std::string_view> open_;
   References nodes_, controllers_, parameters_;
   std::vector<int> open_nodes_;
   int controller_ = -1;

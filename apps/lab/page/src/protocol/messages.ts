@@ -230,6 +230,7 @@ export interface NearBody {
 }
 export interface NearPair {
   distance: number;
+  felt?: boolean; // by the hand, which presses into the other one
   body: NearBody;
   other: NearBody;
 }

@@ -11,7 +11,9 @@ import type { Label } from "./triad.ts";
 
 export const SOFT = 1e-4; // m: what overlaps less touches only, as collisions are told
 
-export const overlaps = (pair: NearPair) => pair.distance < -SOFT;
+const PRESSED = 0.01; // m: what a hand presses into so deep is felt, as it may be wanted
+
+export const overlaps = (pair: NearPair) => pair.distance < -(pair.felt ? PRESSED : SOFT);
 
 const over = (opacity = 1) => new MeshBasicMaterial({ transparent: true, opacity, depthTest: false, depthWrite: false, toneMapped: false });
 
@@ -23,8 +25,10 @@ const HEAD = [7, 18] as const;
 const millimetres = (distance: number) => `${(1000 * distance).toFixed(Math.abs(distance) < 0.01 ? 1 : 0)} mm`;
 
 export function textOf(pair: NearPair): string {
-  if (overlaps(pair)) return `${pair.body.text} is ${millimetres(-pair.distance)} deep in ${pair.other.text}`;
-  return pair.distance <= SOFT ? `${pair.body.text} touches ${pair.other.text}` : `${millimetres(pair.distance)} to ${pair.other.text}`;
+  const [body, other] = [pair.body, pair.other].map(({ text }) => text.replaceAll("`", "")) as [string, string];
+  if (overlaps(pair)) return `${body} is ${millimetres(-pair.distance)} deep in ${other}`;
+  if (pair.distance < -SOFT) return `${body} presses ${millimetres(-pair.distance)} into ${other}`;
+  return pair.distance <= SOFT ? `${body} touches ${other}` : `${body}: ${millimetres(pair.distance)} to ${other}`;
 }
 
 // A line between the nearest points of two things, and both in colour where they touch.
@@ -42,7 +46,7 @@ export class Clearances {
     const key = JSON.stringify(pairs) + palette.accent;
     for (const pair of pairs) {
       const [a, b] = [new Vector3(...pair.body.at), new Vector3(...pair.other.at)];
-      labels.push({ text: textOf(pair), at: a.lerp(b, 0.5), warning: overlaps(pair), beside: true });
+      labels.push({ text: textOf(pair), at: a.lerp(b, 0.5), warning: overlaps(pair) });
     }
     if (key !== this.key) this.build(pairs, palette);
     this.key = key;
@@ -54,7 +58,7 @@ export class Clearances {
       line.geometry.dispose();
       line.material.dispose();
     }
-    this.group.remove(...this.lines, ...this.dots);
+    for (const old of [...this.lines, ...this.dots]) old.removeFromParent();
     this.lines = pairs.map((pair) => {
       const geometry = new LineGeometry();
       geometry.setPositions([...pair.body.at, ...pair.other.at]);
@@ -71,12 +75,12 @@ export class Clearances {
       dot.position.set(...at);
       this.group.add(dot);
     });
-    this.group.add(...this.lines);
+    for (const line of this.lines) this.group.add(line);
   }
 
   // Both things of a pair once more, in a colour that can be seen through.
   private tint(pairs: readonly NearPair[], palette: Palette, partOf: (body: NearBody) => Object3D | null): void {
-    this.group.remove(...this.tints);
+    for (const tint of this.tints) tint.removeFromParent();
     for (const material of this.materials) material.dispose();
     this.tints = [];
     this.materials = [];
@@ -98,7 +102,7 @@ export class Clearances {
         });
       }
     }
-    if (this.tints.length) this.group.add(...this.tints);
+    for (const tint of this.tints) this.group.add(tint);
     this.group.updateMatrixWorld(true);
   }
 

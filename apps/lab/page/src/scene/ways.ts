@@ -24,7 +24,7 @@ class WayView {
     this.line.computeLineDistances();
     this.line.frustumCulled = false;
     this.line.renderOrder = 3;
-    this.arms = way.arms.map((q) => {
+    this.arms = way.arms.filter((_, i) => i % 2 === 0).map((q) => { // more hide each other
       const arm = new ArmView(run.robots[way.robot]!, { ...palette, ghost: palette.way }, true, { round: 24, library, opacity: 0.13 });
       arm.stand(q, run.changeAt(way.robot, way.t));
       this.group.add(arm.group);

@@ -1,0 +1,491 @@
+#!/usr/bin/env python3
+"""Meshes of other formats: convert_command.py ARMLET CONVERTER. Textured boxes in every format become GLB with the picture and
+the colour inside; programs, joints and robot descriptions take them, with a cache; broken files are refused with their name and
+the reason, in bounded time, without a foreign file being opened. Without a converter (CONVERTER is empty), what is told then."""
+
+import json
+import os
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import mesh_files as meshes
+from glb_files import box as box_of, file_of
+
+ARMLET = sys.argv[1]
+BY_SPECIFICATION = ("box.gltf", "data.gltf", "out.glb")  # kept as they are, y up
+WITHOUT_PICTURE = ("box.stl", "text.stl")
+
+
+def check(what, holds):
+    if not holds:
+        sys.exit(what)
+
+
+class Folder:
+    """A folder of files, and one for the cache."""
+
+    def __init__(self, path, armlet=ARMLET):
+        self.path = Path(path)
+        self.armlet = armlet
+        self.cache = self.path / "cache"
+        self.environment = dict(os.environ, XDG_CACHE_HOME=str(self.cache))
+
+    def write(self, name, data):
+        (self.path / name).write_bytes(data)
+
+    def call(self, *words):
+        return subprocess.run([self.armlet, *words], capture_output=True, text=True, timeout=300, cwd=self.path, env=self.environment)
+
+    def convert(self, name, *options, to="made.glb"):
+        return self.call("mesh", "convert", name, to, *options)
+
+    def run(self, program, *options):
+        self.write("program.rbt", program.encode())
+        return self.call("run", "program.rbt", *options)
+
+
+# ---- what a GLB says
+
+def parts(data):
+    """Description, binary part, notes."""
+    at, out = 12, {}
+    while at < len(data):
+        length, kind = struct.unpack_from("<I4s", data, at)
+        out[kind.rstrip(b"\0")] = data[at + 8:at + 8 + length]
+        at += 8 + length
+    return json.loads(out[b"JSON"]), out[b"BIN"], out.get(b"NOTE", b"").decode()
+
+
+def numbers_of(document, binary, index):
+    accessor = document["accessors"][index]
+    width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]]
+    letter = {5126: "f", 5125: "I", 5123: "H"}[accessor["componentType"]]
+    offset = document["bufferViews"][accessor["bufferView"]].get("byteOffset", 0)
+    flat = struct.unpack_from(f"<{accessor['count'] * width}{letter}", binary, offset)
+    return [flat[k:k + width] for k in range(0, len(flat), width)]
+
+
+def triangles_of(name, document, binary):
+    """(positions with z up, places on the picture or None, primitive) of each triangle."""
+    for mesh in document["meshes"]:
+        for each in mesh["primitives"]:
+            positions = numbers_of(document, binary, each["attributes"]["POSITION"])
+            if name in BY_SPECIFICATION:
+                positions = [(x, -z, y) for x, y, z in positions]
+            on_image = each["attributes"].get("TEXCOORD_0")
+            on_image = numbers_of(document, binary, on_image) if on_image is not None else None
+            flat = [k for (k,) in numbers_of(document, binary, each["indices"])]
+            for k in range(0, len(flat), 3):
+                corners = flat[k:k + 3]
+                yield [positions[i] for i in corners], on_image and [on_image[i] for i in corners], each
+
+
+def volume_of(triangles):
+    def det(a, b, c):
+        return (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]))
+    return sum(det(*positions) for positions, _, _ in triangles) / 6
+
+
+def linear(x):
+    return x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4
+
+
+def rounded(values):
+    return tuple(round(float(v), 5) + 0.0 for v in values)
+
+
+def check_format(folder, name):
+    done = folder.convert(name)
+    check(f"{name}: {done.stderr}", done.returncode == 0 and "12 triangles, 0.04 x 0.06 x 0.08 m, closed" in done.stderr)
+    document, binary, notes = parts((folder.path / "made.glb").read_bytes())
+    triangles = list(triangles_of(name, document, binary))
+    check(f"{name}: {len(triangles)} triangles", len(triangles) == 12)
+    check(f"{name}: volume {volume_of(triangles)}", abs(volume_of(triangles) - meshes.VOLUME) < 1e-9)
+    check(f"{name}: no notes {notes}", notes == "")
+    wanted = {(rounded(meshes.POINTS[i]), rounded((meshes.ON_IMAGE[k][0], 1 - meshes.ON_IMAGE[k][1])))
+              for f in meshes.FACES for k, i in enumerate(f)}
+    found = {(rounded(p), rounded(t)) for positions, on_image, _ in triangles if on_image for p, t in zip(positions, on_image)}
+    check(f"{name}: places on the picture {found ^ wanted}", found == (set() if name in WITHOUT_PICTURE else wanted))
+    check_look(name, document, binary)
+    check_glb_is_sound(name, document, binary)
+
+
+def check_look(name, document, binary):
+    """The picture inside, byte for byte, on the material of the faces that have it; the colour on those that have none."""
+    if name in WITHOUT_PICTURE:
+        check(f"{name}: no picture", "images" not in document)
+        return
+    (image,) = document["images"]
+    view = document["bufferViews"][image["bufferView"]]
+    data = binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]
+    check(f"{name}: the picture", data == meshes.png() and image["mimeType"] == "image/png" and "uri" not in image)
+    pictured = [m for m in document["materials"] if "baseColorTexture" in m["pbrMetallicRoughness"]]
+    check(f"{name}: materials {document['materials']}", len(pictured) == 1)
+    wanted = rounded([linear(c) for c in meshes.COLOR] + [1])
+    if name == "box.obj":
+        (paint,) = [m for m in document["materials"] if m["name"] == "paint"]
+        check(f"{name}: {paint}", rounded(paint["pbrMetallicRoughness"]["baseColorFactor"]) == wanted)
+    if name.endswith(".ply"):
+        colors = {rounded(c) for mesh in document["meshes"] for p in mesh["primitives"]
+                  for c in numbers_of(document, binary, p["attributes"]["COLOR_0"])}
+        check(f"{name}: colours {colors}", len(colors) == 1 and all(abs(a - b) < 0.01 for a, b in zip(colors.pop(), wanted)))
+
+
+def check_glb_is_sound(name, document, binary):
+    """What the specification asks of views: inside of the buffer, aligned, none over another."""
+    views = sorted((v.get("byteOffset", 0), v["byteLength"]) for v in document["bufferViews"])
+    check(f"{name}: buffers", len(document["buffers"]) == 1 and "uri" not in document["buffers"][0])
+    check(f"{name}: views {views}", all(a % 4 == 0 and a + b <= len(binary) for a, b in views))
+    check(f"{name}: views apart {views}", all(a + b <= c for (a, b), (c, _) in zip(views, views[1:])))
+
+
+def check_units_and_axes(folder):
+    for name in ("box.obj", "box.stl", "box.ply", "box.3ds", "box.wrl"):
+        done = folder.convert(name, "--unit", "25.4mm")
+        check(f"{name} in inches: {done.stderr}", "0.001016 x 0.001524 x 0.002032 m" in done.stderr)
+    for name, sizes in (("box.obj", "0.04 x 0.08 x 0.06"), ("box.3ds", "0.04 x 0.08 x 0.06")):
+        check(f"{name} with y up", sizes in folder.convert(name, "--up", "y").stderr)
+    check("VRML as it is", "0.04 x 0.08 x 0.06" in folder.convert("box.wrl", "--up", "z").stderr)
+    # DAE says both: millimetres and y up.
+    folder.write("mm.dae", meshes.dae(unit=0.001))
+    done = folder.convert("mm.dae")
+    check(f"DAE in mm: {done.stderr}", "0.04 x 0.06 x 0.08 m" in done.stderr)
+    folder.write("y.dae", meshes.dae(up="Y_UP"))
+    done = folder.convert("y.dae")
+    check(f"DAE with y up: {done.stderr}", "0.04 x 0.08 x 0.06 m" in done.stderr)
+    for unit in ("0mm", "-1mm", "1kg", "nan", ""):
+        done = folder.convert("box.obj", "--unit", unit)
+        check(f"unit {unit}: {done.stderr}", done.returncode == (64 if unit else 0))
+    check("glTF is in metres", "glTF is in metres" in folder.convert("box.gltf", "--unit", "1mm").stderr)
+
+
+def check_command(folder):
+    check("help", all(word in folder.call("mesh", "convert", "--help").stdout for word in ("IN", "OUT", "--unit", "--up")))
+    folder.write("notes.txt", b"mine")
+    done = folder.convert("box.obj", to="notes.txt")
+    check(f"no .glb: {done.stderr}", done.returncode == 64 and "has to end in .glb" in done.stderr)
+    check("kept", (folder.path / "notes.txt").read_bytes() == b"mine")
+    done = folder.convert("out.glb", to="out.glb")
+    check(f"itself: {done.stderr}", done.returncode == 64 and "would take the place of" in done.stderr)
+    done = folder.convert("nothing.obj")
+    check(f"missing: {done.stderr}", done.returncode == 66 and "nothing.obj: there is no such file" in done.stderr)
+    done = folder.convert("notes.txt")
+    check(f"no format: {done.stderr}", done.returncode == 64 and "ends in no format that is read: OBJ, 3DS" in done.stderr)
+    # What was there stays where the conversion fails.
+    before = (folder.path / "made.glb").read_bytes()
+    folder.write("bad.obj", b"f 1 2 3\n")
+    check("refused", folder.convert("bad.obj").returncode == 65 and (folder.path / "made.glb").read_bytes() == before)
+    # Through a link, as people name files; the same bytes each time.
+    os.symlink("box.obj", folder.path / "link.obj")
+    check("a link", folder.convert("link.obj").returncode == 0)
+    folder.convert("box.dae", to="one.glb")
+    folder.convert("box.dae", to="two.glb")
+    check("the same bytes", (folder.path / "one.glb").read_bytes() == (folder.path / "two.glb").read_bytes())
+
+
+# ---- in programs
+
+PROGRAM = """robot arm = robots.scara()
+object table { shape: box(1m, 1m, 20mm); at: xyz(0mm, 800mm, 90mm); fixed: true }
+object one { shape: mesh("NAME", density: 1000kg/m^3); at: xyz(0mm, 800mm, 140mm) }
+object two { shape: box(40mm, 60mm, 80mm); at: xyz(100mm, 800mm, 140mm) }
+print(f"{distance(one, two) / 1mm:.6f}")
+print(f"{distance(one, table) / 1mm:.6f}")
+"""
+
+
+def distances(done):
+    """In mm; the file has single precision."""
+    return [round(float(line), 3) for line in done.stdout.split()]
+
+
+def entries(folder):
+    return sorted(p for p in (folder.cache / "armlet" / "meshes").glob("*.glb"))
+
+
+def check_programs(folder, names):
+    for name in names:
+        done = folder.run(PROGRAM.replace("NAME", name))
+        check(f"{name}: {done.stdout}{done.stderr}", done.returncode == 0 and distances(done) == [60, 0])
+    check("a cache", len(entries(folder)) == len([n for n in names if not n.endswith(".glb")]))
+    done = folder.run('let part = mesh("box.stl", density: 1000kg/m^3, unit: 1mm)\nprint(part)\n')
+    check(f"unit: {done.stderr}", done.returncode == 0)
+    done = folder.run('let part = mesh("out.glb", unit: 1mm)\n')
+    check(f"unit of GLB: {done.stderr}", done.returncode == 70 and "GLB is in metres" in done.stderr)
+    done = folder.run('let part = mesh("box.stl", unit: 0mm)\n')
+    check(f"no unit: {done.stderr}", done.returncode == 70 and "expected more than 0" in done.stderr)
+
+
+def check_cache(folder):
+    """A change of the mesh or of what it names makes a new entry; an entry that is not as it was is not trusted."""
+    program = PROGRAM.replace("NAME", "box.obj")
+    for entry in (folder.cache / "armlet" / "meshes").iterdir():
+        entry.unlink()
+    check("made", folder.run(program).returncode == 0 and len(entries(folder)) == 1)
+    (entry,) = entries(folder)
+    whole, first = entry.read_bytes(), entry.stat().st_mtime_ns
+    check("taken again", folder.run(program).returncode == 0 and entry.stat().st_mtime_ns == first)
+    for broken in (whole[:-5], whole[:100] + b"\xff" + whole[101:], b"", file_of(box_of(1, 1, 1))):
+        entry.write_bytes(broken)
+        done = folder.run(program)
+        check(f"a broken entry: {done.stderr}", done.returncode == 0 and distances(done) == [60, 0])
+        check("is made anew", entry.read_bytes() == whole)
+    (names,) = (folder.cache / "armlet" / "meshes").glob("*.names")
+    for broken in (b"", b"armlet mesh names 1\n", b"armlet mesh names 1\nx\n../../../etc/passwd\n", names.read_bytes()[:-3]):
+        names.write_bytes(broken)
+        check("broken names", folder.run(program).returncode == 0)
+    folder.write("tex.png", meshes.png(seed=7))
+    check("another picture", folder.run(program).returncode == 0 and len(entries(folder)) == 2)
+    folder.write("tex.png", meshes.png())
+    check("the first one", folder.run(program).returncode == 0 and len(entries(folder)) == 2)
+    blocked = Folder(folder.path)
+    folder.write("file", b"")
+    blocked.environment["XDG_CACHE_HOME"] = str(folder.path / "file")
+    check("no cache can be made", blocked.run(program).returncode == 0)
+
+
+def check_missing_picture(folder):
+    """It is told each time, also when the mesh comes from the cache or from a record."""
+    text, library = meshes.obj("nowhere.png", "plain.mtl")
+    folder.write("plain.obj", text)
+    folder.write("plain.mtl", library)
+    program = PROGRAM.replace("NAME", "plain.obj")
+    for _ in range(2):
+        done = folder.run(program, "--record", "run.arec")
+        check(f"W0740: {done.stderr}", done.returncode == 0 and "W0740" in done.stderr and '"nowhere.png" is left out' in done.stderr)
+    (folder.path / "plain.obj").unlink()
+    done = folder.call("replay", "run.arec")
+    check(f"replayed: {done.stderr}", done.returncode == 0 and distances(done) == [60, 0] and "W0740" in done.stderr)
+    done = folder.run(program)
+    check(f"gone: {done.stderr}", done.returncode == 70 and "there is no such file" in done.stderr)
+    lines = folder.run('try { let part = mesh("bad.obj") } catch (e) { print(e.kind) }\n').stdout.split()
+    check("a kind to catch", lines == ["BadMesh"])
+    done = folder.run('let part = mesh("../box.obj")\n')
+    check(f"outside: {done.stderr}", "only below their own folder" in done.stderr)
+
+
+ROBOT = """robot arm {
+    joint revolute(d: 400mm, a: 250mm, limits: [-170deg, 170deg], maxSpeed: 180deg/s MESH)
+    joint revolute(a: 150mm, alpha: 180deg, limits: [-145deg, 145deg], maxSpeed: 240deg/s)
+    tool: tcp(xyz(z: 50mm))
+}
+object post { shape: box(20mm, 20mm, 300mm); at: xyz(0mm, 150mm, 450mm); fixed: true }
+moveJ(posJ(40deg, 0deg))
+moveJ(posJ(-40deg, 0deg))
+moveJ(posJ(60deg, 0deg))
+"""
+
+URDF = """<robot name="stick"><link name="base"/><link name="arm"><visual>
+<origin xyz="0.2 0 0" rpy="0 0 0"/><geometry><mesh filename="MESH" scale="10 10 10"/></geometry></visual></link><link name="tip"/>
+<joint name="turn" type="revolute"><parent link="base"/><child link="arm"/><origin xyz="0 0 0.5"/>
+<axis xyz="0 0 1"/><limit lower="-3" upper="3" effort="5" velocity="2"/></joint>
+<joint name="end" type="revolute"><parent link="arm"/><child link="tip"/><origin xyz="0.4 0 0"/>
+<axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="5" velocity="2"/></joint></robot>"""
+
+
+def check_links(folder):
+    # A wing of 50 x 600 x 50 mm to the left of the first link, as an STL: it meets the post.
+    corners, faces = box_of(0.05, 0.6, 0.05, at=(-0.125, 0, 0.08))
+    data = b"".join(struct.pack("<12fH", 0, 0, 0, *(x for i in t for x in corners[i]), 0) for t in faces)
+    folder.write("wing.stl", b" " * 80 + struct.pack("<I", len(faces)) + data)
+    plain = folder.run(ROBOT.replace("MESH", ""))
+    winged = folder.run(ROBOT.replace("MESH", ', mesh: "wing.stl"'))
+    check(f"without: {plain.stderr}", plain.returncode == 0 and "W0711" not in plain.stderr)
+    check(f"with: {winged.stderr}", winged.returncode == 0 and "W0711" in winged.stderr and "post" in winged.stderr)
+    broken = folder.run(ROBOT.replace("MESH", ', mesh: "bad.obj"'))
+    check(f"broken: {broken.stderr}", broken.returncode == 70 and "bad.obj" in broken.stderr and "a face names v 1" in broken.stderr)
+    for name in ("box.dae", "box.stl", "BOX.STL"):
+        shutil.copy(folder.path / "box.stl", folder.path / "BOX.STL")
+        folder.write("stick.urdf", URDF.replace("MESH", name).encode())
+        done = folder.call("robot", "stick.urdf", "--glb", "stick.glb")
+        check(f"{name} of a URDF: {done.stderr}", done.returncode == 0)
+        document, binary, _ = parts((folder.path / "stick.glb").read_bytes())
+        counts = sorted(document["accessors"][p["indices"]]["count"] for m in document["meshes"] for p in m["primitives"])
+        check(f"{name} of a URDF: {counts}", 36 in counts)
+        done = folder.run('robot stick = urdf("stick.urdf", tip: "tip")\nprint(stick.here())\n')
+        check(f"{name} in a program: {done.stderr}", done.returncode == 0)
+
+
+# ---- what is broken
+
+def hostile(folder):
+    """(name, bytes, what the message says); None: it may be read as well."""
+    obj, wrl, dae, ply, tds = meshes.obj("t.png")[0], meshes.wrl(), meshes.dae(), meshes.ply(False), meshes.three_ds()
+    document, binary = meshes.gltf()
+
+    def gltf(**changes):
+        return json.dumps({**document, **changes}).encode()
+    triangle = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
+    yield "index.obj", triangle + b"f 1 2 9\n", "a face names v 9, but there are 3"
+    yield "below.obj", triangle + b"f -1 -2 -9\n", "a face names v -9"
+    yield "zero.obj", triangle + b"f 0 1 2\n", "a face names v 0"
+    yield "picture.obj", triangle + b"f 1/7 2/1 3/1\n", "a face names vt 7, but there are 1"
+    yield "nan.obj", triangle.replace(b"v 1", b"v nan") + b"f 1 2 3\n", "is no number"
+    yield "far.obj", triangle.replace(b"v 1", b"v 1e30") + b"f 1 2 3\n", "10 km"
+    yield "self.obj", b"mtllib self.obj\n" + triangle + b"f 1 2 3\n", None
+    yield "bytes.obj", b"v 0 0 0\0", "is no text"
+    yield "empty.obj", b"", "too small"
+    yield "long.obj", b"v 0 0 0 \\\n" * 100000, "cannot be read"
+    yield "polygon.obj", triangle + b"f" + b" 1 2 3" * 100000 + b"\n", "but the limit is"
+    yield "index.wrl", meshes.wrl(index="0, 1, 99, -1"), "`coordIndex` 2 is 99, but there are 8 points"
+    yield "below.wrl", meshes.wrl(index="0, 1, -7, -1"), "`coordIndex` 2 is -7"
+    yield "picture.wrl", wrl.replace(b"texCoordIndex [ 0, 1, 2", b"texCoordIndex [ 0, 1, 77"), "`texCoordIndex` 2 is 77"
+    for word in ("Inline", "EXTERNPROTO X [ ]", "Script", "MovieTexture"):
+        more = f'{word} {"" if " " in word else "{ url"} "canary.wrl" {"" if " " in word else "}"}'
+        yield f"{word[:4]}.wrl", meshes.wrl(more=more), f"line 3: `{word.split()[0]}` would open another file"
+    yield "loop.wrl", b"#VRML V2.0 utf8\nDEF A Group { children [ DEF B Group { children USE A } ] }\n", "the node A contains itself"
+    yield "proto.wrl", b"#VRML V2.0 utf8\nPROTO P [ ] { Group { children P { } } }\nP { }\n", "PROTO P contains itself"
+    bomb = b"".join(b"DEF G%d Group { children [ USE G%d USE G%d ] }\n" % (k + 1, k, k) for k in range(40))
+    yield "bomb.wrl", b"#VRML V2.0 utf8\nDEF G0 Shape { geometry Box { } }\n" + bomb, "used again and again"
+    protos = b"".join(b"PROTO P%d [ ] { Group { children [ P%d { } P%d { } ] } }\n" % (k + 1, k, k) for k in range(30))
+    yield "protos.wrl", b"#VRML V2.0 utf8\nPROTO P0 [ ] { Group { } }\n" + protos + b"P30 { }\n", "its prototypes make more than"
+    yield "deep.wrl", b"#VRML V2.0 utf8\n" + b"Group { children [ " * 100000, "more than 200 nodes in one another"
+    yield "nan.wrl", meshes.wrl(points=[(float("nan"), 0, 0)] * 8), "cannot be read"
+    yield "old.wrl", b"#VRML V1.0 ascii\nCube { }\n", "it is VRML 1.0"
+    yield "packed.wrl", b"\x1f\x8b" + wrl, "it is compressed"
+    grid = b"#VRML V2.0 utf8\nShape { geometry ElevationGrid { xDimension 20000 zDimension 20000 height [ 0 1 ] } }\n"
+    yield "grid.wrl", grid, "an ElevationGrid of 20000 x 20000 has 2 heights"
+    yield "count.stl", b" " * 80 + struct.pack("<I", 0x7fffffff) + b"\0" * 50, "its header says 2147483647 triangles"
+    yield "nan.stl", b" " * 80 + struct.pack("<I", 1) + struct.pack("<12fH", *[float("nan")] * 12, 0), "is no number"
+    yield "count.ply", ply.replace(b"element vertex 24", b"element vertex 2000000000"), "its header says 2000000006 elements"
+    yield "index.ply", ply.replace(b"4 0 1 2 3\n", b"4 0 1 2 99\n"), "out of range"
+    list_head = (b"ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                 b"element face 1\nproperty list uint int vertex_indices\nend_header\n" + b"\0" * 36)
+    yield "list.ply", list_head + struct.pack("<I", 0xffffffff) + b"\0" * 12, "a size in it is false"
+    laughs = "".join(f'<!ENTITY l{k + 1} "{f"&l{k};" * 10}">' for k in range(10))
+    yield "laughs.dae", dae.replace(b"<COLLADA", f'<!DOCTYPE x [<!ENTITY l0 "ha">{laughs}]><COLLADA'.encode()), "it declares entities"
+    yield "include.dae", meshes.dae(more='<xi:include href="canary.wrl"/>'), "it includes another file"
+    yield "self.dae", meshes.dae(extra_node='<instance_node url="#n"/>'), "a node contains itself"
+    nodes = "".join(f'<node id="b{k + 1}"><instance_node url="#b{k}"/><instance_node url="#b{k}"/></node>' for k in range(40))
+    bomb = meshes.dae(more=f"<library_nodes>{nodes}</library_nodes>", extra_node='<instance_node url="#b40"/>')
+    yield "bomb.dae", bomb, "its nodes show more than a million parts"
+    yield "sampler.dae", dae.replace(b"<source>s<", b"<source>t<"), "a parameter contains itself"
+    yield "index.dae", dae.replace(b"<p>0 0", b"<p>77 0"), "Invalid data index (77/8)"
+    yield "below.dae", dae.replace(b"<p>0 0", b"<p>-7 0"), "has one below 0"
+    yield "count.dae", dae.replace(b'count="24"', b'count="2000000000"'), "a size in it is false"
+    yield "deep.dae", meshes.dae(extra_node="<node>" * 50000 + "</node>" * 50000), "more than 64 elements in one another"
+    yield "packed.dae", b"PK\3\4" + b"\0" * 100, "it is a packed archive"
+    yield "count.3ds", struct.pack("<HI", 0x4D4D, 0x7fffffff) + tds[6:], "its main chunk says 2147483647 bytes"
+    yield "inner.3ds", tds[:18] + struct.pack("<I", 0x7fffffff) + tds[22:], "cannot be read"
+    yield "loop.gltf", gltf(nodes=[{"mesh": 0, "children": [0]}]), "is below itself"
+    yield "count.gltf", gltf(buffers=[{"uri": "box.bin", "byteLength": 1 << 31}]), "buffer 0 says 2147483648 bytes"
+    yield "outside.gltf", gltf(buffers=[{"uri": "../../../etc/passwd", "byteLength": 10}]), "leads out of the folder"
+    yield "root.gltf", gltf(buffers=[{"uri": "/etc/passwd", "byteLength": 10}]), "begins at a root"
+    yield "net.gltf", gltf(buffers=[{"uri": "http://localhost/x", "byteLength": 10}]), "on a drive or in a network"
+    yield "deep.gltf", b"[" * 1000000, "more than 64 values in one another"
+    yield "digits.gltf", gltf(buffers=[{"uri": "data:;base64,!!!!", "byteLength": 3}]), "base64"
+    # Pictures: what is there and cannot be used is refused, what is not there is told.
+    for picture, why in (("fifo.png", "it is a pipe"), ("wide.png", "20000 x 20000 pixels"), ("long.png", "is damaged or cut off"),
+                         ("link.png", "it is a link")):
+        for name, data in pictured(picture, folder, document):
+            yield name, data, why
+    for picture in ("/etc/passwd", "../../etc/passwd", "http://localhost/x.png", "C:\\a\\tex.png", "nowhere.png", "tex.bmp"):
+        for name, data in pictured(picture, folder, document):
+            yield name, data, None
+
+
+def pictured(picture, folder, document):
+    text, library = meshes.obj(picture, "hostile.mtl")
+    folder.write("hostile.mtl", library)
+    yield "picture.obj", text
+    yield "picture.wrl", meshes.wrl(picture.replace("\\", "\\\\"))
+    yield "picture.dae", meshes.dae(picture)
+    yield "picture.3ds", meshes.three_ds(picture)
+    yield "picture.ply", meshes.ply(True, picture)
+    yield "picture.gltf", json.dumps({**document, "images": [{"uri": picture}]}).encode()
+
+
+def refused(folder, name, data, why, seconds=20.0):
+    folder.write(name, data)
+    begin = time.monotonic()
+    done = folder.convert(name)
+    took = time.monotonic() - begin
+    told = f"{name} ({why}): {done.returncode} {done.stderr[:500]}"
+    check(told, done.returncode == 65 or why is None and done.returncode == 0)
+    check(told, "broke down" not in done.stderr and "took more than" not in done.stderr and "exit status" not in done.stderr)
+    check(told, done.returncode == 0 or f"armlet: {name}: " in done.stderr)
+    check(told, why is None or why in done.stderr)
+    check(f"{told}: took {took} s", took < seconds)
+
+
+def check_broken(folder):
+    os.mkfifo(folder.path / "fifo.png")
+    os.mkfifo(folder.path / "canary.wrl")  # whoever opened it would wait for a writer
+    os.symlink("/etc/passwd", folder.path / "link.png")
+    picture = meshes.png()
+    folder.write("wide.png", picture[:16] + struct.pack(">II", 20000, 20000) + picture[24:])
+    folder.write("long.png", picture[:8] + struct.pack(">I", 1 << 30) + picture[12:])
+    folder.write("tex.bmp", b"BM" + b"\0" * 100)
+    for name, data, why in hostile(folder):
+        refused(folder, name, data, why)
+
+
+def check_cut(folder, names, every):
+    for name in names:
+        whole = (folder.path / name).read_bytes()
+        for size in range(0, len(whole), every):
+            refused(folder, "cut" + name[name.index("."):], whole[:size], None)
+
+
+def check_confined(folder):
+    """The converter opens nothing once it reads the mesh, as the kernel sees it."""
+    tracer = shutil.which("strace")
+    if not tracer:
+        return
+    for name in ("box.obj", "box.wrl", "box.dae", "box.3ds"):
+        done = subprocess.run([tracer, "-f", "-e", "trace=%file,%network,prctl,execve", ARMLET, "mesh", "convert", name, "made.glb"],
+                              capture_output=True, text=True, timeout=300, cwd=folder.path, env=folder.environment)
+        lines = done.stderr.splitlines()
+        confined = [k for k, line in enumerate(lines) if "PR_SET_SECCOMP" in line]
+        if not confined:  # tracing is not allowed here
+            return
+        child = re.match(r"\[pid +(\d+)\]", lines[confined[0]]).group(1)
+        after = [line for line in lines[confined[0] + 1:] if re.match(rf"\[pid +{child}\] (open|exec|connect|socket|stat|readlink|access)", line)]
+        check(f"{name}: {after}", not after)
+
+
+# ---- without a converter
+
+def check_without(folder):
+    alone = Folder(folder.path, str(folder.path / "alone" / "armlet"))
+    (folder.path / "alone").mkdir()
+    shutil.copy(ARMLET, alone.armlet)
+    done = alone.convert("box.obj")
+    check(f"convert: {done.stderr}", done.returncode == 70 and "libassimp-dev" in done.stderr and "armlet-mesh" in done.stderr)
+    done = alone.run(PROGRAM.replace("NAME", "box.obj"))
+    check(f"R0660: {done.stderr}", done.returncode == 70 and "R0660" in done.stderr and "libassimp-dev" in done.stderr)
+    check("GLB all the same", alone.run(PROGRAM.replace("NAME", "out.glb")).returncode == 0)
+    done = alone.run(ROBOT.replace("MESH", ', mesh: "box.stl"'))
+    check(f"W0741: {done.stderr}", done.returncode == 0 and "W0741" in done.stderr)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as path:
+        folder = Folder(path)
+        names = meshes.textured(folder.path)
+        check_without(folder)
+        if not sys.argv[2]:
+            print("the converter is not built; what is told without it is right")
+            return
+        for name in names:
+            check_format(folder, name)
+        check_units_and_axes(folder)
+        check_command(folder)
+        check_programs(folder, names)
+        check_cache(folder)
+        check_missing_picture(folder)
+        check_links(folder)
+        check_broken(folder)
+        check_cut(folder, names, int(sys.argv[3]) if len(sys.argv) > 3 else 100)
+        check_confined(folder)
+        print("meshes of other formats: in order")
+
+
+if __name__ == "__main__":
+    main()
