@@ -27,7 +27,8 @@ Result<KeptFile> keep_beside(
     const std::string tried =
         k == 1 ? name : fmt::format("{}-{}{}", name.substr(0, point), k, name.substr(point));
     const NameInUse known = look(tried);
-    if (known.is_used && known.bytes == bytes) return KeptFile{tried, {size.x(), size.y(), size.z()}};
+    if (known.is_used && known.bytes == bytes)
+      return KeptFile{tried, {size.x(), size.y(), size.z()}};
     if (known.is_used) continue;
     if (const std::optional<Error> why = save(tried, bytes))
       return Error{"save", fmt::format("{} cannot be kept: {}.", tried, why->message)};

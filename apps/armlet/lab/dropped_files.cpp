@@ -12,6 +12,7 @@
 #include "armlet/core/files.hpp"
 #include "armlet/mesh/glb.hpp"
 #include "client/convert.hpp"
+#include "messages/request.hpp"
 
 namespace armlet::cli {
 namespace {

@@ -40,7 +40,7 @@ test("a mesh with material and picture becomes a GLB beside the program", { skip
     await dropAll(page, FILES);
     const program = () => page.locator(".cm-content").innerText();
     // It stands on the floor: its frame is in the middle.
-    await until(async () => /object sign \{ shape: mesh\("sign\.glb"\); at: xyz\([^)]*, 200mm\) \}/.test(await program()), program);
+    await until(async () => /object sign\w* \{ shape: mesh\("sign\.glb"\); at: xyz\([^)]*, 200mm\) \}/.test(await program()), program);
     assert.equal(readFileSync(join(lab.folder, "sign.glb")).subarray(0, 4).toString(), "glTF");
     assert.deepEqual(readdirSync(lab.folder).sort(), ["program.rbt", "sign.glb"]);
     await until(async () => (await pixelsLike(page, RED)) > 200, () => "the picture is not seen");
