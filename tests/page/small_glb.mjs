@@ -8,6 +8,42 @@ export function twoColours(left, right, size = 16) {
   return smallPng(size, size, data);
 }
 
+// A gear that lies flat: of so many teeth, from one radius to another, m. `color`: red, green, blue, 0 to 1.
+export function gearGlb(teeth, [inner, outer], height, color) {
+  const ring = Array.from({ length: 4 * teeth }, (_, k) => {
+    const radius = k % 4 < 2 ? outer : inner;
+    const angle = (2 * Math.PI * (k + (k % 2 ? -0.2 : 0.2))) / (4 * teeth);
+    return [radius * Math.cos(angle), -radius * Math.sin(angle)]; // y is up: seen from above counterclockwise
+  });
+  const positions = [];
+  const add = (...points) => positions.push(...points.flat());
+  const [low, high] = [-height / 2, height / 2];
+  ring.forEach(([x, z], k) => {
+    const [u, w] = ring[(k + 1) % ring.length];
+    add([0, high, 0], [x, high, z], [u, high, w], [0, low, 0], [u, low, w], [x, low, z]);
+    add([x, low, z], [u, low, w], [u, high, w], [x, low, z], [u, high, w], [x, high, z]);
+  });
+  const binary = Buffer.from(Float32Array.from(positions).buffer);
+  return packed({
+    asset: { version: "2.0" },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, material: 0 }] }],
+    materials: [{ pbrMetallicRoughness: { baseColorFactor: [...color, 1], metallicFactor: 0.2, roughnessFactor: 0.5 } }],
+    buffers: [{ byteLength: binary.length }],
+    bufferViews: [{ buffer: 0, byteLength: binary.length }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: positions.length / 3, type: "VEC3", min: [-outer, low, -outer], max: [outer, high, outer] }],
+  }, binary);
+}
+
+function packed(json, binary) {
+  const text = Buffer.from(JSON.stringify(json));
+  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 0x20)]);
+  const head = (...words) => Buffer.from(Uint32Array.from(words).buffer);
+  return Buffer.concat([head(0x46546c67, 2, 28 + padded.length + binary.length, padded.length, 0x4e4f534a), padded, head(binary.length, 0x004e4942), binary]);
+}
+
 // Of these sizes in metres as glTF has them, y up. `picture`: bytes of a PNG; `change`: does something to the description.
 export function boxGlb([x, y, z], { picture = null, change = () => {} } = {}) {
   const positions = [], uvs = [], corners = [];
@@ -54,9 +90,5 @@ export function boxGlb([x, y, z], { picture = null, change = () => {} } = {}) {
     } : {}),
   };
   change(json);
-  const text = Buffer.from(JSON.stringify(json));
-  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, 0x20)]);
-  const binary = Buffer.concat(parts);
-  const head = (...words) => Buffer.from(Uint32Array.from(words).buffer);
-  return Buffer.concat([head(0x46546c67, 2, 28 + padded.length + binary.length, padded.length, 0x4e4f534a), padded, head(binary.length, 0x004e4942), binary]);
+  return packed(json, Buffer.concat(parts));
 }

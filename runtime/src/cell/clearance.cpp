@@ -52,6 +52,11 @@ Clearance& among(std::vector<Clearance>& found, const Clearance& now) {
   return same == found.end() ? found.emplace_back(now) : *same;
 }
 
+// Its own links are always near one another, and compared half as thick as they are.
+bool is_own(const CellBody& other, int robot) {
+  return other.robot == robot && other.object.empty();
+}
+
 }  // namespace
 
 std::vector<Clearance> clearances(const Cell& cell, int robot, double reach, std::size_t most) {
@@ -73,7 +78,8 @@ std::vector<Clearance> clearances(const Cell& cell, int robot, double reach, std
                         .p_other = gap.p_b};
     if (gap.distance <= kInTouch) {
       if (Clearance& known = among(touching, now); now.distance < known.distance) known = now;
-    } else if (gap.distance < reach && (!nearest || gap.distance < nearest->distance)) {
+    } else if (!is_own(now.other, robot) && gap.distance < reach &&
+               (!nearest || gap.distance < nearest->distance)) {
       nearest = now;
     }
   }

@@ -84,8 +84,9 @@ class Document {
       refuse(fmt::format("{} {} is not there; it has {}", what, index,
                          all.is_array() ? all.size() : 0));
     }
-    if (!all[index].is_object()) refuse(fmt::format("{} {} is broken", what, index));
-    return all[index];
+    const Json& found = all[static_cast<std::size_t>(index)];
+    if (!found.is_object()) refuse(fmt::format("{} {} is broken", what, index));
+    return found;
   }
   [[nodiscard]] std::size_t count(const char* list) const {
     const Json& all = member(root_, list);
@@ -181,7 +182,8 @@ class Binary {
       wrong(fmt::format("has {} elements, more than the {} bytes of its view hold", count,
                         part.size()));
     }
-    return {part.data() + offset, count, stride, component};
+    return {part.data() + offset, static_cast<std::size_t>(count), static_cast<std::size_t>(stride),
+            component};
   }
 
  private:
@@ -199,7 +201,7 @@ class Binary {
     const std::uint64_t size = Document::number(view, "byteLength");
     if (offset + size > length)
       refuse(fmt::format("bufferView {} does not fit into its buffer", number));
-    return bytes_.substr(offset, size);
+    return bytes_.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
   }
 
   const Document& document_;

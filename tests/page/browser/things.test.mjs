@@ -187,7 +187,7 @@ test("a planned way is shown from when it was planned until it has been gone", (
     // 4.75 s: around the wall; 3.4 s: straight up; 9 s: along a way that was planned in the program.
     for (const [share, wanted] of [[0.42, true], [0.3, false], [0.8, true]]) {
       await goTo(page, share);
-      await until(async () => ((await pixelsLike(page, [1, 25])) > 100) === wanted, () => `a way at ${share}: ${!wanted}`);
+      await until(async () => ((await pixelsLike(page, [1, 12])) > 100) === wanted, () => `a way at ${share}: ${!wanted}`);
     }
   }));
 

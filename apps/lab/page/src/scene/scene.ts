@@ -362,7 +362,7 @@ export class SceneView {
     this.triads.show(frames, 0.12 * this.reach);
     const named = this.namedFrames(run, t);
     this.named.show(named.map(({ frame }) => frame), 0.07 * this.reach);
-    for (const { name, frame } of named) labels.push({ text: name, at: new Vector3().setFromMatrixPosition(frame) });
+    for (const { name, frame } of named) labels.push({ text: name, at: new Vector3().setFromMatrixPosition(frame), beside: true });
     this.handle.visible = this.intents.live && run.robots.length > 0;
   }
 

@@ -1,0 +1,95 @@
+#include "armlet/cell/clearance.hpp"
+
+#include <doctest/doctest.h>
+
+#include "armlet/core/random.hpp"
+#include "armlet/kinematics/forward.hpp"
+#include "armlet/model/catalog.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Vector3d;
+
+Object ball(const std::string& name, double radius, const Vector3d& p) {
+  Object object;
+  object.name = name;
+  object.shape = Sphere{radius};
+  object.T_world_obj.translation() = p;
+  object.fixed = true;
+  return object;
+}
+
+struct Bench {
+  Cell cell;
+  int arm = cell.add_robot(std::make_shared<const Robot>(*make_robot("puma560")));
+
+  [[nodiscard]] std::vector<Clearance> look(double reach = 10.0) const {
+    return clearances(cell, arm, reach, 8);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the nearest object is found, with points as far apart as is said") {
+  Bench bench;
+  bench.cell.insert(ball("far", 0.1, {0.0, 3.0, 0.5}));
+  bench.cell.insert(ball("near", 0.1, {0.0, 1.5, 0.5}));
+  const std::vector<Clearance> found = bench.look();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].other.object == "near");
+  CHECK(found[0].body.robot == bench.arm);
+  CHECK(found[0].distance == doctest::Approx((found[0].p_body - found[0].p_other).norm()));
+  // The point of the ball lies on it, towards the other one.
+  CHECK((found[0].p_other - Vector3d(0.0, 1.5, 0.5)).norm() == doctest::Approx(0.1));
+  const CellBody arm{.robot = bench.arm}, near{.object = "near"};
+  CHECK(found[0].distance <= distance_between(bench.cell, arm, near) + 1e-9);
+  CHECK(bench.look(0.9 * found[0].distance).empty());
+}
+
+TEST_CASE("what overlaps is told alone, the deepest first, and as deep as distance_between says") {
+  Bench bench;
+  const Vector3d p =
+      forward(*bench.cell.robot(bench.arm).model, bench.cell.robot(bench.arm).q).translation();
+  bench.cell.insert(ball("shallow", 0.05, p + Vector3d(0.0, 0.04, 0.0)));
+  bench.cell.insert(ball("deep", 0.2, p));
+  bench.cell.insert(ball("apart", 0.1, {0.0, 2.5, 0.5}));
+  const std::vector<Clearance> found = bench.look();
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].other.object == "deep");
+  CHECK(found[1].other.object == "shallow");
+  for (const Clearance& each : found) {
+    CHECK(each.distance < 0.0);
+    const CellBody arm{.robot = bench.arm}, other{.object = each.other.object};
+    CHECK(each.distance == doctest::Approx(distance_between(bench.cell, arm, other)));
+  }
+}
+
+TEST_CASE("random balls around random positions: never farther than what distance_between finds") {
+  Random random(7);
+  for (int k = 0; k < 200; ++k) {
+    Bench bench;
+    Eigen::VectorXd q = bench.cell.robot(bench.arm).q;
+    const Robot& model = *bench.cell.robot(bench.arm).model;
+    for (int i = 0; i < model.n(); ++i)
+      q[i] = model.lower()[i] + random.uniform() * (model.upper()[i] - model.lower()[i]);
+    bench.cell.set_joints(bench.arm, q);
+    // Outside of the column around which nothing is compared.
+    const double turn = 6.28 * random.uniform();
+    const Vector3d p(0.6 * std::cos(turn), 0.6 * std::sin(turn), 0.4 + 0.5 * random.uniform());
+    bench.cell.insert(ball("ball", 0.05, p));
+    const std::vector<Clearance> found = bench.look();
+    for (const Clearance& each : found) {
+      if (each.other.object != "ball") continue;
+      const double truth = distance_between(bench.cell, {.robot = bench.arm}, {.object = "ball"});
+      CHECK(each.distance == doctest::Approx(truth).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("a robot that has nothing around it is near nothing") {
+  Bench bench;
+  CHECK(bench.look().empty());
+}
+
+}  // namespace armlet
