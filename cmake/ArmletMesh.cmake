@@ -1,4 +1,6 @@
 # The converter of meshes, beside the command. Without the libraries that read them, everything else is built all the same.
+option(ARMLET_MESHES "Build the converter of meshes, where Assimp and Coin are installed" ON)
+
 function(armlet_add_converter)
   if(NOT ARMLET_MESHES)
     return()
@@ -14,7 +16,7 @@ function(armlet_add_converter)
   endif()
   find_package(nlohmann_json REQUIRED)
   add_executable(armlet-mesh exchange.cpp)
-  armlet_target_sources(armlet-mesh converter/ assimp_import confine file_checks files gltf_pack images main scene_builder vrml_check
+  armlet_target_sources(armlet-mesh converter/ assimp_import confine file_checks files gltf_pack images main ply_check scene_builder vrml_check
     vrml_import xml_check)
   armlet_compile_options(armlet-mesh)
   target_include_directories(armlet-mesh PRIVATE .)

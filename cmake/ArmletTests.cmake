@@ -103,6 +103,20 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
   add_test(NAME mesh.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/mesh_command.py
            $<TARGET_FILE:armlet>)
+  armlet_add_convert_tests()
+endfunction()
+
+# Meshes of other formats. What a false size does is told by the limit on memory, which sanitizers do not keep.
+function(armlet_add_convert_tests)
+  armlet_add_unit_tests(convert armlet_mesh_client ${PROJECT_SOURCE_DIR}/apps/mesh)
+  set(converter "")
+  if(TARGET armlet-mesh)
+    set(converter $<TARGET_FILE:armlet-mesh>)
+  endif()
+  if(NOT ARMLET_SANITIZE)
+    add_test(NAME convert.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/convert_command.py
+             $<TARGET_FILE:armlet> "${converter}")
+  endif()
 endfunction()
 
 # Installs this build into a folder of its own, then builds host programs against it and looks at what they print and see:

@@ -40,6 +40,8 @@ FENCES = {
     "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp"]),
     "nlohmann": (r"nlohmann/", ["runtime/src/mesh/", "interpreter/src/diagnostic/", "apps/", "tests/"]),
     "OMPL": (r"ompl/|boost/", ["runtime/src/planning/ompl/"]),
+    "Assimp": (r"^assimp/", ["apps/mesh/converter/assimp_import.cpp"]),
+    "Coin": (r"^Inventor/", ["apps/mesh/converter/vrml_import.cpp"]),
     "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
     "the system": (r"^(sys/.*|(dirent|dlfcn|fcntl|poll|pthread|sched|signal|termios|time|ucontext|unistd)\.h"
                    r"|csignal|ctime|fstream|future|semaphore|thread|emscripten.*)$",

@@ -196,9 +196,10 @@ void add_mesh_options(CLI::App& command, Asked& asked) {
                    "for OBJ, 3DS, STL and PLY, which say nothing)")
       ->type_name("LENGTH");
   convert
-      ->add_option("--up", mesh.up,
-                   "the axis of IN that points up (default: as its format says; z for OBJ, 3DS, STL "
-                   "and PLY, which say nothing)")
+      ->add_option(
+          "--up", mesh.up,
+          "the axis of IN that points up (default: as its format says; z for OBJ, 3DS, STL "
+          "and PLY, which say nothing)")
       ->type_name("AXIS")
       ->check(CLI::IsMember({"y", "z"}));
   convert->add_flag("--quiet", mesh.quiet, "say nothing but what is wrong");

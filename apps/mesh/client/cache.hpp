@@ -1,5 +1,6 @@
 #pragma once
-// What was converted before, found by what it was made from and trusted only if it is what was kept.
+// What was converted before, found by what it was made from and trusted only if it is what was
+// kept.
 
 #include <functional>
 #include <optional>

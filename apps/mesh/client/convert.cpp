@@ -67,7 +67,8 @@ Result<std::string> convert_mesh(const Folder& folder, const std::string& path,
                                  const std::string& name, const ConvertOptions& options) {
   const std::string_view format = mesh_format(name);
   if (format.empty()) {
-    return Error{"format", fmt::format("its name ends in no format that is read: {}", kMeshFormats)};
+    return Error{"format",
+                 fmt::format("its name ends in no format that is read: {}", kMeshFormats)};
   }
   const std::string converter = options.converter.empty() ? find_converter() : options.converter;
   if (converter.empty()) return Error{"converter", no_converter()};
@@ -76,7 +77,8 @@ Result<std::string> convert_mesh(const Folder& folder, const std::string& path,
   const Result<std::string> input = folder.read(*clean, options.limits.file);
   if (!input.ok()) return input.error();
   const std::size_t slash = clean->rfind('/');
-  const Siblings siblings(folder, path, slash == std::string::npos ? "" : clean->substr(0, slash + 1));
+  const Siblings siblings(folder, path,
+                          slash == std::string::npos ? "" : clean->substr(0, slash + 1));
   const std::string own = slash == std::string::npos ? *clean : clean->substr(slash + 1);
   ConverterRun run;
   run.program = converter;
@@ -101,7 +103,8 @@ Result<std::string> convert_mesh(const Folder& folder, const std::string& path,
 Result<std::string> convert_mesh(const std::string& file, const ConvertOptions& options) {
   const std::string real = real_path(file);
   const std::size_t slash = real.rfind('/');
-  const std::string path = slash == std::string::npos ? std::string(".") : real.substr(0, slash + 1);
+  const std::string path =
+      slash == std::string::npos ? std::string(".") : real.substr(0, slash + 1);
   const Result<Folder> folder = Folder::open(path);
   if (!folder.ok()) return folder.error();
   return convert_mesh(*folder, path, slash == std::string::npos ? real : real.substr(slash + 1),
@@ -125,8 +128,10 @@ std::string find_converter() {
 }
 
 std::string no_converter() {
-  return "it takes the converter armlet-mesh, which is not there: install libassimp-dev and libcoin-dev, "
-         "build the target armlet-mesh, and keep it beside armlet; or convert the mesh to GLB elsewhere";
+  return "it takes the converter armlet-mesh, which is not there: install libassimp-dev and "
+         "libcoin-dev, "
+         "build the target armlet-mesh, and keep it beside armlet; or convert the mesh to GLB "
+         "elsewhere";
 }
 
 }  // namespace armlet::mesh

@@ -1,5 +1,6 @@
 #pragma once
-// Meshes of other formats as GLB, by the converter, which is a process of its own, and with a cache.
+// Meshes of other formats as GLB, by the converter, which is a process of its own, and with a
+// cache.
 
 #include <functional>
 #include <string>
@@ -15,7 +16,8 @@ namespace armlet::mesh {
 //             nothing.
 // cache       the folder of what was made before; empty: nothing is kept.
 // converter   the program; empty: where it is looked for.
-// progress    null, or called about once a second: what is being done, and the seconds since the start.
+// progress    null, or called about once a second: what is being done, and the seconds since the
+// start.
 struct ConvertOptions {
   double unit = 0.0;
   char up = 0;

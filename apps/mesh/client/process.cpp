@@ -210,7 +210,8 @@ class Talk {
   // Why there is no answer.
   Error broken() {
     if (late_) {
-      return failed(fmt::format("its conversion took more than {} s and was ended", run_.limits.wall));
+      return failed(
+          fmt::format("its conversion took more than {} s and was ended", run_.limits.wall));
     }
     converter_.let_end();
     const int status = converter_.status();
@@ -220,9 +221,10 @@ class Talk {
                                 run_.limits.cpu));
     }
     if (signal != 0) {
-      return failed(fmt::format("the converter broke down over it (signal {}, {}); the file is damaged, or needs "
-                                "more than {} MB of memory",
-                                signal, strsignal(signal), run_.limits.memory >> 20));
+      return failed(fmt::format(
+          "the converter broke down over it (signal {}, {}); the file is damaged, or needs "
+          "more than {} MB of memory",
+          signal, strsignal(signal), run_.limits.memory >> 20));
     }
     return failed(fmt::format("the converter ended without a result (exit status {})",
                               WIFEXITED(status) ? WEXITSTATUS(status) : status));
@@ -247,9 +249,8 @@ Result<std::string> run_converter(const ConverterRun& run) {
   limited.arguments.push_back(fmt::format("{}", run.limits.cpu));
   Converter converter(limited);
   if (!converter.runs()) {
-    return Error{"converter",
-                 fmt::format("the converter {} cannot be started: {}", run.program,
-                             converter.reason())};
+    return Error{"converter", fmt::format("the converter {} cannot be started: {}", run.program,
+                                          converter.reason())};
   }
   return Talk(limited, converter).take();
 }

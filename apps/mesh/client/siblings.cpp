@@ -62,8 +62,10 @@ Result<std::string> sibling_name(std::string_view name) {
     return Error{"name", "its name has a control character"};
   std::string path(name);
   std::replace(path.begin(), path.end(), '\\', '/');
-  if (has_scheme(path)) return out("it lies on a drive or in a network; files beside the mesh are read");
-  if (path.starts_with('/')) return out("its name begins at a root; files beside the mesh are read");
+  if (has_scheme(path))
+    return out("it lies on a drive or in a network; files beside the mesh are read");
+  if (path.starts_with('/'))
+    return out("its name begins at a root; files beside the mesh are read");
   std::string clean;
   for (std::size_t at = 0; at <= path.size();) {
     const std::size_t end = std::min(path.find('/', at), path.size());

@@ -15,9 +15,9 @@ struct Sibling {
   std::string text;  // its bytes (kFile), or the reason as a sentence without an end
 };
 
-// A name as files of other systems write it ("..\x.jpg", ".\Tex.jpg", "C:\x.jpg", "file:x.jpg") with
-// / between its parts and without those that stand for where they are; an error if it leads out of
-// the folder, from a root or over a network.
+// A name as files of other systems write it ("..\x.jpg", ".\Tex.jpg", "C:\x.jpg", "file:x.jpg")
+// with / between its parts and without those that stand for where they are; an error if it leads
+// out of the folder, from a root or over a network.
 [[nodiscard]] Result<std::string> sibling_name(std::string_view name);
 
 class Siblings {

@@ -18,6 +18,14 @@
 #include "converter/file_checks.hpp"
 #include "converter/importers.hpp"
 
+// Debian's Assimp ends the process where it finds that it is wrong; found here first, this function
+// takes the place of its own.
+namespace Assimp {
+[[gnu::visibility("default")]] void aiAssertViolation(const char* claim, const char*, int) {
+  throw armlet::ArgumentError(fmt::format("Assimp did not expect !({})", claim));
+}
+}  // namespace Assimp
+
 namespace armlet::mesh {
 namespace {
 
@@ -167,7 +175,8 @@ class SceneReader {
           texture = text.C_Str();
       }
     }
-    // A picture is shown as it is: what a colour beside it would do differs from program to program.
+    // A picture is shown as it is: what a colour beside it would do differs from program to
+    // program.
     if (!texture.empty() || mesh.HasVertexColors(0)) color.head<3>().setOnes();
     const int index = to_.material(name, color, texture, two_sided);
     return materials_.emplace(mesh.mMaterialIndex, index).first->second;
@@ -245,15 +254,16 @@ void import_with_assimp(const Input& input, Files& files, SceneBuilder& scene) {
   importer.SetIOHandler(given);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  constexpr unsigned kSteps = aiProcess_ValidateDataStructure | aiProcess_Triangulate |
-                              aiProcess_SortByPType;
+  constexpr unsigned kSteps =
+      aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_SortByPType;
   const aiScene* read = importer.ReadFile(input.name, kSteps);
   if (!given->unusable().empty()) throw ArgumentError(given->unusable());
   if (read == nullptr || read->mRootNode == nullptr) {
     std::string why = importer.GetErrorString();
     std::replace(why.begin(), why.end(), '\n', ' ');
     if (why.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    throw ArgumentError(why.empty() ? "it cannot be read" : fmt::format("it cannot be read: {}", why));
+    throw ArgumentError(why.empty() ? "it cannot be read"
+                                    : fmt::format("it cannot be read: {}", why));
   }
   for (const std::string& each : given->missed()) scene.note(each);
   files.tell_stage("collecting triangles");

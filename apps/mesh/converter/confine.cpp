@@ -29,12 +29,12 @@ bool limit(int what, rlim_t most) {
 
 // What computing, memory and two open files need. Everything else fails with EPERM.
 constexpr long kAllowed[] = {
-    SYS_read,         SYS_write,          SYS_readv,      SYS_writev,        SYS_recvfrom,
-    SYS_sendto,       SYS_close,          SYS_fstat,      SYS_lseek,         SYS_mmap,
-    SYS_munmap,       SYS_mremap,         SYS_mprotect,   SYS_madvise,       SYS_brk,
-    SYS_futex,        SYS_exit,           SYS_exit_group, SYS_rt_sigaction,  SYS_rt_sigprocmask,
-    SYS_rt_sigreturn, SYS_getpid,         SYS_gettid,     SYS_tgkill,        SYS_clock_gettime,
-    SYS_getrandom,    SYS_sched_yield,    SYS_getrusage,  SYS_clock_nanosleep};
+    SYS_read,         SYS_write,       SYS_readv,      SYS_writev,         SYS_recvfrom,
+    SYS_sendto,       SYS_close,       SYS_fstat,      SYS_lseek,          SYS_mmap,
+    SYS_munmap,       SYS_mremap,      SYS_mprotect,   SYS_madvise,        SYS_brk,
+    SYS_futex,        SYS_exit,        SYS_exit_group, SYS_rt_sigaction,   SYS_rt_sigprocmask,
+    SYS_rt_sigreturn, SYS_getpid,      SYS_gettid,     SYS_tgkill,         SYS_clock_gettime,
+    SYS_getrandom,    SYS_sched_yield, SYS_getrusage,  SYS_clock_nanosleep};
 
 #if defined(__x86_64__)
 constexpr unsigned kMachine = AUDIT_ARCH_X86_64;
@@ -50,9 +50,7 @@ constexpr unsigned kMachine = 0;
 bool filter_calls() {
   if (kMachine == 0) return true;  // the limits alone
   std::vector<sock_filter> rules;
-  const auto load = [&](unsigned at) {
-    rules.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, at));
-  };
+  const auto load = [&](unsigned at) { rules.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, at)); };
   const auto leave = [&](unsigned with) { rules.push_back(BPF_STMT(BPF_RET | BPF_K, with)); };
   load(offsetof(seccomp_data, arch));
   rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kMachine, 1, 0));

@@ -12,8 +12,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
 
-// OBJ: corners of faces name positions, places on the picture and normals that stand above them, from
-// 1 on, or from -1 on backwards. Assimp passes over those of the last two that are not there.
+// OBJ: corners of faces name positions, places on the picture and normals that stand above them,
+// from 1 on, or from -1 on backwards. Assimp passes over those of the last two that are not there.
 class ObjCheck {
  public:
   void look(std::string_view line) {
@@ -47,11 +47,12 @@ class ObjCheck {
     constexpr std::array<std::string_view, 3> kWhat = {"v", "vt", "vn"};
     std::size_t value = 0;
     for (const char c : digits) {
-      if (c != '-') value = std::min<std::size_t>(value * 10 + static_cast<std::size_t>(c - '0'), 1ULL << 40);
+      if (c != '-')
+        value = std::min<std::size_t>(value * 10 + static_cast<std::size_t>(c - '0'), 1ULL << 40);
     }
     if (kind < kWhat.size() && (value == 0 || value > counts_[kind])) {
-      refuse(fmt::format("a face names {} {}, but there are {} above it", kWhat[kind], digits.substr(0, 20),
-                         counts_[kind]));
+      refuse(fmt::format("a face names {} {}, but there are {} above it", kWhat[kind],
+                         digits.substr(0, 20), counts_[kind]));
     }
   }
 
@@ -99,10 +100,11 @@ void check_3ds(std::string_view bytes) {
 // STL in binary form: 80 bytes, the number of triangles, 50 bytes for each.
 void check_stl(std::string_view bytes) {
   constexpr std::size_t kHeader = 84, kTriangle = 50;
-  const bool is_text = bytes.starts_with("solid") &&
-                       bytes.substr(0, 1024).find("facet") != std::string_view::npos;
+  const bool is_text =
+      bytes.starts_with("solid") && bytes.substr(0, 1024).find("facet") != std::string_view::npos;
   if (is_text) {
-    if (bytes.find("endsolid") == std::string_view::npos) refuse("it is cut off: `endsolid` is missing");
+    if (bytes.find("endsolid") == std::string_view::npos)
+      refuse("it is cut off: `endsolid` is missing");
     return;
   }
   if (bytes.size() < kHeader) refuse(fmt::format("it is cut off: it has {} bytes", bytes.size()));
@@ -110,28 +112,6 @@ void check_stl(std::string_view bytes) {
   if (count * kTriangle > bytes.size() - kHeader) {
     refuse(fmt::format("its header says {} triangles, but there are bytes for {}", count,
                        (bytes.size() - kHeader) / kTriangle));
-  }
-}
-
-// PLY: as many elements as the header says need at least a byte each.
-void check_ply(std::string_view bytes) {
-  const std::size_t end = bytes.find("end_header");
-  if (!bytes.starts_with("ply") || end == std::string_view::npos)
-    refuse("it is no PLY file: its header does not begin with `ply` and end with `end_header`");
-  std::string_view header = bytes.substr(0, end);
-  std::size_t elements = 0;
-  for (std::size_t at = header.find("element"); at != std::string_view::npos;
-       at = header.find("element", at + 1)) {
-    const std::string_view line = header.substr(at, header.find('\n', at) - at);
-    const std::size_t digits = line.find_first_of("0123456789", line.find_last_of(" \t"));
-    std::size_t count = 0;
-    for (std::size_t k = std::min(digits, line.size()); k < line.size() && line[k] >= '0' && line[k] <= '9'; ++k)
-      count = std::min<std::size_t>(count * 10 + static_cast<std::size_t>(line[k] - '0'), 1ULL << 40);
-    elements += count;
-  }
-  if (elements > bytes.size() - end) {
-    refuse(fmt::format("its header says {} elements, but {} bytes follow it", elements,
-                       bytes.size() - end));
   }
 }
 

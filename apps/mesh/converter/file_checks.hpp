@@ -13,6 +13,10 @@ void check_before_assimp(const Input& input);
 //
 // throws  ArgumentError.
 void check_dae(std::string_view text);
+// As many elements as the header says, each whole, with indices of vertices that are there.
+//
+// throws  ArgumentError.
+void check_ply(std::string_view bytes);
 // Text in lines, without bytes that no text has.
 //
 // throws  ArgumentError.

@@ -117,10 +117,12 @@ class Packer {
     return all;
   }
 
-  static std::size_t number(const Json& object, const char* key, std::optional<std::size_t> otherwise) {
+  static std::size_t number(const Json& object, const char* key,
+                            std::optional<std::size_t> otherwise) {
     const auto found = object.find(key);
     if (found == object.end() && otherwise) return *otherwise;
-    if (found == object.end() || !found->is_number_unsigned() || found->get<std::size_t>() > 1U << 31)
+    if (found == object.end() || !found->is_number_unsigned() ||
+        found->get<std::size_t>() > 1U << 31)
       refuse(fmt::format("`{}` is no whole number up to 2^31", key));
     return found->get<std::size_t>();
   }
@@ -197,7 +199,8 @@ class Packer {
         const std::size_t at = number(each, "bufferView", std::nullopt);
         const Json& views = list("bufferViews");
         if (at >= views.size()) refuse(fmt::format("the bufferView of {} is not there", name));
-        bytes = binary_.substr(number(views[at], "byteOffset", 0), number(views[at], "byteLength", 0));
+        bytes =
+            binary_.substr(number(views[at], "byteOffset", 0), number(views[at], "byteLength", 0));
       } else if (each.contains("uri")) {
         auto found = bytes_at(each["uri"], true);
         bytes = found ? std::move(*found) : std::string(white);

@@ -51,8 +51,8 @@ std::optional<Size> jpeg_size(std::string_view bytes) {
     }
     const std::size_t length = big_endian(bytes, at + 2, 2);
     if (length < 2 || length > bytes.size() - at - 2) return std::nullopt;
-    const bool is_frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 &&
-                          marker != 0xcc;
+    const bool is_frame =
+        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
     if (is_frame && length >= 7)
       return Size{big_endian(bytes, at + 7, 2), big_endian(bytes, at + 5, 2)};
     if (marker == 0xda || is_frame) return std::nullopt;
@@ -94,8 +94,7 @@ std::optional<GlbImage> load_image(Files& files, const std::string& name,
       throw ArgumentError(fmt::format("the picture \"{}\" cannot be read: {}", name, file.text));
   }
   if (image_kind(file.text).empty()) {
-    notes.push_back(
-        fmt::format("the picture \"{}\" is left out: it is no PNG and no JPEG", name));
+    notes.push_back(fmt::format("the picture \"{}\" is left out: it is no PNG and no JPEG", name));
     return std::nullopt;
   }
   check_image(file.text, name);

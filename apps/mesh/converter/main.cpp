@@ -78,8 +78,8 @@ std::string converted(const Input& input, Files& files) {
 
 int main(int argc, char** argv) {
   if (argc != kArguments) {
-    std::fputs(
-        "armlet-mesh belongs to armlet, which starts it: armlet mesh convert IN OUT.glb\n", stderr);
+    std::fputs("armlet-mesh belongs to armlet, which starts it: armlet mesh convert IN OUT.glb\n",
+               stderr);
     return kUsage;
   }
   convert(argv);

@@ -118,8 +118,8 @@ void SceneBuilder::add_triangle(int material, const std::array<Corner, 3>& corne
   const bool colored = all_have(&Corner::color);
   Part& part = parts_[{material, pictured ? 1 : 0, colored ? 1 : 0}];
   part.part.material = material;
-  const Vector3d across = (corners[1].position - corners[0].position)
-                              .cross(corners[2].position - corners[0].position);
+  const Vector3d across =
+      (corners[1].position - corners[0].position).cross(corners[2].position - corners[0].position);
   const Vector3d face = direction(across, Vector3d::UnitZ());
   for (const Corner& each : corners) {
     Corner corner = each;

@@ -21,15 +21,17 @@ constexpr int kDeepest = 200;
 
 // What reads other files or runs programs, also by the names that Coin knows besides.
 constexpr std::array<std::string_view, 11> kRefused = {
-    "Inline",    "EXTERNPROTO", "Script", "File",       "WWWInline",   "InlineLOD",
-    "MovieTexture", "AudioClip", "SoFile", "VRMLInline", "VRMLScript"};
+    "Inline",       "EXTERNPROTO", "Script", "File",       "WWWInline", "InlineLOD",
+    "MovieTexture", "AudioClip",   "SoFile", "VRMLInline", "VRMLScript"};
 
 bool ends_word(char c) {
-  return c <= ' ' || c == ',' || c == '{' || c == '}' || c == '[' || c == ']' || c == '"' || c == '#';
+  return c <= ' ' || c == ',' || c == '{' || c == '}' || c == '[' || c == ']' || c == '"' ||
+         c == '#';
 }
 
 int line_of(std::string_view text, std::size_t at) {
-  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  return 1 + static_cast<int>(
+                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
 void check_header(std::string_view text) {
@@ -53,20 +55,23 @@ std::size_t skip_quoted(std::string_view text, std::size_t at) {
 
 // Which nodes and prototypes are open where a word stands, and what prototypes make.
 //
-// Coin follows USE inside of the node of that name, and a prototype in itself, until its stack ends.
+// Coin follows USE inside of the node of that name, and a prototype in itself, until its stack
+// ends.
 class Names {
  public:
   explicit Names(std::string_view text) : text_(text) {}
 
   void open(std::size_t at, char bracket) {
     if (static_cast<int>(brackets_.size()) >= kDeepest) {
-      refuse(fmt::format("line {}: more than {} nodes in one another", line_of(text_, at), kDeepest));
+      refuse(
+          fmt::format("line {}: more than {} nodes in one another", line_of(text_, at), kDeepest));
     }
     Bracket made;
     if (bracket == '{') {
       made.node = std::exchange(node_, {});
       // The body of a prototype is the first {...} behind its [...] on the same level.
-      if (!prototype_.empty() && brackets_.size() == level_) made.prototype = std::exchange(prototype_, {});
+      if (!prototype_.empty() && brackets_.size() == level_)
+        made.prototype = std::exchange(prototype_, {});
     }
     if (!made.node.empty()) ++open_nodes_[made.node];
     brackets_.push_back(std::move(made));

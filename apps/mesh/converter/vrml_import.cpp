@@ -1,8 +1,8 @@
 // The only source that includes Coin.
 
+#include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
-#include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoPrimitiveVertex.h>
 #include <Inventor/VRMLnodes/SoVRMLAppearance.h>
 #include <Inventor/VRMLnodes/SoVRMLColor.h>
@@ -10,10 +10,10 @@
 #include <Inventor/VRMLnodes/SoVRMLElevationGrid.h>
 #include <Inventor/VRMLnodes/SoVRMLExtrusion.h>
 #include <Inventor/VRMLnodes/SoVRMLGroup.h>
-#include <Inventor/VRMLnodes/SoVRMLMovieTexture.h>
 #include <Inventor/VRMLnodes/SoVRMLIndexedFaceSet.h>
 #include <Inventor/VRMLnodes/SoVRMLIndexedLineSet.h>
 #include <Inventor/VRMLnodes/SoVRMLMaterial.h>
+#include <Inventor/VRMLnodes/SoVRMLMovieTexture.h>
 #include <Inventor/VRMLnodes/SoVRMLNormal.h>
 #include <Inventor/VRMLnodes/SoVRMLPixelTexture.h>
 #include <Inventor/VRMLnodes/SoVRMLPointSet.h>
@@ -63,7 +63,8 @@ class GraphCheck {
  public:
   void look(SoNode* node) {
     constexpr double kMost = 1e7;
-    if (count(node) > kMost) refuse("nodes that are used again and again show more than 10 million shapes");
+    if (count(node) > kMost)
+      refuse("nodes that are used again and again show more than 10 million shapes");
   }
 
  private:
@@ -73,11 +74,13 @@ class GraphCheck {
     const auto known = shown_.find(node);
     if (known != shown_.end()) return known->second;
     if (!open_.insert(node).second) refuse("a node contains itself (USE inside of its own DEF)");
-    if (static_cast<int>(open_.size()) > kDeepest) refuse("it has more than 2000 nodes in one another");
+    if (static_cast<int>(open_.size()) > kDeepest)
+      refuse("it has more than 2000 nodes in one another");
     check(node);
     double sum = 1.0;
     const SoChildList* children = node->getChildren();
-    for (int i = 0; children != nullptr && i < children->getLength(); ++i) sum += count((*children)[i]);
+    for (int i = 0; children != nullptr && i < children->getLength(); ++i)
+      sum += count((*children)[i]);
     open_.erase(node);
     shown_[node] = sum;
     return sum;
@@ -134,13 +137,16 @@ class GraphCheck {
     };
     const auto* on_image = dynamic_cast<SoVRMLTextureCoordinate*>(faces.texCoord.getValue());
     if (on_image != nullptr)
-      check_list(faces.texCoordIndex, true, on_image->point.getNum(), "texCoordIndex", "texture coordinates");
+      check_list(faces.texCoordIndex, true, on_image->point.getNum(), "texCoordIndex",
+                 "texture coordinates");
     const auto* normals = dynamic_cast<SoVRMLNormal*>(faces.normal.getValue());
     if (normals != nullptr)
-      check_list(faces.normalIndex, faces.normalPerVertex.getValue() != 0, normals->vector.getNum(), "normalIndex", "normals");
+      check_list(faces.normalIndex, faces.normalPerVertex.getValue() != 0, normals->vector.getNum(),
+                 "normalIndex", "normals");
     const auto* colors = dynamic_cast<SoVRMLColor*>(faces.color.getValue());
     if (colors != nullptr)
-      check_list(faces.colorIndex, faces.colorPerVertex.getValue() != 0, colors->color.getNum(), "colorIndex", "colours");
+      check_list(faces.colorIndex, faces.colorPerVertex.getValue() != 0, colors->color.getNum(),
+                 "colorIndex", "colours");
   }
 
   static void check_grid(SoVRMLElevationGrid& grid) {
@@ -163,12 +169,15 @@ class GraphCheck {
 
   static void check_extrusion(SoVRMLExtrusion& extrusion) {
     const int spine = extrusion.spine.getNum(), section = extrusion.crossSection.getNum();
-    if (spine < 2 || section < 2) refuse("an Extrusion needs two points of its spine and two of its cross-section");
+    if (spine < 2 || section < 2)
+      refuse("an Extrusion needs two points of its spine and two of its cross-section");
     for (const int count : {extrusion.scale.getNum(), extrusion.orientation.getNum()}) {
       if (count != 1 && count < spine)
-        refuse(fmt::format("an Extrusion with {} points of its spine has {} scales or orientations", spine, count));
+        refuse(fmt::format("an Extrusion with {} points of its spine has {} scales or orientations",
+                           spine, count));
     }
-    if (static_cast<double>(spine) * section > 4e6) refuse("an Extrusion has more than 4 million points");
+    if (static_cast<double>(spine) * section > 4e6)
+      refuse("an Extrusion has more than 4 million points");
   }
 
   std::unordered_map<SoNode*, double> shown_;
@@ -333,7 +342,8 @@ void import_vrml(const Input& input, Files& files, SceneBuilder& scene) {
   from.setBuffer(text.data(), text.size());
   SoVRMLGroup* root = SoDB::readAllVRML(&from);
   if (root == nullptr || !first_error.empty()) {
-    refuse(first_error.empty() ? "it cannot be read" : fmt::format("it cannot be read: {}", first_error));
+    refuse(first_error.empty() ? "it cannot be read"
+                               : fmt::format("it cannot be read: {}", first_error));
   }
   root->ref();
   GraphCheck().look(root);

@@ -19,13 +19,13 @@ namespace {
 constexpr std::size_t kDeepest = 64;
 // What Assimp reads without asking whether it is there.
 constexpr std::pair<std::string_view, const char*> kNeeded[] = {
-    {"float_array", "id"},   {"float_array", "count"},  {"accessor", "source"},
-    {"accessor", "count"},   {"input", "semantic"},     {"input", "source"},
-    {"geometry", "id"},      {"vertices", "id"},        {"newparam", "sid"},
+    {"float_array", "id"},        {"float_array", "count"}, {"accessor", "source"},
+    {"accessor", "count"},        {"input", "semantic"},    {"input", "source"},
+    {"geometry", "id"},           {"vertices", "id"},       {"newparam", "sid"},
     {"instance_geometry", "url"}, {"instance_node", "url"}, {"instance_material", "target"},
-    {"instance_effect", "url"}, {"visual_scene", "id"}, {"instance_visual_scene", "url"},
-    {"material", "id"},      {"effect", "id"},          {"image", "id"},
-    {"triangles", "count"},  {"polylist", "count"},     {"polygons", "count"}};
+    {"instance_effect", "url"},   {"visual_scene", "id"},   {"instance_visual_scene", "url"},
+    {"material", "id"},           {"effect", "id"},         {"image", "id"},
+    {"triangles", "count"},       {"polylist", "count"},    {"polygons", "count"}};
 constexpr double kMostNodes = 1e6;  // each as often as it is used
 
 [[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
@@ -116,8 +116,8 @@ std::string attribute(const Tag& tag, std::string_view name) {
   return {};
 }
 
-// Things that name others: none may come back to itself, and what the first ones show, each as often
-// as it is named, is bounded.
+// Things that name others: none may come back to itself, and what the first ones show, each as
+// often as it is named, is bounded.
 class References {
  public:
   int add() {
@@ -127,7 +127,9 @@ class References {
   void name(int thing, const std::string& name) {
     if (!name.empty()) named_[name].insert(thing);
   }
-  void contains(int thing, int other) { to_[static_cast<std::size_t>(thing)].things.push_back(other); }
+  void contains(int thing, int other) {
+    to_[static_cast<std::size_t>(thing)].things.push_back(other);
+  }
   void uses(int thing, std::string name) {
     to_[static_cast<std::size_t>(thing)].names.push_back(std::move(name));
   }
@@ -229,7 +231,7 @@ class DaeCheck {
     }
     look_at_nodes(tag);
     look_at_parameters(tag);
-    if (tag.name == "p" || tag.name == "v" || tag.name == "vcount") look_at_indices(tag);
+    if (tag.name == "p" || tag.name == "vcount" || tag.name == "float_array") look_at_numbers(tag);
   }
 
   void look_at_nodes(const Tag& tag) {
@@ -270,11 +272,17 @@ class DaeCheck {
     parameter_ = -1;
   }
 
-  // Assimp takes what is below zero for zero.
-  void look_at_indices(const Tag& tag) const {
+  // Assimp takes what is below zero for zero, and does not come past what is no number.
+  void look_at_numbers(const Tag& tag) const {
+    const bool whole = tag.name != "float_array";
+    const std::string_view allowed = whole ? "0123456789 \t\r\n" : "0123456789 \t\r\n+-.eENaIiNnFf";
     const std::size_t end = std::min(text_.find('<', tag.end), text_.size());
-    if (tag.name != "v" && text_.substr(tag.end, end - tag.end).find('-') != std::string_view::npos)
+    const std::string_view numbers = text_.substr(tag.end, end - tag.end);
+    const std::size_t wrong = numbers.find_first_not_of(allowed);
+    if (wrong == std::string_view::npos || tag.is_empty) return;
+    if (whole && numbers[wrong] == '-')
       refuse(fmt::format("a list of indices, <{}>, has one below 0", tag.name));
+    refuse(fmt::format("a list of numbers, <{}>, has something else in it", tag.name));
   }
 
   std::string_view text_;

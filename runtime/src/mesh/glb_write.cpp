@@ -31,7 +31,9 @@ OrderedJson rotation_of(const Eigen::Isometry3d& T) {
 
 void check_part(const GlbScene& scene, const GlbNode& node, const GlbPart& part) {
   const auto in_range = [](std::size_t index, std::size_t size) { return index < size; };
-  const auto fits_all = [&](std::size_t size) { return size == 0 || size == part.positions.size(); };
+  const auto fits_all = [&](std::size_t size) {
+    return size == 0 || size == part.positions.size();
+  };
   const bool fits = part.positions.size() == part.normals.size() && part.corners.size() % 3 == 0 &&
                     fits_all(part.on_image.size()) && fits_all(part.colors.size()) &&
                     !part.corners.empty() && part.material >= 0 &&

@@ -80,9 +80,10 @@ struct GlbScene {
 // The bytes of a file, the same for the same scene. glTF has y up: nodes without a parent get one
 // that turns z up into it.
 //
-// throws  ArgumentError for a parent that does not come before its node, a material or an image that
-//         is not there, an image of another kind, parts whose arrays do not fit together, and a file
-//         of more than 4 GB.
+// throws  ArgumentError for a parent that does not come before its node, a material or an image
+// that
+//         is not there, an image of another kind, parts whose arrays do not fit together, and a
+//         file of more than 4 GB.
 // source  Khronos Group, glTF 2.0 specification, 2021, chapters 3 and 4.4 (GLB).
 std::string write_glb(const GlbScene& scene);
 
@@ -111,8 +112,8 @@ int json_depth(std::string_view text);
 // "image/png" or "image/jpeg" by the first bytes; empty for other kinds.
 std::string_view image_kind(std::string_view bytes);
 
-// The format of a mesh by the ending of its name, in lower case without the dot ("obj"), if armlet or
-// its converter reads it; otherwise empty.
+// The format of a mesh by the ending of its name, in lower case without the dot ("obj"), if armlet
+// or its converter reads it; otherwise empty.
 std::string_view mesh_format(std::string_view name);
 inline constexpr std::string_view kMeshFormats = "OBJ, 3DS, VRML 2.0, STL, DAE, PLY, glTF and GLB";
 

@@ -1,5 +1,7 @@
 // armlet mesh: a mesh of another format as GLB.
 
+#include "client/convert.hpp"
+
 #include <fmt/format.h>
 
 #include <cctype>
@@ -9,7 +11,6 @@
 
 #include "armlet/core/files.hpp"
 #include "armlet/mesh/glb.hpp"
-#include "client/convert.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "output_file.hpp"
@@ -52,8 +53,7 @@ void tell(const std::string& file, const std::string& stage, int seconds) {
 }  // namespace
 
 MeshConverter mesh_converter() {
-  return [](const std::string& path, const std::string& name,
-            double unit) -> Result<std::string> {
+  return [](const std::string& path, const std::string& name, double unit) -> Result<std::string> {
     const Result<Folder> folder = Folder::open(path);
     if (!folder.ok()) return folder.error();
     mesh::ConvertOptions how;
@@ -72,19 +72,23 @@ int convert_mesh(const MeshOptions& options) {
     const auto unit = length_of(options.unit);
     if (!unit) {
       return refuse_mesh(
-          fmt::format("--unit takes a length above 0, such as 1mm, not \"{}\"", options.unit), kUsage);
+          fmt::format("--unit takes a length above 0, such as 1mm, not \"{}\"", options.unit),
+          kUsage);
     }
     how.unit = *unit;
   }
   if (!options.up.empty()) how.up = options.up.front();
   if (!is_glb_name(options.to))
-    return refuse_mesh(fmt::format("what is written is a GLB: {} has to end in .glb", options.to), kUsage);
+    return refuse_mesh(fmt::format("what is written is a GLB: {} has to end in .glb", options.to),
+                       kUsage);
   if (mesh_format(options.from).empty()) {
-    return refuse_mesh(fmt::format("{} ends in no format that is read: {}", options.from, kMeshFormats),
-                  kUsage);
+    return refuse_mesh(
+        fmt::format("{} ends in no format that is read: {}", options.from, kMeshFormats), kUsage);
   }
   if (!options.quiet)
-    how.progress = [&](const std::string& stage, int seconds) { tell(options.from, stage, seconds); };
+    how.progress = [&](const std::string& stage, int seconds) {
+      tell(options.from, stage, seconds);
+    };
   const Result<std::string> glb = mesh::convert_mesh(options.from, how);
   if (how.progress && shows_status()) status_line({});
   if (!glb.ok()) {
@@ -97,7 +101,8 @@ int convert_mesh(const MeshOptions& options) {
   if (const int exit = file.open({options.from}); exit != kDone) return exit;
   file.file().write(*glb);
   if (const int exit = file.finish(); exit != kDone) return exit;
-  for (const std::string& note : glb_notes(*glb)) progress(fmt::format("{}: {}", options.from, note));
+  for (const std::string& note : glb_notes(*glb))
+    progress(fmt::format("{}: {}", options.from, note));
   if (!options.quiet) {
     const Result<TriangleMesh> read = read_glb(*glb);
     if (read.ok()) {
