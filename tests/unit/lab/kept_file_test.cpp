@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <map>
 
 #include "armlet/core/random.hpp"
@@ -33,7 +34,7 @@ struct Folder {
   std::map<std::string, std::string> files;
   std::string unreadable;
 
-  Result<std::string> keep(const std::string& name, const std::string& content) {
+  Result<KeptFile> keep(const std::string& name, const std::string& content) {
     return keep_beside(
         name, content,
         [&](const std::string& each) {
@@ -93,10 +94,13 @@ TEST_CASE("a file has the name of its bytes, and is kept once and as long as som
 TEST_CASE("a file that is kept takes the place of no other") {
   Folder folder;
   const std::string first = triangle(1.0), second = triangle(2.0);
-  CHECK(folder.keep("part.glb", first).value() == "part.glb");
-  CHECK(folder.keep("part.glb", first).value() == "part.glb");
+  for (int k = 0; k < 2; ++k) {
+    const KeptFile kept = folder.keep("part.glb", first).value();
+    CHECK(kept.name == "part.glb");
+    CHECK(kept.size == std::array{1.0, 1.0, 0.0});
+  }
   folder.unreadable = "part-2.glb";
-  CHECK(folder.keep("part.glb", second).value() == "part-3.glb");
+  CHECK(folder.keep("part.glb", second).value().name == "part-3.glb");
   CHECK(folder.files.at("part.glb") == first);
   CHECK(folder.files.size() == 2);
   CHECK(!folder.keep("part.obj", first).ok());
@@ -108,7 +112,7 @@ TEST_CASE("a page in control sends a file in pieces; hostile names become plain 
   std::map<std::string, std::string> kept;
   options.keep_file = [&](const std::string& name, std::string content) {
     kept[name] = std::move(content);
-    return Result<std::string>(name);
+    return Result<KeptFile>({.name = name});
   };
   Laboratory laboratory(std::move(options));
   TestPage page(laboratory), follower(laboratory);
