@@ -145,6 +145,55 @@ def check_glb_is_sound(name, document, binary):
     check(f"{name}: views apart {views}", all(a + b <= c for (a, b), (c, _) in zip(views, views[1:])))
 
 
+SHAPES = b"""#VRML V2.0 utf8
+PROTO Part [ field SFVec3f size 1 1 1 field SFColor paint 0 0 1 ] {
+  Shape { appearance Appearance { material Material { diffuseColor IS paint transparency 0.5 } } geometry Box { size IS size } } }
+Transform { scale 1 -1 1 children Shape { geometry Cylinder { } } }
+Transform { translation 5 0 0 rotation 1 2 3 0.7 children Shape { geometry Sphere { } } }
+Transform { translation 10 0 0 children Shape { geometry Cone { } } }
+Transform { translation 15 0 0 children Shape { geometry Extrusion { ccw FALSE crossSection [ 1 1, -1 1, -1 -1, 1 -1, 1 1 ] } } }
+Transform { translation 20 0 0 children DEF P Part { size 2 2 2 } }
+Transform { translation 25 0 0 children USE P }
+Shape { geometry IndexedLineSet { coord Coordinate { point [ 0 0 0, 99 99 99 ] } coordIndex [ 0 1 -1 ] } }
+Transform { translation 30 0 0 children Shape { geometry IndexedFaceSet {
+  coord Coordinate { point [ 0 0 0, 1 0 0, 0 1 0, 0 0 1 ] } coordIndex [ 0 2 1 -1 0 1 3 -1 0 3 2 -1 1 2 3 -1 ]
+  color Color { color [ 1 0 0, 0 1 0, 0 0 1, 1 1 1 ] } } } }
+DEF T TimeSensor { } ROUTE T.fraction_changed TO nowhere.set_fraction
+"""
+
+
+def check_shapes(folder):
+    """VRML's own shapes are closed and have the inside inside, mirrored ones and those that say clockwise too."""
+    folder.write("shapes.wrl", SHAPES)
+    done = folder.convert("shapes.wrl")
+    check(f"shapes: {done.stderr}", done.returncode == 0 and "closed" in done.stderr)
+    document, binary, _ = parts((folder.path / "made.glb").read_bytes())
+    triangles = list(triangles_of("shapes.wrl", document, binary))
+
+    def volume(x):
+        return volume_of([t for t in triangles if all(abs(p[0] - x) < 2.4 for p in t[0])])
+    for x, low, high in ((0, 5.8, 6.2832), (5, 3.6, 4.189), (10, 1.9, 2.0944), (15, 3.99, 4.01), (20, 7.99, 8.01), (25, 7.99, 8.01),
+                         (30, 0.166, 0.1667)):
+        check(f"volume at {x}: {volume(x)}", low < volume(x) < high)
+    factors = {rounded(m["pbrMetallicRoughness"]["baseColorFactor"]) for m in document["materials"]}
+    check(f"colours {factors}", (0, 0, 1, 0.5) in factors)
+    colors = {rounded(c) for mesh in document["meshes"] for p in mesh["primitives"] if "COLOR_0" in p["attributes"]
+              for c in numbers_of(document, binary, p["attributes"]["COLOR_0"])}
+    check(f"colours of corners {colors}", colors == {(1, 0, 0, 1), (0, 1, 0, 1), (0, 0, 1, 1), (1, 1, 1, 1)})
+
+
+def check_jpeg(folder):
+    folder.write("photo.JPG", meshes.jpeg(3, 5))
+    folder.write("photo.wrl", meshes.wrl("photo.jpg"))
+    check("a JPEG", folder.convert("photo.wrl").returncode == 0)
+    document, binary, notes = parts((folder.path / "made.glb").read_bytes())
+    check(f"a JPEG: {notes}", document["images"][0]["mimeType"] == "image/jpeg" and meshes.jpeg(3, 5) in binary)
+    folder.write("photo.JPG", meshes.jpeg(3, 50000))
+    check("a large JPEG", "3 x 50000 pixels" in folder.convert("photo.wrl").stderr)
+    folder.write("photo.JPG", meshes.jpeg(3, 5)[:8])
+    check("a JPEG cut off", "is damaged or cut off" in folder.convert("photo.wrl").stderr)
+
+
 def check_units_and_axes(folder):
     for name in ("box.obj", "box.stl", "box.ply", "box.3ds", "box.wrl"):
         done = folder.convert(name, "--unit", "25.4mm")
@@ -479,6 +528,8 @@ def main():
             return
         for name in names:
             check_format(folder, name)
+        check_shapes(folder)
+        check_jpeg(folder)
         check_units_and_axes(folder)
         check_command(folder)
         check_programs(folder, names)

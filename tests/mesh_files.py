@@ -24,6 +24,12 @@ def png(width=2, height=2, seed=0):
             chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 
 
+def jpeg(width, height):
+    """What stands before and behind the picture itself, which nobody here looks at."""
+    return (b"\xff\xd8\xff\xe0\0\x04ab\xff\xc0" + struct.pack(">HBHHB", 11, 8, height, width, 1) + b"\1\x11\0" +
+            b"\xff\xda\0\x08\1\1\0\0\x3f\0" + b"x" + b"\xff\xd9")
+
+
 # The corners and the six faces of the box, counterclockwise seen from outside.
 POINTS = [(x * SIZES[0], y * SIZES[1], z * SIZES[2]) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
 FACES = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
