@@ -22,6 +22,7 @@ test("everything is reached and worked from the keyboard", () =>
   withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\narm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
     const page = await open();
     await untilStatus(page, /3\.00 s/);
+    await page.locator(".stage canvas").waitFor();
     const seen = new Set();
     for (let k = 0; k < 90; k++) {
       await page.keyboard.press("Tab");

@@ -24,7 +24,7 @@ export function filesOf(run: Run): string[] {
 }
 
 // files  what filesOf names, in base64; those that could not be had are left out.
-export function recordingOf(state: State, run: Run, files: Map<string, string>): Recording {
+export function recordingOf(state: State, run: Run, files = new Map<string, string>()): Recording {
   const { welcome } = state;
   const id = run.id;
   const page = welcome?.page ?? 1;
