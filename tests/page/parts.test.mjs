@@ -1,7 +1,10 @@
 // Parts of the page that need no browser: kinematics, binary messages, numbers in a text, files of plots.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import test from "node:test";
-import { source } from "./modules.mjs";
+import { brotliCompressSync } from "node:zlib";
+import { root, source } from "./modules.mjs";
 
 const kinematics = await source("store/kinematics.ts");
 const { readRows, writeRows } = await source("protocol/rows.ts");
@@ -13,6 +16,8 @@ const { textToHash, hashToText } = await source("shell/link.ts");
 const { positionText, poseText } = await source("shell/scene_tools.ts");
 const { rulerStep } = await source("timebar/bar.ts");
 const { placeOfName } = await source("editor/names.ts");
+const { nameForObject, objectText, placeForObject } = await source("editor/new_object.ts");
+const { fromBase85, toBase85 } = await source("protocol/base85.ts");
 const { extent, grasped } = await source("scene/fingers.ts");
 const { neededPoints } = await source("scene/simplify.ts");
 
@@ -211,4 +216,41 @@ test("a line of fewer points goes nowhere farther from the whole one than it may
   assert.deepEqual(neededPoints(straight, 1e-6), [0, 5999]);
   assert.deepEqual(neededPoints([[1, 2]], 1), [0]);
   assert.deepEqual(neededPoints([], 1), []);
+});
+
+test("the page has at most 450 kB, compressed and without the fonts of formulas", () => {
+  const page = readFileSync(join(root, "apps/lab/page/dist/index.html"), "utf8").replace(/url\(data:font[^)]*\)/g, "");
+  const size = brotliCompressSync(page).length;
+  assert.ok(size < 450e3, `${size} bytes`);
+});
+
+test("an object goes behind the last one, whatever stands in braces, texts and remarks", () => {
+  const at = (text) => text.slice(0, placeForObject(text));
+  assert.equal(at(""), "");
+  assert.equal(at("// a remark\n\nprint(1)\n"), "// a remark\n");
+  assert.equal(at('import "a.rbt"\nprint(1)\n'), 'import "a.rbt"\n');
+  const robot = "robot arm {\n    joint revolute(a: 1m) // }\n}\n";
+  assert.equal(at(`${robot}arm.moveJ(q)\n`), robot);
+  const objects = `${robot}object a {\n    shape: box(1mm, 1mm, 1mm)\n    at: xyz() /* } \nobject */ }\nobject b { shape: mesh("}.glb") }\n`;
+  assert.equal(at(`${objects}fn f() {\nobject c { }\n}\n`), objects);
+  assert.equal(at(`${objects}// object d\n`), objects);
+  assert.equal(at("object a { shape: box(1mm, 1mm, 1mm) }"), "object a { shape: box(1mm, 1mm, 1mm) }");
+});
+
+test("an object has a name that is free and can be written", () => {
+  assert.equal(nameForObject("My-Part.glb", "", []), "my_Part");
+  assert.equal(nameForObject("part.glb", "object part { }\nlet part2 = 1", ["part3"]), "part4");
+  assert.equal(nameForObject("7 up.glb", "", []), "thing_7_up");
+  assert.equal(nameForObject("\u00e4.glb", "", []), "thing");
+  assert.equal(nameForObject("if.glb", "", ["if"]), "if2");
+  assert.equal(objectText("a", "a.glb", [0.1234567, -0.00001, 0.05]), 'object a { shape: mesh("a.glb"); at: xyz(123.5mm, 0mm, 50mm) }\n');
+});
+
+test("bytes come back from their digits to the base 85", () => {
+  for (let size = 0; size < 70; size++) {
+    const bytes = Uint8Array.from({ length: size }, (_, i) => (i * 151 + size * 89) & 255);
+    const text = toBase85(bytes);
+    assert.ok(!/[<=]/.test(text));
+    assert.deepEqual(fromBase85(text), bytes);
+  }
 });

@@ -233,3 +233,20 @@ TEST_CASE("a point is inside exactly if it is inside of one of the two boxes") {
     if (!on_face) CHECK(iron.holds(p) == (in_box(0.1, 0.02) || in_box(0.02, 0.1)));
   }
 }
+
+TEST_CASE("scaled and moved meshes know their file, and where its points have gone") {
+  TriangleMesh mesh = tetrahedron();
+  const auto bytes = std::make_shared<const std::string>("a file");
+  mesh.set_source(bytes);
+  const Eigen::Isometry3d T =
+      Eigen::Translation3d(0.1, -0.2, 0.3) * Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized());
+  const Eigen::Isometry3d shift(Eigen::Translation3d(0.5, 0.0, -1.0));
+  const TriangleMesh last = mesh.scaled({2.0, -3.0, 0.5}).moved(T).moved(shift).scaled({1, 1, 2});
+  CHECK(last.source().bytes == bytes);
+  for (const Vector3d& each : mesh.vertices()) {
+    const Vector3d p = last.source().T_mesh_file * each;
+    CHECK(std::ranges::any_of(last.vertices(),
+                              [&](const Vector3d& q) { return (p - q).norm() < 1e-12; }));
+  }
+  CHECK(tetrahedron().moved(T).source().bytes == nullptr);
+}
