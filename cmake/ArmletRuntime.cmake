@@ -1,15 +1,13 @@
 # What the runtime needs besides its sources.
 
-# Sources that differ: what a platform provides (core/platform.hpp), and what reads robot descriptions and meshes. That of
+# Sources that differ: what a platform provides (core/platform.hpp), and what reads robot descriptions. That of
 # WebAssembly is a C++ library and nothing else, and small.
 if(EMSCRIPTEN)
   set(platform src/core/bare/)
   set(urdf_read urdf_none)
-  set(glb_read glb_read)
 else()
   set(platform src/core/posix/ ample_stack)
   set(urdf_read urdf_read)
-  set(glb_read glb_read)
 endif()
 
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.

@@ -123,6 +123,9 @@ Answer<PlannedMotion> plan_to_joints(Vm& vm, MoveCall call, const Eigen::VectorX
   if (!settings.avoid) {
     auto motion = plan_through(vm, call, {state.q, q}, "Syn", {.move = move});
     if (!motion) return Failed{};
+    Host& host = Host::of(vm);
+    host.note_way(
+        {.t_ns = host.now_ns(), .robot = call.robot, .model = state.model, .motion = *motion});
     return PlannedMotion{"Syn", *std::move(motion), joints, state.model};
   }
   const auto search = search_of(vm, settings);

@@ -191,6 +191,21 @@ test("a planned way is shown from when it was planned until it has been gone", (
     }
   }));
 
+test("a way that was planned before is shown while the program waits, and not when it has been followed", () =>
+  withLab(`robot arm = robots.scara()
+let go = arm.plan(to: posJ(60deg, -40deg, 0mm, 0deg), avoid: false)
+wait(1s)
+arm.follow(go)
+wait(1s)
+`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /\d s$/);
+    for (const [share, wanted] of [[0.1, true], [0.95, false]]) {
+      await goTo(page, share);
+      await until(async () => ((await pixelsLike(page, [1, 12])) > 100) === wanted, () => `a way at ${share}: ${!wanted}`);
+    }
+  }));
+
 // ---- files that are dropped
 
 // bytes  of the file, or how many zeros it has.
