@@ -58,10 +58,13 @@ Result<std::string> Host::read_mesh(const std::string& name, double unit) const 
     if (unit != 0.0 && unit != 1.0) return refuse("GLB is in metres; it takes no other unit");
     return read(name, kMostBytes);
   }
-  if (mesh_format(name).empty())
-    return refuse(fmt::format("its name ends in no format that is read: {}", kMeshFormats));
+  // By another name it may be a GLB all the same; read_glb says if not.
+  if (mesh_format(name).empty()) return read(name, kMostBytes);
   if (options_.folder.empty()) return refuse("this host lets programs read no files");
   if (!options_.convert_mesh) {
+    // What a laboratory took along is a GLB by the name that the program says.
+    Result<std::string> bytes = read(name, kMostBytes);
+    if (!bytes.ok() || bytes->starts_with("glTF")) return bytes;
     return Error{"converter", "this host reads GLB alone; make one of it with armlet mesh convert"};
   }
   const Result<std::string> glb = options_.convert_mesh(options_.folder.string(), name, unit);
@@ -132,8 +135,7 @@ Result<std::string> Host::load_mesh(const std::string& file, const std::string& 
 
 Result<std::string> Host::load_shape(const std::string& name, double unit) const {
   if (options_.journal == nullptr) return read_mesh(name, unit);
-  const std::string asked = unit == 0.0 ? name : fmt::format("{} in {} m", name, unit);
-  Reply reply = options_.journal->load(asked, [&] { return reply_of(read_mesh(name, unit)); });
+  Reply reply = options_.journal->load(name, [&] { return reply_of(read_mesh(name, unit)); });
   if (reply.error) return *reply.error;
   return std::move(reply.text);
 }
