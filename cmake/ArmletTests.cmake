@@ -43,6 +43,7 @@ function(armlet_add_unit_tests layer library)
     armlet_group_sources(test_${layer} ${unity_${layer}})
   endif()
   add_test(NAME unit.${layer} COMMAND test_${layer})
+  set_tests_properties(unit.${layer} PROPERTIES TIMEOUT 900)  # the longest take two or three minutes where nothing else runs
 endfunction()
 
 # What a layer takes from one that it does not use is undefined here, so the program cannot be made.
