@@ -63,7 +63,7 @@ def hostile(folder):
     yield "index.dae", dae.replace(b"<p>0 0", b"<p>77 0"), "Invalid data index (77/8)"
     yield "below.dae", dae.replace(b"<p>0 0", b"<p>-7 0"), "has one below 0"
     yield "word.dae", dae.replace(b"<p>0 0", b"<p>0 x"), "has something else in it"
-    yield "tag.dae", dae.replace(b" count=", b" \xffount=", 1), "is no XML"
+    yield "tag.dae", dae.replace(b" count=", b" \xffount=", 1), "has no `count`"
     yield "count.dae", dae.replace(b'count="24"', b'count="2000000000"'), "a size in it is false"
     yield "deep.dae", meshes.dae(extra_node="<node>" * 50000 + "</node>" * 50000), "more than 64 elements in one another"
     yield "packed.dae", b"PK\3\4" + b"\0" * 100, "it is a packed archive"

@@ -42,6 +42,8 @@ FENCES = {
     "OMPL": (r"ompl/|boost/", ["runtime/src/planning/ompl/"]),
     "Assimp": (r"^assimp/", ["apps/mesh/converter/assimp_import.cpp"]),
     "Coin": (r"^Inventor/", ["apps/mesh/converter/vrml_import.cpp"]),
+    "TinyXML-2": (r"^tinyxml2", ["apps/mesh/converter/xml_check.cpp"]),
+    "OpenSSL": (r"^openssl/", ["apps/mesh/client/sha256.cpp"]),
     "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
     "the system": (r"^(sys/.*|(dirent|dlfcn|fcntl|poll|pthread|sched|signal|termios|time|ucontext|unistd)\.h"
                    r"|csignal|ctime|fstream|future|semaphore|thread|emscripten.*)$",

@@ -128,10 +128,10 @@ std::string find_converter() {
 }
 
 std::string no_converter() {
-  return "it takes the converter armlet-mesh, which is not there: install libassimp-dev and "
-         "libcoin-dev, "
-         "build the target armlet-mesh, and keep it beside armlet; or convert the mesh to GLB "
-         "elsewhere";
+  return "it takes the converter armlet-mesh, which is not there: install libassimp-dev, "
+         "libcoin-dev and libtinyxml2-dev, build the target armlet-mesh, and keep it beside "
+         "armlet; "
+         "or convert the mesh to GLB elsewhere";
 }
 
 }  // namespace armlet::mesh

@@ -1,8 +1,8 @@
 // The 3D view of the shown run at the instant that is looked at.
-import { Group, Matrix4, Mesh, MeshBasicMaterial, Plane, Raycaster, SphereGeometry, Vector2, Vector3, type Camera } from "three";
+import { Group, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
 import type { Intents } from "../store/intents.ts";
 import type { NearBody, Span } from "../protocol/messages.ts";
-import { matrixPose, multiply, poseMatrix, toolFrame } from "../store/kinematics.ts";
+import { multiply, poseMatrix, toolFrame } from "../store/kinematics.ts";
 import { NEAR, type Run } from "../store/run.ts";
 import { halfExtents, isRound } from "../store/shapes.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";
@@ -14,6 +14,7 @@ import { MeshLibrary } from "./meshes.ts";
 import { ObjectsView } from "./objects.ts";
 import { dark, light, type Palette } from "./palette.ts";
 import { PathView } from "./path.ts";
+import { ScenePointer } from "./pointer.ts";
 import { boundsOf, Stage, type Preset } from "./stage.ts";
 import { Clearances, Forces, overlaps, pixelSize, type Force } from "./things.ts";
 import { TorqueBars, type Bar } from "./torque_bars.ts";
@@ -58,7 +59,7 @@ export class SceneView {
   private described: unknown = null;
   private framed = "";
   private follow = false;
-  private dragged: { robot: number; plane: Plane; offset: Vector3; pose: number[] } | null = null;
+  readonly pointer: ScenePointer;
   showFrames = false;
   // Whether lines show how near things are; what overlaps is shown always.
   showClearance = false;
@@ -95,7 +96,13 @@ export class SceneView {
     };
     scheme.addEventListener("change", theme);
     theme();
-    this.listenToPointer();
+    this.pointer = new ScenePointer(store, intents, this.stage, this.handle, {
+      canvas: this.canvas,
+      paths: () => this.paths,
+      active: () => this.active,
+      reach: () => this.reach,
+      pickObject: host.pickObject.bind(host),
+    });
     store.watch(
       (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.hover, s.pull, s.nearest, s.instant, isStale(s)],
       (s) => this.render(s),
@@ -122,18 +129,6 @@ export class SceneView {
 
   redraw(): void {
     this.render(this.store.state);
-  }
-
-  // Where a pointer meets what is shown or the floor, and whether that faces up; null: it points into the air.
-  pointAt(event: { clientX: number; clientY: number }): { at: Vector3; isLevel: boolean } | null {
-    const { ray } = this.place(event);
-    const hit = ray.intersectObject(this.stage.content, true).find((each) => each.object.visible);
-    if (hit) {
-      const up = hit.face?.normal.clone().transformDirection(hit.object.matrixWorld).z ?? 0;
-      return { at: hit.point, isLevel: up > 0.9 };
-    }
-    const at = ray.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), 0), new Vector3());
-    return at && at.distanceTo(this.stage.controls.target) < 20 * this.reach ? { at, isLevel: true } : null;
   }
 
   // The picture as it is now.
@@ -413,101 +408,6 @@ export class SceneView {
     this.clearances.face(pixel);
     this.forces.face(pixel);
     this.labels.place(camera, clientWidth, clientHeight);
-  }
-
-  private listenToPointer(): void {
-    const canvas = this.canvas;
-    let down: Vector2 | null = null;
-    canvas.addEventListener("pointerdown", (event) => {
-      down = new Vector2(event.clientX, event.clientY);
-      if (this.startPull(event)) {
-        event.stopImmediatePropagation();
-        canvas.setPointerCapture(event.pointerId);
-      }
-    }, { capture: true });
-    canvas.addEventListener("pointermove", (event) => {
-      if (this.dragged) this.movePull(event);
-      else if (!event.buttons) this.hoverPath(event);
-    });
-    canvas.addEventListener("pointerup", (event) => {
-      if (this.dragged) this.finishPull();
-      else if (down && down.distanceTo(new Vector2(event.clientX, event.clientY)) < 4) this.click(event);
-    });
-    canvas.addEventListener("pointerleave", () => this.setHover(null));
-  }
-
-  private place(event: { clientX: number; clientY: number }): { x: number; y: number; width: number; height: number; ray: Raycaster } {
-    const box = this.canvas.getBoundingClientRect();
-    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
-    const ray = new Raycaster();
-    ray.setFromCamera(new Vector2((2 * x) / box.width - 1, 1 - (2 * y) / box.height), this.stage.camera as Camera);
-    return { x, y, width: box.width, height: box.height, ray };
-  }
-
-  private setHover(hover: State["hover"]): void {
-    if (this.store.state.hover === hover) return;
-    this.store.change((s) => (s.hover = hover));
-  }
-
-  private hoverPath(event: PointerEvent): void {
-    const run = shownRun(this.store.state);
-    if (!run) return;
-    const { x, y, width, height, ray } = this.place(event);
-    this.canvas.style.cursor = this.handle.visible && ray.intersectObject(this.handle).length ? "grab" : "";
-    for (let robot = 0; robot < this.paths.length; robot++) {
-      const t = this.paths[robot]!.timeAt(x, y, width, height, this.stage.camera, 10);
-      if (t === null) continue;
-      const line = run.moveAt(robot, t)?.span?.[0] ?? run.lineAt(t);
-      this.setHover({ from: "path", robot, t, line });
-      return;
-    }
-    if (this.store.state.hover?.from === "path") this.setHover(null);
-  }
-
-  private click(event: PointerEvent): void {
-    const hover = this.store.state.hover;
-    if (hover?.from === "path") {
-      this.intents.goTo(hover.t);
-      return;
-    }
-    const { ray } = this.place(event);
-    const hit = ray.intersectObject(this.stage.content, true)[0];
-    const name = hit?.object.userData["object"] ?? hit?.object.userData["robot"];
-    const object = shownRun(this.store.state)?.objects.find((each) => each.name === name);
-    if (typeof name === "string") this.host.pickObject(name, object?.span ?? null);
-  }
-
-  private startPull(event: PointerEvent): boolean {
-    const run = shownRun(this.store.state);
-    const robot = run?.robots[this.active];
-    if (!run || !robot || event.button !== 0 || !this.handle.visible) return false;
-    const { ray } = this.place(event);
-    const hit = ray.intersectObject(this.handle)[0];
-    if (!hit) return false;
-    const { t } = this.store.state;
-    const pose = matrixPose(toolFrame(robot, run.qAt(this.active, t), run.changeAt(this.active, t)));
-    const plane = new Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new Vector3()), this.handle.position);
-    this.dragged = { robot: this.active, plane, offset: hit.point.clone().sub(this.handle.position), pose };
-    this.stage.controls.enabled = false;
-    return true;
-  }
-
-  private movePull(event: PointerEvent): void {
-    const dragged = this.dragged!;
-    const point = this.place(event).ray.ray.intersectPlane(dragged.plane, new Vector3());
-    if (!point) return;
-    point.sub(dragged.offset);
-    void this.intents.pullHand(dragged.robot, [point.x, point.y, point.z, ...dragged.pose.slice(3)]);
-  }
-
-  private finishPull(): void {
-    const pull = this.store.state.pull;
-    const run = shownRun(this.store.state);
-    this.dragged = null;
-    this.stage.controls.enabled = true;
-    const robot = pull && run?.robots[pull.robot];
-    if (robot && pull.q) void this.intents.giveInput(robot.name, { joints: robot.name, values: pull.q }).then(() => this.intents.endPullHand());
-    else this.intents.endPullHand();
   }
 }
 

@@ -43,7 +43,7 @@ export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store,
       const { name: kept, size } = await intents.keepFile(file.name, new Uint8Array(await file.arrayBuffer()));
       if (kept === "") return;
       const { text } = store.state;
-      const found = scene.pointAt(pointer);
+      const found = scene.pointer.pointAt(pointer);
       const at = found ? found.at.toArray() : [0, 0, 0];
       // Its frame is in the middle of the box around it.
       const height = Math.max(at[2]!, 0) + size[2] / 2;
