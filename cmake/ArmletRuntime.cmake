@@ -9,7 +9,7 @@ if(EMSCRIPTEN)
 else()
   set(platform src/core/posix/ ample_stack)
   set(urdf_read urdf_read)
-  set(glb_read glb_read)
+  set(glb_read glb_read glb_things)
 endif()
 
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.

@@ -103,6 +103,8 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
   add_test(NAME mesh.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/mesh_command.py
            $<TARGET_FILE:armlet>)
+  add_test(NAME world.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/world_command.py
+           $<TARGET_FILE:armlet>)
 endfunction()
 
 # Installs this build into a folder of its own, then builds host programs against it and looks at what they print and see:

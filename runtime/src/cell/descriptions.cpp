@@ -57,7 +57,8 @@ ObjectInfo object_info(const Object& object) {
           .size = std::visit(ShapeSize{}, object.shape),
           .mass = object.mass,
           .color = object.color,
-          .T_world_obj = object.T_world_obj};
+          .T_world_obj = object.T_world_obj,
+          .texture = object.texture};
 }
 
 RobotInfo robot_info(const CellRobot& robot) {

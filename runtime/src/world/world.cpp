@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/similar.hpp"
@@ -23,14 +24,24 @@ const Object& World::insert(Object object) {
   }
   object.T_world_obj = renormalised(object.T_world_obj);
   bodies_.push_back({.object = std::move(object), .attachment = std::nullopt});
+  index_from(bodies_.size() - 1);
   ride(bodies_.back());
   return bodies_.back().object;
 }
 
 std::vector<Fall> World::remove(std::string_view name) {
-  const std::vector<std::string> above = stacked_on(name);
-  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index_of(name)));
+  std::vector<std::string> above = stacked_on(name);
+  const std::size_t index = index_of(name);
+  let_loose(bodies_[index].object.name, above);
+  if (!bodies_[index].fastened_on.empty()) --fastened_;
+  index_.erase(bodies_[index].object.name);
+  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
+  index_from(index);
   return settle(above);
+}
+
+void World::index_from(std::size_t first) {
+  for (std::size_t i = first; i < bodies_.size(); ++i) index_[bodies_[i].object.name] = i;
 }
 
 std::vector<std::string> World::names() const {
@@ -40,9 +51,8 @@ std::vector<std::string> World::names() const {
 }
 
 const Object* World::find(std::string_view name) const {
-  const auto found =
-      std::ranges::find_if(bodies_, [&](const Body& each) { return each.object.name == name; });
-  return found == bodies_.end() ? nullptr : &found->object;
+  const auto found = index_.find(name);
+  return found == index_.end() ? nullptr : &bodies_[found->second].object;
 }
 
 const Object& World::at(std::string_view name) const { return bodies_[index_of(name)].object; }
@@ -55,9 +65,8 @@ std::optional<std::string> World::similar_name(std::string_view name) const {
 }
 
 std::size_t World::index_of(std::string_view name) const {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].object.name == name) return i;
-  }
+  const auto found = index_.find(name);
+  if (found != index_.end()) return found->second;
   const auto similar = similar_name(name);
   throw ArgumentError(fmt::format("There is no object \"{}\"{}", name,
                                   similar ? fmt::format("; did you mean \"{}\"?", *similar) : "."));
@@ -67,16 +76,27 @@ std::vector<Fall> World::set_pose(std::string_view name, const Eigen::Isometry3d
   Body& moved = bodies_[index_of(name)];
   check_place(name, T_world_obj);
   const std::vector<std::string> above = stacked_on(name);
-  moved.attachment.reset();
+  const Eigen::Isometry3d T_old_new = moved.object.T_world_obj.inverse() * T_world_obj;
   moved.object.T_world_obj = renormalised(T_world_obj);
-  ride(moved);
+  if (moved.object.fixed && (moved.attachment || !moved.fastened_on.empty())) {
+    if (moved.attachment)
+      moved.attachment->T_carrier_obj = renormalised(moved.attachment->T_carrier_obj * T_old_new);
+    moved.T_on_obj = renormalised(moved.T_on_obj * T_old_new);
+  } else {
+    moved.attachment.reset();
+    if (!std::exchange(moved.fastened_on, {}).empty()) --fastened_;
+    ride(moved);
+  }
+  bring_fastened(moved);
   return settle(above);
 }
 
 bool World::is_carried_on(const Body& upper, const Body& lower) const {
-  if (&upper == &lower || upper.object.fixed) return false;
+  if (&upper == &lower) return false;
+  if (!upper.fastened_on.empty()) return upper.fastened_on == lower.object.name;
   if (upper.attachment) return upper.attachment->on == lower.object.name;
-  const auto z_rest = resting_height(upper.object, lower.object);
+  if (upper.object.fixed) return false;
+  const auto z_rest = rests_at(upper.object, lower.object);
   return z_rest && std::abs(upper.object.T_world_obj.translation().z() - *z_rest) <= kRestTolerance;
 }
 
@@ -119,7 +139,9 @@ void World::attach(std::string_view name, int carrier, const Eigen::Isometry3d& 
     };
     lower.push_back(std::ranges::find_if(bodies_, is_lower)->object.name);
   }
-  carry(bodies_[index_of(name)], {});
+  Body& taken = bodies_[index_of(name)];
+  if (!std::exchange(taken.fastened_on, {}).empty()) --fastened_;
+  carry(taken, {});
   for (std::size_t i = 0; i < above.size(); ++i) carry(bodies_[index_of(above[i])], lower[i]);
 }
 
@@ -134,23 +156,39 @@ const std::optional<Attachment>& World::attachment(std::string_view name) const 
 
 std::string_view World::carried_by(int carrier) const {
   for (const Body& each : bodies_) {
-    if (each.attachment && each.attachment->carrier == carrier && each.attachment->on.empty())
+    if (each.attachment && each.attachment->carrier == carrier && each.attachment->on.empty() &&
+        !each.attachment->mounted)
       return each.object.name;
   }
   return {};
 }
 
-void World::move_carried(int carrier, const Eigen::Isometry3d& T_world_carrier) {
+void World::move_carried(int carrier, std::span<const Eigen::Isometry3d> T_world_frames) {
+  const auto frame = [&](int index) -> const Eigen::Isometry3d& {
+    return index == kFlange ? T_world_frames.back()
+                            : T_world_frames[static_cast<std::size_t>(index)];
+  };
   for (Body& each : bodies_) {
     if (!each.attachment || each.attachment->carrier != carrier) continue;
-    each.object.T_world_obj = T_world_carrier * each.attachment->T_carrier_obj;
+    each.object.T_world_obj = frame(each.attachment->frame) * each.attachment->T_carrier_obj;
+  }
+  for (NamedFrame& each : frames_) {
+    if (each.base == FrameBase::kCarrier && each.carrier == carrier)
+      each.T_world_carrier = frame(each.frame);
   }
 }
 
+std::optional<double> World::rests_at(const Object& falling, const Object& below) const {
+  if (resting_ != nullptr && !(has_plain_footprint(falling) && has_plain_footprint(below)))
+    return resting_(falling, below);
+  return resting_height(falling, below);
+}
+
 Drop World::fall(const Body& falling) const {
-  const double z = falling.object.T_world_obj.translation().z();
+  const std::vector<const Body*> parts = compound(falling);
   Drop drop;
   bool found = false;
+  double z = 0.0;  // of the part that is looked at
   // A sheet that lies on a surface carries what comes down there.
   const auto consider = [&](double z_rest, const std::string& support, bool is_sheet) {
     constexpr double kSameHeight = 1e-9;  // m
@@ -160,12 +198,15 @@ Drop World::fall(const Body& falling) const {
     drop = {.distance = distance, .support = support};
     found = true;
   };
-  if (floor_z_) consider(*floor_z_ + half_height(falling.object), "floor", false);
-  for (const Body& each : bodies_) {
-    if (&each == &falling) continue;
-    const auto z_rest = resting_height(falling.object, each.object);
-    if (z_rest)
-      consider(*z_rest, each.object.name, std::holds_alternative<Plane>(each.object.shape));
+  for (const Body* part : parts) {
+    z = part->object.T_world_obj.translation().z();
+    if (floor_z_) consider(*floor_z_ + half_height(part->object), "floor", false);
+    for (const Body& each : bodies_) {
+      if (std::ranges::find(parts, &each) != parts.end()) continue;
+      const auto z_rest = rests_at(part->object, each.object);
+      if (z_rest)
+        consider(*z_rest, each.object.name, std::holds_alternative<Plane>(each.object.shape));
+    }
   }
   return drop;
 }
@@ -182,7 +223,9 @@ void World::ride(Body& body) {
         lower.object.T_world_obj.inverse() * body.object.T_world_obj;
     body.attachment = Attachment{.carrier = lower.attachment->carrier,
                                  .T_carrier_obj = lower.attachment->T_carrier_obj * T_lower_body,
-                                 .on = lower.object.name};
+                                 .on = lower.object.name,
+                                 .frame = lower.attachment->frame,
+                                 .mounted = lower.attachment->mounted};
     return;
   }
 }
@@ -190,7 +233,10 @@ void World::ride(Body& body) {
 // From the lowest up, so that each finds where those below it have come to rest.
 std::vector<Fall> World::settle(const std::vector<std::string>& names) {
   std::vector<std::size_t> order;
-  for (const std::string& name : names) order.push_back(index_of(name));
+  for (const std::string& name : names) {
+    const std::size_t i = index_of(name);
+    if (bodies_[i].fastened_on.empty()) order.push_back(i);
+  }
   const auto bottom = [this](std::size_t i) {
     const Object& object = bodies_[i].object;
     return object.T_world_obj.translation().z() - half_height(object);
@@ -206,6 +252,7 @@ std::vector<Fall> World::settle(const std::vector<std::string>& names) {
       falls.push_back({.name = body.object.name, .drop = std::move(drop)});
     }
     ride(body);
+    bring_fastened(body);
   }
   return falls;
 }
@@ -215,9 +262,11 @@ Drop World::drop(std::string_view name) {
   for (const std::string& each : above) bodies_[index_of(each)].attachment.reset();
   Body& falling = bodies_[index_of(name)];
   falling.attachment.reset();
+  if (!std::exchange(falling.fastened_on, {}).empty()) --fastened_;
   const Drop drop = fall(falling);
   falling.object.T_world_obj.translation().z() -= drop.distance;
   ride(falling);
+  bring_fastened(falling);
   settle(above);
   return drop;
 }

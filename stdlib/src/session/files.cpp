@@ -43,8 +43,8 @@ Result<fs::path> Host::write(const FileKind& kind, const std::string& name,
 }
 
 Result<std::string> Host::read(const std::string& name, std::size_t most) const {
-  if (options_.folder.empty()) return refuse("this host lets programs read no files");
-  const Result<Folder> folder = Folder::open(options_.folder.string());
+  if (folder_of_files().empty()) return refuse("this host lets programs read no files");
+  const Result<Folder> folder = Folder::open(folder_of_files().string());
   if (!folder.ok()) return refuse("the folder of the program cannot be opened");
   Result<std::string> text = folder->read(name, most);
   if (!text.ok()) return refusal(text.error(), "read");
@@ -52,10 +52,10 @@ Result<std::string> Host::read(const std::string& name, std::size_t most) const 
 }
 
 std::string Host::mesh_path(const std::string& file, const std::string& mesh) const {
-  if (options_.folder.empty()) return {};
-  const fs::path folder = (options_.folder / file).parent_path();
-  const fs::path from = file.empty() ? options_.folder : folder;
-  return find_mesh(from.string(), options_.folder.string(), mesh);
+  if (folder_of_files().empty()) return {};
+  const fs::path folder = (folder_of_files() / file).parent_path();
+  const fs::path from = file.empty() ? folder_of_files() : folder;
+  return find_mesh(from.string(), folder_of_files().string(), mesh);
 }
 
 bool Host::finds_mesh(const std::string& file, const std::string& mesh) const {
@@ -93,10 +93,17 @@ Result<fs::path> Host::save_file(const FileKind& kind, const std::string& name,
 }
 
 Result<std::string> Host::load_file(const std::string& name, std::size_t most) const {
-  if (options_.journal == nullptr) return read(name, most);
-  Reply reply = options_.journal->load(name, [&] { return reply_of(read(name, most)); });
-  if (reply.error) return *reply.error;
-  return std::move(reply.text);
+  if (const auto known = world_files_.find(name); known != world_files_.end())
+    return known->second;
+  Result<std::string> text = [&]() -> Result<std::string> {
+    if (options_.journal == nullptr) return read(name, most);
+    Reply reply = options_.journal->load(name, [&] { return reply_of(read(name, most)); });
+    if (reply.error) return *reply.error;
+    return std::move(reply.text);
+  }();
+  // The parts of a scene are many.
+  if (!world_folder_.empty() && text.ok()) world_files_.emplace(name, *text);
+  return text;
 }
 
 Result<std::string> Host::load_mesh(const std::string& file, const std::string& mesh) const {

@@ -16,8 +16,9 @@ namespace armlet::bind {
 Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::string fix = {},
                  int parameter = 0);
 
-// mesh(path, density): a body.
-Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density);
+// mesh(path, density, part, scale): a body.
+Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density,
+                              std::optional<std::string_view> part, double scale);
 
 // The mesh of a link that `file` names, the program itself if it is empty; null if it is of a kind
 // that is not read.

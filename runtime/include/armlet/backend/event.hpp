@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,6 +71,9 @@ struct RobotInfo {
 };
 
 // An object when it appears. `size`, m: x, y, z of a box; radius and height of what is round.
+//
+// glb      bytes of a GLB, shared with the mesh that they gave, for shape "mesh"; otherwise null.
+// texture  bytes of a PNG or JPEG, shared with the world; null: none.
 struct ObjectInfo {
   std::string name;
   std::string shape;
@@ -77,6 +81,8 @@ struct ObjectInfo {
   double mass = 0.0;  // kg
   std::string color = "gray";
   Eigen::Isometry3d T_world_obj = Eigen::Isometry3d::Identity();
+  std::shared_ptr<const std::string> glb;
+  std::shared_ptr<const std::string> texture;
 };
 
 struct RunInfo {

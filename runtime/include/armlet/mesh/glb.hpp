@@ -78,6 +78,29 @@ std::string write_glb(const GlbScene& scene);
 // source   as write_glb.
 Result<TriangleMesh> read_glb(std::string_view bytes);
 
+// A node of a scene that has triangles.
+//
+// name         of the node, or "node 3"; one that several have gets " 2", " 3" behind it.
+// T_world_thing  where it is, z up; what is scaled or sheared is so in its triangles.
+// color        "#rrggbb" of its first material; empty: none.
+// mass, fixed  what `extras` of the node say, if anything; kg.
+struct GlbThing {
+  std::string name;
+  Eigen::Isometry3d T_world_thing = Eigen::Isometry3d::Identity();
+  std::string color{};
+  std::optional<double> mass{};
+  std::optional<bool> fixed{};
+  TriangleMesh triangles;
+};
+
+// The nodes of a scene, each with its own triangles, z up; or only the one of that name.
+//
+// returns  an error as read_glb, which names the node where one is at fault; also for more than
+//          kMostThings nodes with triangles, and a name that no node has.
+inline constexpr std::size_t kMostThings = 10'000;
+Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes,
+                                              const std::string& only = {});
+
 // Whether a file is one by its name, ".glb" in whatever case.
 bool is_glb_name(std::string_view name);
 

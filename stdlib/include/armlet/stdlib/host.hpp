@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -148,6 +149,11 @@ class Host : public Timeline {
   void set_world_name(std::string name) { world_name_ = std::move(name); }
   [[nodiscard]] const std::string& world_name() const { return world_name_; }
   [[nodiscard]] bool has_world() const { return !world_name_.empty(); }
+  // Until the next call files are read from this folder; empty: from that of the program.
+  void read_from(std::filesystem::path folder) {
+    world_folder_ = std::move(folder);
+    world_files_.clear();
+  }
   // The program names an object: fetch the default world if nobody gave one.
   void want_world(const std::vector<std::string>& declared);
   // While a default world is filled: whether this object gives way to one that the program declares
@@ -221,6 +227,9 @@ class Host : public Timeline {
   [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
                                                     std::string_view content) const;
   [[nodiscard]] Result<std::string> read(const std::string& name, std::size_t most) const;
+  [[nodiscard]] const std::filesystem::path& folder_of_files() const {
+    return world_folder_.empty() ? options_.folder : world_folder_;
+  }
   [[nodiscard]] std::string mesh_path(const std::string& file, const std::string& mesh) const;
   [[nodiscard]] bool finds_mesh(const std::string& file, const std::string& mesh) const;
   bool pace_to(std::int64_t t_ns);
@@ -233,6 +242,8 @@ class Host : public Timeline {
   std::optional<UnreachedGoal> unreached_;
   int default_robot_ = -1;
   std::string world_name_;
+  std::filesystem::path world_folder_;
+  mutable std::map<std::string, std::string> world_files_;  // read already, while it is filled
   std::vector<Figure> figures_;
   std::optional<LabRows> lab_;
   std::vector<std::string> skipped_;
