@@ -104,6 +104,8 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
   add_test(NAME mesh.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/mesh_command.py
            $<TARGET_FILE:armlet>)
+  add_test(NAME world.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/world_command.py
+           $<TARGET_FILE:armlet>)
   armlet_add_convert_tests()
 endfunction()
 

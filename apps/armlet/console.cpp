@@ -18,6 +18,7 @@
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/math/format_vector.hpp"
 #include "armlet/stdlib/install.hpp"
+#include "armlet/stdlib/load_world.hpp"
 #include "imports.hpp"
 
 namespace armlet::cli {
@@ -98,14 +99,13 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
   if (options.world.empty()) {
     session.default_world = table_world();
   } else {
-    auto text = read_file(options.world, options.json);
-    if (!text) {
+    Result<WorldText> world = load_world(options.world, mesh_converter());
+    if (!world.ok()) {
+      show_unreadable(options.world, world.error().message, options.json);
       setup.exit = kNoFile;
       return setup;
     }
-    std::string name = options.world.substr(options.world.find_last_of('/') + 1);
-    if (name.ends_with(".rbt")) name.resize(name.size() - 4);
-    session.world = WorldText{std::move(name), *std::move(text)};
+    session.world = std::move(world).value();
   }
   // What a program may write lies below its own folder.
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -220,7 +220,7 @@ void show_move(const MoveReport& move) {
 std::string place_text(const Cell& cell, std::string_view object) {
   const std::string below = cell.world().resting_on(object);
   if (const auto& held = cell.world().attachment(object); held && held->on.empty())
-    return fmt::format("held by {}", cell.robot(held->carrier).name);
+    return fmt::format("{} {}", held->mounted ? "on" : "held by", cell.robot(held->carrier).name);
   return below.empty() ? below : "on " + below;
 }
 

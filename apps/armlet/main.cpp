@@ -22,7 +22,8 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
       ->type_name("NAME");
   command
       .add_option("--world", options.world,
-                  "a .rbt file that declares objects (default: a table with a cube and a cylinder)")
+                  "the world: a .rbt file that declares objects, or a scene as GLB or URDF (default: a "
+                  "table with a cube and a cylinder)")
       ->type_name("FILE");
   command
       .add_option("--steps", options.steps,
@@ -73,8 +74,8 @@ void add_prompt_options(CLI::App& app, Asked& asked) {
   app.add_option("--robot", asked.prompt.program.robot, "of the prompt: the robot (default: scara)")
       ->type_name("NAME");
   app.add_option("--world", asked.prompt.program.world,
-                 "of the prompt: a .rbt file that declares objects (default: a table with a cube "
-                 "and a cylinder)")
+                 "of the prompt: the world, a .rbt file that declares objects, or a scene as GLB or "
+                 "URDF (default: a table with a cube and a cylinder)")
       ->type_name("FILE");
   app.add_option("--record", asked.prompt.record,
                  "of the prompt: leave what `armlet replay` needs to take the session again in an "

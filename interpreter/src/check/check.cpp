@@ -67,6 +67,23 @@ void check_functions(Checker& checker) {
   }
 }
 
+// Of a text that may only declare things.
+void check_only_declares(Checker& checker, const CompileOptions& options, DiagnosticSink& sink) {
+  if (options.only_blocks.empty()) return;
+  for (const ast::Stmt* stmt : checker.file.program.body) {
+    bool declares = stmt->kind == ast::StmtKind::kEmpty ||
+                    (stmt->kind == ast::StmtKind::kVar && stmt->as<ast::VarStmt>().fixed);
+    if (stmt->kind == ast::StmtKind::kObject) {
+      const ast::TypeExpr& type = *stmt->as<ast::ObjectStmt>().type;
+      declares = type.form == ast::TypeForm::kNamed && type.path.size() == 1 &&
+                 std::ranges::find(options.only_blocks, type.path[0].text) !=
+                     options.only_blocks.end();
+    }
+    sink.begin_statement();
+    if (!declares) sink.report(options.refuse(stmt->span));
+  }
+}
+
 }  // namespace
 
 bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
@@ -99,6 +116,7 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
     bind_imports(file);
     collect(file, file.file.program);
   }
+  check_only_declares(main, options, sink);
   for (Checker& file : checkers) check_top_level(file);
   check_waiting_tests(main);  // those of imported files are run by themselves
   for (Checker& file : checkers) check_functions(file);

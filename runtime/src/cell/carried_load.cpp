@@ -4,11 +4,15 @@
 
 namespace armlet {
 
-Payload carried_load(const World& world, int carrier) {
+namespace {
+
+// What is carried and `counts`, as one body in the frame that carries it.
+template <class Counts>
+Payload sum_of(const World& world, int carrier, Counts&& counts) {
   Payload load;
   for (std::size_t i = 0; i < world.size(); ++i) {
     const auto& attachment = world.attachment_of(i);
-    if (!attachment || attachment->carrier != carrier) continue;
+    if (!attachment || attachment->carrier != carrier || !counts(*attachment)) continue;
     const Object& object = world.object(i);
     const Eigen::Matrix3d R = attachment->T_carrier_obj.linear();
     load = together(load, {.mass = object.mass,
@@ -16,6 +20,39 @@ Payload carried_load(const World& world, int carrier) {
                            .inertia = R * inertia(object) * R.transpose()});
   }
   return load;
+}
+
+}  // namespace
+
+Payload held_load(const World& world, int carrier) {
+  return sum_of(world, carrier, [](const Attachment& each) { return !each.mounted; });
+}
+
+std::shared_ptr<const Robot> loaded_arm(const std::shared_ptr<const Robot>& model,
+                                        const World& world, int carrier) {
+  std::shared_ptr<const Robot> loaded = model;
+  const auto at_flange = [&](const Attachment& each) {
+    return each.frame == kFlange || each.frame == model->n();
+  };
+  const Payload carried = sum_of(world, carrier, at_flange);
+  if (carried.mass != 0.0) {
+    loaded = std::make_shared<const Robot>(
+        model->with_payload(together(model->payload(), carried)));
+  }
+  if (!world.has_mounted(carrier)) return loaded;
+  for (int frame = 1; frame < model->n(); ++frame) {
+    const Payload mounted =
+        sum_of(world, carrier, [&](const Attachment& each) { return each.frame == frame; });
+    if (mounted.mass == 0.0) continue;
+    Link link = model->link(frame - 1);
+    const Payload sum =
+        together({.mass = link.mass, .com = link.com, .inertia = link.inertia}, mounted);
+    link.mass = sum.mass;
+    link.com = sum.com;
+    link.inertia = sum.inertia;
+    loaded = std::make_shared<const Robot>(loaded->with_link(frame - 1, link));
+  }
+  return loaded;
 }
 
 Vector6d load_wrench(const Robot& robot, const Payload& load,

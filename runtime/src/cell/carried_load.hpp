@@ -1,14 +1,20 @@
 #pragma once
 
+#include <memory>
+
 #include "armlet/math/twist.hpp"
 #include "armlet/model/robot.hpp"
 #include "armlet/world/world.hpp"
 
 namespace armlet {
 
-// All that travels with a carrier, as one rigid body seen from its frame: what the hand holds and
-// what rests on it.
-Payload carried_load(const World& world, int carrier);
+// What the hand of a carrier holds and what rests on it, as one rigid body seen from the flange.
+Payload held_load(const World& world, int carrier);
+
+// The arm with all that it carries: held, or mounted on one of its links; itself if that weighs
+// nothing.
+std::shared_ptr<const Robot> loaded_arm(const std::shared_ptr<const Robot>& model,
+                                        const World& world, int carrier);
 
 // What a load exerts on the hand that moves it, weight and inertia: [f; m] about the tool point,
 // world axes, N and N m.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "armlet/cell/fingers.hpp"
+#include "armlet/collision/resting.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/check_finite.hpp"
@@ -36,6 +37,7 @@ void Cell::tell(Told&& event) {
 Cell::Cell(World world, CellOptions options) : world_(std::move(world)), options_(options) {
   check_tick("tick", options.tick_ns);
   check_tick("sample period", options.sample_period_ns);
+  world_.set_resting(resting_height_of_shapes);
 }
 
 int Cell::add_robot(std::shared_ptr<const Robot> model, std::string name) {
@@ -112,7 +114,9 @@ void Cell::set_joints(int index, const Eigen::VectorXd& q) {
   contacts_.forget_robot(index);
   moved.q = q;
   follow_hands();
-  world_.move_carried(index, T_world_flange(index));
+  for (int i = 0; i < robot_count(); ++i) {
+    if (i == index || robot(i).on == index) carry_along(i);
+  }
   published_ns_[static_cast<std::size_t>(index)] = -1;
   publish(index);
 }
@@ -121,6 +125,30 @@ Eigen::Isometry3d Cell::T_world_base(int index) const {
   const CellRobot& arm = robot(index);
   if (arm.on < 0) return arm.model->T_world_base();
   return T_world_flange(arm.on) * arm.model->T_world_base();
+}
+
+Eigen::Isometry3d Cell::T_world_link(int index, int frame) const {
+  const CellRobot& arm = robot(index);
+  if (frame == kFlange) return T_world_flange(index);
+  if (frame < 0 || frame > arm.model->n()) {
+    throw ArgumentError(fmt::format("`{}` has the links 0, its base, to {}, but no link {}.",
+                                    arm.name, arm.model->n(), frame));
+  }
+  if (frame == 0) return T_world_base(index);
+  const Eigen::Isometry3d T_link = link_frame(*arm.model, arm.q, frame);
+  return arm.on < 0 ? T_link : T_world_flange(arm.on) * T_link;
+}
+
+void Cell::carry_along(int index) {
+  const CellRobot& arm = robot(index);
+  if (!world_.has_mounted(index)) {
+    if (!arm.held.empty()) world_.move_carried(index, T_world_flange(index));
+    return;
+  }
+  std::vector<Eigen::Isometry3d> T_world_frames;
+  for (int frame = 0; frame <= arm.model->n(); ++frame)
+    T_world_frames.push_back(T_world_link(index, frame));
+  world_.move_carried(index, T_world_frames);
 }
 
 Eigen::Isometry3d Cell::T_world_flange(int index) const {
@@ -150,7 +178,7 @@ void Cell::settle_contacts() { contacts_.settle(robots_, world_, now_ns()); }
 Vector6d Cell::held_wrench(int index) const {
   const CellRobot& arm = robot(index);
   if (arm.held.empty()) return Vector6d::Zero();
-  return load_wrench(*arm.model, carried_load(world_, index), T_world_flange(index), arm.q, arm.qd,
+  return load_wrench(*arm.model, held_load(world_, index), T_world_flange(index), arm.q, arm.qd,
                      arm.qdd);
 }
 
@@ -159,6 +187,40 @@ void Cell::insert(Object object) {
   const Object& inserted = world_.insert(std::move(object));
   weigh_loads();
   if (listening()) tell(ObjectAdded{.t_ns = now_ns(), .object = object_info(inserted)});
+}
+
+void Cell::insert(Object object, const Mount& on) {
+  Mount to = on;
+  Eigen::Isometry3d T_world_on = Eigen::Isometry3d::Identity();
+  if (on.base == FrameBase::kFrame) {
+    to = world_.mount_of_frame(on.on);
+    const auto T = world_.T_world_frame(on.on);
+    if (!T) {
+      throw ArgumentError(
+          fmt::format("The frame \"{}\" is on \"{}\", which was removed.", on.on, to.on));
+    }
+    T_world_on = *T;
+  } else if (on.base == FrameBase::kObject) {
+    T_world_on = world_.at(on.on).T_world_obj;
+  } else if (on.base == FrameBase::kCarrier) {
+    T_world_on = T_world_link(on.carrier, on.frame);
+  }
+  check_object(object);  // its pose on what it is on
+  object.T_world_obj = T_world_on * object.T_world_obj;
+  settle_contacts();
+  const std::string name = object.name;
+  world_.insert(std::move(object));
+  if (to.base == FrameBase::kObject) world_.fasten(name, to.on);
+  if (to.base == FrameBase::kCarrier)
+    world_.mount(name, to.carrier, to.frame, T_world_link(to.carrier, to.frame));
+  weigh_loads();
+  if (listening()) tell(ObjectAdded{.t_ns = now_ns(), .object = object_info(world_.at(name))});
+}
+
+void Cell::insert_frame(NamedFrame frame) {
+  if (frame.base == FrameBase::kCarrier)
+    frame.T_world_carrier = T_world_link(frame.carrier, frame.frame);
+  world_.insert_frame(std::move(frame));
 }
 
 std::optional<int> Cell::holder_of(std::string_view name) const {
@@ -237,17 +299,17 @@ Drop Cell::let_go(int index) {
   const Drop drop = world_.drop(name);
   weigh_loads();
   publish_object(name);
-  for (const std::string& each : above) publish_object(each);
+  for (const std::string& each : above) {
+    if (!world_.are_fastened(each, name)) publish_object(each);
+  }
   return drop;
 }
 
 void Cell::weigh_loads() {
   for (int i = 0; i < robot_count(); ++i) {
     CellRobot& arm = state(i);
-    const Payload carried = arm.held.empty() ? Payload{} : carried_load(world_, i);
-    arm.loaded = carried.mass == 0.0 ? arm.model
-                                     : std::make_shared<const Robot>(arm.model->with_payload(
-                                           together(arm.model->payload(), carried)));
+    arm.loaded = arm.held.empty() && !world_.has_mounted(i) ? arm.model
+                                                            : loaded_arm(arm.model, world_, i);
   }
 }
 
@@ -329,7 +391,8 @@ void Cell::publish(int index, int motion) {
                    .T_world_links = T_world_links_});
   for (std::size_t i = 0; i < world_.size(); ++i) {
     const auto& carried = world_.attachment_of(i);
-    if (carried && carried->carrier == index) publish_object(world_.object(i).name);
+    if (carried && carried->carrier == index && world_.fastened_on(i).empty())
+      publish_object(world_.object(i).name);
   }
   for (const int finger : arm.fingers) {
     if (!robot(finger).motion) publish(finger, motion);
@@ -338,8 +401,17 @@ void Cell::publish(int index, int motion) {
 
 void Cell::publish_object(std::string_view name) {
   if (!listening()) return;
-  const Object& object = world_.at(name);
-  tell(ObjectSample{.t_ns = now_ns(), .name = object.name, .T_world_obj = object.T_world_obj});
+  const auto tell_of = [&](const Object& object) {
+    tell(ObjectSample{.t_ns = now_ns(), .name = object.name, .T_world_obj = object.T_world_obj});
+  };
+  tell_of(world_.at(name));
+  // What is fastened on it, without a list of it: this happens at every sample.
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    const Object& object = world_.object(i);
+    if (!world_.fastened_on(i).empty() && object.name != name &&
+        world_.are_fastened(object.name, name))
+      tell_of(object);
+  }
 }
 
 void Cell::publish_falls(const std::vector<Fall>& falls) {

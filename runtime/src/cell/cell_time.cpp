@@ -183,7 +183,7 @@ void Cell::bring_to_now() {
     CellRobot& arm = state(i);
     if (!arm.motion) continue;
     arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
-    if (!arm.held.empty()) world_.move_carried(i, T_world_flange(i));
+    carry_along(i);
   }
   follow_hands();
 }
@@ -204,7 +204,7 @@ void Cell::end_motion(int index) {
   arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
   follow_hands();
   arm.motion.reset();
-  if (!arm.held.empty()) world_.move_carried(index, T_world_flange(index));
+  carry_along(index);
   publish(index, arm.motion_id);
   events_.push_back({.t_ns = now_ns(), .robot = index, .motion = arm.motion_id});
   if (const int carrier = arm.on >= 0 ? arm.on : index; hand_on(carrier) >= 0) review_grip(carrier);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include "armlet/kinematics/forward.hpp"
@@ -68,8 +69,9 @@ ArmBodies bodies_of(const Cell& cell, int robot) {
     if (!attachment || attachment->carrier != robot) continue;
     Solid solid = solid_of(world.object(i).shape);
     solid.T = attachment->T_carrier_obj;
-    arm.solids.push_back({.frame = model.n(), .solid = solid});
-    arm.bodies.push_back({.robot = robot, .object = world.object(i).name, .frame = model.n()});
+    const int frame = attachment->frame == kFlange ? model.n() : attachment->frame;
+    arm.solids.push_back({.frame = frame, .solid = solid, .still = frame == 0});
+    arm.bodies.push_back({.robot = robot, .object = world.object(i).name, .frame = frame});
   }
   return arm;
 }
@@ -98,7 +100,8 @@ class CellScene {
         arm_(*cell.robot(robot).model),
         mine_(bodies_of(cell, robot)),
         p_start_(forward(arm_, motion.start()).translation()),
-        p_end_(forward(arm_, motion.end()).translation()) {
+        end_(motion.end()),
+        p_end_(forward(arm_, end_).translation()) {
     scene_.arms.push_back({.robot = &arm_, .motion = &motion, .solids = mine_.solids});
     scene_.duration = motion.duration();
     names_.push_back(mine_.bodies);
@@ -203,8 +206,8 @@ class CellScene {
   [[nodiscard]] bool stand_in_each_other(int other, const ArmBodies& theirs) const {
     const auto base_of = [&](int robot, const ArmBodies& bodies) {
       std::vector<ArmSolid> still;
-      for (const ArmSolid& each : bodies.solids) {
-        if (each.still) still.push_back(each);
+      for (std::size_t i = 0; i < bodies.own; ++i) {
+        if (bodies.solids[i].still) still.push_back(bodies.solids[i]);
       }
       return placed(cell_, robot, still);
     };
@@ -226,20 +229,59 @@ class CellScene {
     }
     for (const auto& [first, second] : arm.own_pairs())
       scene_.pairs.push_back({.a = {0, slim + first}, .b = {0, slim + second}});
-    for (std::size_t i = mine_.carried; i < mine_.solids.size(); ++i) {
-      for (std::size_t k = 0; k < mine_.own; ++k) {
-        if (mine_.solids[k].frame >= arm.neighbour_of_last()) continue;
-        scene_.pairs.push_back(
-            {.a = {0, static_cast<int>(i)}, .b = {0, slim + static_cast<int>(k)}, .leaving = true});
-      }
+    for (std::size_t i = mine_.carried; i < mine_.solids.size(); ++i) add_own_pairs_of(i);
+  }
+
+  // What it carries on one link with the others. Neighbours of that link, and what a hand takes
+  // where the motion begins or ends, are left out.
+  void add_own_pairs_of(std::size_t i) {
+    const ArmSolids& arm = arm_.derived<ArmSolids>();
+    const int slim = static_cast<int>(scene_.arms[0].solids.size() - mine_.own);
+    const int frame = mine_.solids[i].frame;
+    const bool on_last = frame == arm_.n();
+    const bool is_taken = !on_last && takes_along(mine_.bodies[i].object, frame);
+    // The one that more joints move stands first.
+    const auto add = [&](int other) {
+      const BodyRef mine{0, static_cast<int>(i)}, theirs{0, other};
+      const bool is_first = frame >= scene_.arms[0].solids[static_cast<std::size_t>(other)].frame;
+      scene_.pairs.push_back(
+          {.a = is_first ? mine : theirs, .b = is_first ? theirs : mine, .leaving = true});
+    };
+    for (std::size_t k = 0; k < mine_.own; ++k) {
+      const int link = mine_.solids[k].frame;
+      if (on_last ? link >= arm.neighbour_of_last() : std::abs(link - frame) <= 1) continue;
+      if (is_taken && takes_hold(arm_, mine_.solids[k])) continue;
+      add(slim + static_cast<int>(k));
     }
+    if (on_last) return;
+    for (std::size_t k = mine_.own; k < mine_.solids.size(); ++k) {
+      const bool is_hand = k < mine_.carried;
+      // Of two that are both carried, one goes on the last link, or the first one has its turn.
+      const int link = mine_.solids[k].frame;
+      if (is_hand ? is_taken : link == frame || (link != arm_.n() && k > i)) continue;
+      add(static_cast<int>(k));
+    }
+  }
+
+  // As takes_here, of an object that goes along on a link.
+  [[nodiscard]] bool takes_along(const std::string& name, int frame) const {
+    Object object = cell_.world().at(name);
+    if (takes_here(object)) return true;
+    const auto T_world_link = [&](const Eigen::VectorXd& q) {
+      return frame == 0 ? arm_.T_world_base() : link_frame(arm_, q, frame);
+    };
+    const Eigen::Isometry3d T_link_obj = cell_.world().attachment(name)->T_carrier_obj;
+    object.T_world_obj = T_world_link(end_) * T_link_obj;
+    return takes_here(object);
   }
 
   const Cell& cell_;
   int robot_;
   const Robot& arm_;
   ArmBodies mine_;
-  Eigen::Vector3d p_start_, p_end_;
+  Eigen::Vector3d p_start_;
+  Eigen::VectorXd end_;
+  Eigen::Vector3d p_end_;
   MotionScene scene_;
   std::vector<std::vector<CellBody>> names_;  // of the bodies of each arm of the scene
   std::vector<CellBody> fixed_names_;
@@ -266,7 +308,8 @@ std::vector<Solid> solids_now(const Cell& cell, const CellBody& thing) {
 
 bool feels(const Cell& cell, const CellBody& body) {
   if (body.robot < 0) return false;
-  return !body.object.empty() || is_feeler(*cell.robot(body.robot).model, body.frame, body.role);
+  const Robot& arm = *cell.robot(body.robot).model;
+  return body.object.empty() ? is_feeler(arm, body.frame, body.role) : body.frame == arm.n();
 }
 
 std::string body_text(const Cell& cell, const CellBody& body) {
@@ -323,7 +366,9 @@ std::optional<ObjectOverlap> deepest_overlap(const World& world, const Object& o
   const double reach = body.reach();
   for (std::size_t i = 0; i < world.size(); ++i) {
     const Object& other = world.object(i);
-    if (&other == &object || (other.fixed && object.fixed) || world.attachment_of(i)) continue;
+    if (&other == &object || (other.fixed && object.fixed) || world.attachment_of(i) ||
+        world.are_fastened(other.name, object.name))
+      continue;
     Solid solid = solid_of(other.shape);
     solid.T = other.T_world_obj;
     const double most = reach + solid.reach();

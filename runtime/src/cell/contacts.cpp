@@ -26,6 +26,10 @@ bool is_around(const Robot& arm, const Object& object, const Vector3d& approach)
          !object.fixed && grasp_width(object, approach) <= arm.tool().stroke;
 }
 
+bool is_at_flange(const Robot& arm, const Attachment& carried) {
+  return carried.frame == kFlange || carried.frame == arm.n();
+}
+
 }  // namespace
 
 // The cell at any instant since nothing but time has changed it.
@@ -45,17 +49,24 @@ struct Contacts::Scene {
     if (arm.motion) arm.motion->sample(t_ns, q, qd, qdd);
   }
 
-  [[nodiscard]] Isometry3d T_world_flange(int robot, std::int64_t t_ns) const {
+  [[nodiscard]] Isometry3d T_world_link(int robot, int frame, std::int64_t t_ns) const {
     Eigen::VectorXd q, qd;
     state(robot, t_ns, q, qd);
     const Robot& model = *arm(robot).model;
-    return link_frame(model, q, model.n());
+    const Isometry3d T_link = frame == 0
+                                  ? model.T_world_base()
+                                  : link_frame(model, q, frame == kFlange ? model.n() : frame);
+    const int on = arm(robot).on;
+    return on < 0 ? T_link : T_world_link(on, kFlange, t_ns) * T_link;
+  }
+  [[nodiscard]] Isometry3d T_world_flange(int robot, std::int64_t t_ns) const {
+    return T_world_link(robot, kFlange, t_ns);
   }
 
   [[nodiscard]] Isometry3d T_world_obj(std::size_t index, std::int64_t t_ns) const {
     const auto& carried = world.attachment_of(index);
     if (!carried) return world.object(index).T_world_obj;
-    return T_world_flange(carried->carrier, t_ns) * carried->T_carrier_obj;
+    return T_world_link(carried->carrier, carried->frame, t_ns) * carried->T_carrier_obj;
   }
 
   [[nodiscard]] std::vector<Feeler> feelers(int robot) const {
@@ -64,7 +75,7 @@ struct Contacts::Scene {
     if (arm.on >= 0) return all;  // fingers.hpp
     for (std::size_t i = 0; i < world.size(); ++i) {
       const auto& carried = world.attachment_of(i);
-      if (!carried || carried->carrier != robot) continue;
+      if (!carried || carried->carrier != robot || !is_at_flange(*arm.model, *carried)) continue;
       Feeler feeler{.carried = world.object(i).name, .solid = solid_of(world.object(i).shape)};
       feeler.solid.T = carried->T_carrier_obj;
       all.push_back(std::move(feeler));
@@ -89,13 +100,17 @@ struct Contacts::Scene {
   // What the hand holds, and what travels with that, it does not press against.
   [[nodiscard]] bool is_own(int robot, std::size_t index) const {
     const auto& carried = world.attachment_of(index);
-    return (carried && carried->carrier == robot) || world.object(index).name == arm(robot).held;
+    const bool goes_along = carried && carried->carrier == robot &&
+                            (!carried->mounted || is_at_flange(*arm(robot).model, *carried));
+    return goes_along || world.object(index).name == arm(robot).held;
   }
 
   // Whether time alone brings the object elsewhere.
   [[nodiscard]] bool is_on_its_way(std::size_t index) const {
     const auto& carried = world.attachment_of(index);
-    return carried && arm(carried->carrier).motion;
+    if (!carried) return false;
+    const int on = arm(carried->carrier).on;
+    return arm(carried->carrier).motion || (on >= 0 && arm(on).motion);
   }
 
   [[nodiscard]] bool may_press(int robot, std::size_t index, const Feeler& feeler,
@@ -235,10 +250,12 @@ Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& wor
   clear_.resize(robots.size());
   Clear& clear = clear_[static_cast<std::size_t>(robot)];
   if (clear.still_at(T_world_tool)) return sum;
-  const auto velocity_of = [&](int of, const Vector3d& p) -> Vector3d {
+  // Of a point of what joint `frame` moves.
+  const auto velocity_of = [&](int of, int frame, const Vector3d& p) -> Vector3d {
     Eigen::VectorXd q, qd;
     scene.state(of, now_ns, q, qd);
     const Robot& model = *scene.arm(of).model;
+    if (frame != kFlange) qd.tail(model.n() - frame).setZero();
     Jacobian J(6, model.n());
     const Isometry3d T = forward_and_jacobian(model, q, J);
     const Vector6d twist = J * qd;
@@ -254,8 +271,9 @@ Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& wor
         const double press = object.stiffness * depth_along(a, b, n);
         if (!(press > 0.0)) return;
         const Vector3d p = pressure_point(a, b, n);
-        Vector3d v = velocity_of(robot, p);
-        if (const auto& carried = world.attachment_of(index)) v -= velocity_of(carried->carrier, p);
+        Vector3d v = velocity_of(robot, kFlange, p);
+        if (const auto& carried = world.attachment_of(index))
+          v -= velocity_of(carried->carrier, carried->frame, p);
         v -= v.dot(n) * n;
         double mu = object.friction;
         if (!feeler.carried.empty()) mu = std::min(mu, world.at(feeler.carried).friction);

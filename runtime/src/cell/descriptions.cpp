@@ -79,7 +79,8 @@ ObjectInfo object_info(const Object& object) {
                   .size = std::visit(ShapeSize{}, object.shape),
                   .mass = object.mass,
                   .color = object.color,
-                  .T_world_obj = object.T_world_obj};
+                  .T_world_obj = object.T_world_obj,
+                  .texture = object.texture};
   if (const Mesh* mesh = std::get_if<Mesh>(&object.shape)) {
     info.glb = mesh->triangles->source().bytes;
     info.T_obj_glb = mesh->triangles->source().T_mesh_file;

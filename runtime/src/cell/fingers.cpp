@@ -106,6 +106,9 @@ void Cell::follow_hands() {
       }
     }
   }
+  for (int i = 0; i < robot_count(); ++i) {
+    if (robots_[static_cast<std::size_t>(i)].on >= 0 && world_.has_mounted(i)) carry_along(i);
+  }
 }
 
 void Cell::review_grip(int index) {

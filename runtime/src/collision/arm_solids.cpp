@@ -180,14 +180,35 @@ void add_needle(const Robot& robot, std::vector<ArmSolid>& bodies) {
 }
 
 // Of what joint `link` moves, counted from 1.
-bool has_meshes(const Robot& robot, int link) {
-  return link > 0 && link <= robot.n() && !robot.spec().links.empty() &&
-         !robot.link(link - 1).bodies.empty();
+bool has_bodies(const Robot& robot, int link) {
+  if (link <= 0 || link > robot.n() || robot.spec().links.empty()) return false;
+  const Link& own = robot.link(link - 1);
+  return !own.bodies.empty() || !own.solids.empty();
 }
 
-void add_meshes(const Robot& robot, std::vector<ArmSolid>& bodies) {
+Solid solid_of(const LinkSolid& body) {
+  Solid solid;
+  switch (body.kind) {
+    case LinkSolidKind::kBox:
+      solid = {.core = Solid::Core::kBox, .half = 0.5 * body.size};
+      break;
+    case LinkSolidKind::kCylinder:
+      solid = {.core = Solid::Core::kCylinder,
+               .half = {body.size.x(), body.size.x(), 0.5 * body.size.y()}};
+      break;
+    case LinkSolidKind::kSphere:
+      solid = {.margin = body.size.x()};
+      break;
+  }
+  solid.T = body.T_link_solid;
+  return solid;
+}
+
+void add_bodies(const Robot& robot, std::vector<ArmSolid>& bodies) {
   for (int link = 1; link <= robot.n(); ++link) {
-    if (!has_meshes(robot, link)) continue;
+    if (!has_bodies(robot, link)) continue;
+    for (const LinkSolid& each : robot.link(link - 1).solids)
+      bodies.push_back({.frame = link, .solid = solid_of(each)});
     for (const LinkMesh& each : robot.link(link - 1).bodies) {
       ArmSolid body{.frame = link, .solid = solid_of(*each.triangles)};
       body.solid.T = each.T_link_mesh;
@@ -206,7 +227,7 @@ std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
   const Eigen::Isometry3d T_world_tool = forward(robot, robot.home());
   std::vector<ArmSolid> bodies;
   for (const LinkShape& shape : link_shapes(robot)) {
-    if (is_left_out(shape, bare) || has_meshes(robot, shape.link)) continue;
+    if (is_left_out(shape, bare) || has_bodies(robot, shape.link)) continue;
     ArmSolid body{.frame = std::min(shape.link, robot.n()),
                   .role = shape.role,
                   .solid = solid_of(shape),
@@ -226,7 +247,7 @@ std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
     if (body.solid.is_empty()) continue;
     bodies.push_back(std::move(body));
   }
-  add_meshes(robot, bodies);
+  add_bodies(robot, bodies);
   if (bare) add_needle(robot, bodies);
   return bodies;
 }

@@ -4,9 +4,12 @@
 #include <bit>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "armlet/mesh/glb.hpp"
 #include "mesh/glb_format.hpp"
+#include "mesh/glb_things.hpp"
 
 namespace armlet {
 namespace {
@@ -234,16 +237,72 @@ class SceneReader {
       : document_(document), binary_(document, binary), seen_(document.count("nodes"), false) {}
 
   TriangleMesh read() {
+    walk([&](const Json& node, std::uint64_t, const Placement& at) {
+      add_mesh(Document::number(node, "mesh"), at.T);
+    });
+    if (triangles_.empty()) refuse("there are no triangles in it");
+    return {std::move(vertices_), std::move(triangles_)};
+  }
+
+  std::vector<GlbThing> read_things(const std::string& only) {
+    std::vector<GlbThing> things;
+    std::set<std::string> names;
+    std::size_t count = 0;
+    walk([&](const Json& node, std::uint64_t number, const Placement& at) {
+      if (++count > kMostThings) {
+        refuse(fmt::format("it has more than {} nodes with triangles", kMostThings));
+      }
+      const std::string name = name_of(node, number, names);
+      if (!only.empty() && name != only) return;
+      try {
+        Affine3d T = Affine3d::Identity();
+        T.linear() = up() * at.R.transpose() * up().transpose() * at.T.linear();
+        add_mesh(Document::number(node, "mesh"), T);
+        if (triangles_.empty()) return;
+        things.push_back({.name = name,
+                          .triangles = {std::exchange(vertices_, {}),
+                                        std::exchange(triangles_, {})}});
+        read_look(Document::number(node, "mesh"), things.back());
+        things.back().T_world_thing.translation() = at.T.translation();
+        things.back().T_world_thing.linear() = up() * at.R * up().transpose();
+        read_extras(node, things.back());
+      } catch (const ArgumentError& error) {
+        refuse(fmt::format("node \"{}\": {}", name, error.what()));
+      }
+    });
+    if (things.empty())
+      refuse(only.empty() ? "there are no triangles in it"
+                          : fmt::format("it has no node \"{}\" with triangles", only));
+    return things;
+  }
+
+ private:
+  // Where a node is: z up, and how it is turned in the axes of the file, without what is scaled.
+  struct Placement {
+    Affine3d T;
+    Eigen::Matrix3d R;
+  };
+
+  // From y up to z up.
+  static Eigen::Matrix3d up() {
+    Eigen::Matrix3d R;
+    R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    return R;
+  }
+
+  // Visits all nodes of the scene that have a mesh.
+  template <class Visit>
+  void walk(Visit&& visit) {
     check_extensions();
     struct Open {
       std::uint64_t node;
-      Affine3d T;
+      Placement at;
     };
-    // z up.
     Affine3d T_up = Affine3d::Identity();
-    T_up.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    T_up.linear() = up();
     std::vector<Open> open;
-    for (const std::uint64_t root : roots()) open.push_back({root, T_up});
+    for (const std::uint64_t root : roots())
+      open.push_back({root, {T_up, Eigen::Matrix3d::Identity()}});
     std::reverse(open.begin(), open.end());
     while (!open.empty()) {
       const Open next = open.back();
@@ -252,17 +311,48 @@ class SceneReader {
       if (seen_[next.node])
         refuse(fmt::format("node {} is below itself or below two others", next.node));
       seen_[next.node] = true;
-      const Affine3d T = next.T * placement_of(node);
-      if (node.contains("mesh")) add_mesh(Document::number(node, "mesh"), T);
+      const Affine3d T_node = placement_of(node);
+      const Placement at{next.at.T * T_node, next.at.R * rotation_in(T_node.linear())};
+      if (node.contains("mesh")) visit(node, next.node, at);
       const Json& children = Document::member(node, "children");
       for (std::size_t k = children.is_array() ? children.size() : 0; k-- > 0;)
-        open.push_back({index(children[k], "child of a node"), T});
+        open.push_back({index(children[k], "child of a node"), at});
     }
-    if (triangles_.empty()) refuse("there are no triangles in it");
-    return {std::move(vertices_), std::move(triangles_)};
   }
 
- private:
+  std::string name_of(const Json& node, std::uint64_t number, std::set<std::string>& names) const {
+    const Json& given = Document::member(node, "name");
+    return unique_name(given.is_string() ? given.get<std::string>() : std::string(), number, names);
+  }
+
+  // The base colour of the first material of a mesh.
+  void read_look(std::uint64_t mesh, GlbThing& thing) const {
+    const Json& parts = Document::member(document_.element("meshes", mesh, "mesh"), "primitives");
+    for (const Json& part : parts) {
+      if (!part.is_object() || !part.contains("material")) continue;
+      const Json& material =
+          document_.element("materials", Document::number(part, "material"), "material");
+      const Json& look = Document::member(material, "pbrMetallicRoughness");
+      if (!look.is_object()) return;
+      if (Document::numbers(look, "baseColorFactor", thing.look.color.data(), 4))
+        thing.color = shown_color(thing.look.color.data());
+      return;
+    }
+  }
+
+  static void read_extras(const Json& node, GlbThing& thing) {
+    const Json& extras = Document::member(node, "extras");
+    if (!extras.is_object()) return;
+    const Json& mass = Document::member(extras, "mass");
+    if (mass.is_number()) {
+      thing.mass = mass.get<double>();
+      if (!std::isfinite(*thing.mass) || *thing.mass < 0.0)
+        refuse(fmt::format("its mass is {} kg; expected 0 or more", *thing.mass));
+    }
+    const Json& fixed = Document::member(extras, "fixed");
+    if (fixed.is_boolean()) thing.fixed = fixed.get<bool>();
+  }
+
   void check_extensions() const {
     const Json& required = Document::member(document_.root(), "extensionsRequired");
     if (!required.is_array()) return;
@@ -383,6 +473,15 @@ class SceneReader {
 };
 
 }  // namespace
+
+Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes,
+                                              const std::string& only) try {
+  const Chunks chunks = chunks_of(bytes);
+  const Document document(chunks.json);
+  return SceneReader(document, chunks.binary).read_things(only);
+} catch (const ArgumentError& error) {
+  return Error{"mesh", error.what()};
+}
 
 Result<TriangleMesh> read_glb(std::string_view bytes) try {
   const Chunks chunks = chunks_of(bytes);

@@ -26,12 +26,15 @@ Link moved(const Link& link, const Eigen::Isometry3d& T_to_from) {
   result.mesh = link.mesh;
   result.bodies = link.bodies;
   for (LinkMesh& each : result.bodies) each.T_link_mesh = T_to_from * each.T_link_mesh;
+  result.solids = link.solids;
+  for (LinkSolid& each : result.solids) each.T_link_solid = T_to_from * each.T_link_solid;
   return result;
 }
 
 void add_body(Link& link, const Link& body) {
   if (link.mesh.empty()) link.mesh = body.mesh;
   link.bodies.insert(link.bodies.end(), body.bodies.begin(), body.bodies.end());
+  link.solids.insert(link.solids.end(), body.solids.begin(), body.solids.end());
   if (link.mass + body.mass == 0.0) {
     link.inertia += body.inertia;
     if (link.com.isZero()) link.com = body.com;

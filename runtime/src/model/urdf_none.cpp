@@ -12,4 +12,6 @@ Result<Mechanism> read_urdf(std::string_view, const UrdfOptions&) {
       "no library"};
 }
 
+Result<std::vector<UrdfLink>> read_urdf_scene(std::string_view) { return read_urdf({}).error(); }
+
 }  // namespace armlet

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <urdf_model/model.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -144,6 +145,29 @@ Link link_of(const urdf::Link& source) {
   return link;
 }
 
+std::optional<LinkSolid> solid_of(const urdf::Geometry& geometry) {
+  LinkSolid solid;
+  switch (geometry.type) {
+    case urdf::Geometry::BOX: {
+      const urdf::Vector3& dim = static_cast<const urdf::Box&>(geometry).dim;
+      solid.size = {dim.x, dim.y, dim.z};
+      return solid;
+    }
+    case urdf::Geometry::CYLINDER: {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+      solid.kind = LinkSolidKind::kCylinder;
+      solid.size = {cylinder.radius, cylinder.length, 0.0};
+      return solid;
+    }
+    case urdf::Geometry::SPHERE:
+      solid.kind = LinkSolidKind::kSphere;
+      solid.size = {static_cast<const urdf::Sphere&>(geometry).radius, 0.0, 0.0};
+      return solid;
+    default:
+      return std::nullopt;
+  }
+}
+
 struct PlacedMesh {
   std::string file;
   Isometry3d T_link_mesh;
@@ -206,7 +230,18 @@ class Reader {
     return std::nullopt;
   }
 
-  std::optional<Error> load_meshes(const urdf::Link& link, Link& body) const {
+  // Boxes, cylinders and spheres among what is compared with other bodies, and meshes.
+  std::optional<Error> load_bodies(const urdf::Link& link, Link& body) const {
+    const auto add = [&](const urdf::GeometrySharedPtr& geometry, const urdf::Pose& origin) {
+      const auto solid = geometry ? solid_of(*geometry) : std::nullopt;
+      if (!solid) return;
+      body.solids.push_back(*solid);
+      body.solids.back().T_link_solid = pose_of(origin);
+    };
+    for (const auto& each : link.collision_array) add(each->geometry, each->origin);
+    for (const auto& each : link.visual_array) {
+      if (link.collision_array.empty()) add(each->geometry, each->origin);
+    }
     if (!options_.load_mesh) return std::nullopt;
     for (const PlacedMesh& each : collision_meshes_of(link)) {
       auto mesh = options_.load_mesh(each.file);
@@ -256,7 +291,7 @@ class Reader {
               .link = link_of(child)};
     const std::vector<std::string> meshes = meshes_of(child);
     if (!meshes.empty()) body.link.mesh = meshes.front();
-    if (auto error = load_meshes(child, body.link)) return error;
+    if (auto error = load_bodies(child, body.link)) return error;
     switch (joint.type) {
       case urdf::Joint::FIXED:
         break;
@@ -356,13 +391,12 @@ class Reader {
   std::vector<const urdf::Joint*> joints_;  // those that move, in the order of the bodies
 };
 
-}  // namespace
-
-Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options) {
+// Why a text is none; the model if it is one.
+Result<std::shared_ptr<urdf::ModelInterface>> model_of(std::string_view text) {
   if (const std::string fault = xml_fault(text); !fault.empty()) return broken(fault);
   // urdfdom would hold on to links in a circle for ever.
   if (const std::string fault = structure_fault(text); !fault.empty()) return broken(fault);
-  const Parsed parsed = parse(std::string(text));
+  Parsed parsed = parse(std::string(text));
   // urdfdom reports some faults and goes on without what it could not read.
   if (parsed.model == nullptr || !parsed.reason.empty()) {
     if (const std::string fault = number_fault(text); !fault.empty()) return broken(fault);
@@ -370,7 +404,83 @@ Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options) {
         fmt::format("the robot description cannot be read: {}",
                     parsed.reason.empty() ? "there is no element <robot>" : parsed.reason));
   }
-  Result<MechanismSpec> spec = Reader(*parsed.model, options).read();
+  return std::move(parsed.model);
+}
+
+UrdfPart part_of(const urdf::Geometry& geometry, const urdf::Pose& origin,
+                 const urdf::MaterialSharedPtr& material) {
+  UrdfPart part{.T_link_part = pose_of(origin)};
+  if (const auto solid = solid_of(geometry)) {
+    part.solid = *solid;
+  } else {
+    const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+    part.mesh = mesh.filename;
+    part.scale = {mesh.scale.x, mesh.scale.y, mesh.scale.z};
+  }
+  if (material) {
+    const auto byte = [](float c) {
+      return static_cast<int>(std::lround(255.0 * std::min(std::max(double{c}, 0.0), 1.0)));
+    };
+    const urdf::Color& c = material->color;
+    part.color = fmt::format("#{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b));
+  }
+  return part;
+}
+
+std::vector<UrdfPart> parts_of(const urdf::Link& link) {
+  std::vector<UrdfPart> parts;
+  for (const auto& each : link.visual_array) {
+    if (each->geometry) parts.push_back(part_of(*each->geometry, each->origin, each->material));
+  }
+  if (!parts.empty()) return parts;
+  for (const auto& each : link.collision_array) {
+    if (each->geometry) parts.push_back(part_of(*each->geometry, each->origin, nullptr));
+  }
+  return parts;
+}
+
+}  // namespace
+
+Result<std::vector<UrdfLink>> read_urdf_scene(std::string_view text) {
+  const auto model = model_of(text);
+  if (!model.ok()) return model.error();
+  const auto root = (*model)->getRoot();
+  if (root == nullptr) return broken("there is no link that all others hang on");
+  std::vector<UrdfLink> links;
+  const auto add = [&](const urdf::Link& link, int parent, bool is_free, const Isometry3d& T) {
+    links.push_back({.name = link.name,
+                     .parent = is_free ? -1 : parent,
+                     .is_free = is_free,
+                     .T_world_link = T,
+                     .link = link_of(link),
+                     .parts = parts_of(link)});
+  };
+  std::vector<std::pair<const urdf::Link*, int>> open{{root.get(), 0}};
+  add(*root, -1, false, Isometry3d::Identity());
+  while (!open.empty()) {
+    const auto [link, index] = open.back();
+    open.pop_back();
+    for (const auto& joint : link->child_joints) {
+      const bool is_free = joint->type == urdf::Joint::FLOATING;
+      if (joint->type != urdf::Joint::FIXED && !is_free) {
+        return broken(fmt::format("joint `{}` moves; a world has only joints that are fixed or "
+                                  "float, a robot is declared by a program: urdf(\"...\")",
+                                  joint->name));
+      }
+      const auto child = (*model)->getLink(joint->child_link_name);
+      const Isometry3d T = links[static_cast<std::size_t>(index)].T_world_link *
+                           pose_of(joint->parent_to_joint_origin_transform);
+      add(*child, index, is_free, T);
+      open.emplace_back(child.get(), static_cast<int>(links.size()) - 1);
+    }
+  }
+  return links;
+}
+
+Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options) {
+  const auto model = model_of(text);
+  if (!model.ok()) return model.error();
+  Result<MechanismSpec> spec = Reader(**model, options).read();
   if (!spec.ok()) return spec.error();
   try {
     return Mechanism(std::move(spec).value());

@@ -19,6 +19,8 @@ void World::insert_frame(NamedFrame frame) {
                                     frame.name, frame.on));
   }
   frame.T_on_frame = renormalised(frame.T_on_frame);
+  if (frame.base == FrameBase::kCarrier && !has_mounted(frame.carrier))
+    mounted_.push_back(frame.carrier);
   frames_.push_back(std::move(frame));
 }
 
@@ -43,9 +45,17 @@ std::optional<Eigen::Isometry3d> World::T_world_base(const NamedFrame& frame) co
     T_below_base = upper->T_on_frame * T_below_base;
   }
   if (upper->base == FrameBase::kWorld) return T_below_base;
+  if (upper->base == FrameBase::kCarrier) return upper->T_world_carrier * T_below_base;
   const Object* object = find(upper->on);
   if (object == nullptr) return std::nullopt;
   return object->T_world_obj * T_below_base;
+}
+
+Mount World::mount_of_frame(std::string_view name) const {
+  const NamedFrame* frame = find_frame(name);
+  while (frame != nullptr && frame->base == FrameBase::kFrame) frame = find_frame(frame->on);
+  if (frame == nullptr) throw ArgumentError(fmt::format("There is no frame \"{}\".", name));
+  return {.base = frame->base, .on = frame->on, .carrier = frame->carrier, .frame = frame->frame};
 }
 
 std::optional<Eigen::Isometry3d> World::T_world_frame(std::string_view name) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "armlet/core/error.hpp"
 #include "armlet/math/check_finite.hpp"
@@ -121,6 +122,24 @@ struct GraspLine {
   Eigen::Vector3d operator()(const auto&) const { return Eigen::Vector3d::Zero(); }
 };
 
+// An inertia is that of a body if its principal values satisfy the triangle inequality.
+void check_inertia(const Object& object) {
+  if (object.p_obj_com) check_finite("the centre of mass of \"" + object.name + "\"", *object.p_obj_com);
+  if (!object.inertia_com) return;
+  const Eigen::Matrix3d& I = *object.inertia_com;
+  const bool is_symmetric = I.allFinite() && (I - I.transpose()).cwiseAbs().maxCoeff() <=
+                                                 1e-9 * std::max(I.cwiseAbs().maxCoeff(), 1e-300);
+  const Eigen::Matrix3d second = 0.5 * I.trace() * Eigen::Matrix3d::Identity() - I;
+  const double slack = 1e-6 * std::max(I.trace(), 0.0);
+  const bool is_body =
+      is_symmetric && (second + slack * Eigen::Matrix3d::Identity()).llt().info() == Eigen::Success;
+  if (is_body || (is_symmetric && I.isZero(0.0))) return;
+  throw ArgumentError(fmt::format(
+      "The inertia of \"{}\" is that of no body: {}.", object.name,
+      is_symmetric ? "one of its principal values is more than the sum of the others"
+                   : "it is not symmetric"));
+}
+
 }  // namespace
 
 void check_object(const Object& object) {
@@ -133,6 +152,7 @@ void check_object(const Object& object) {
     throw ArgumentError(fmt::format("The stiffness of \"{}\" is {} N/m; expected more than 0.",
                                     object.name, object.stiffness));
   }
+  check_inertia(object);
   check_place(object.name, object.T_world_obj);
 }
 
@@ -146,6 +166,7 @@ void check_place(std::string_view name, const Eigen::Isometry3d& T_world_obj) {
 }
 
 Eigen::Vector3d center_of_mass(const Object& object) {
+  if (object.p_obj_com) return *object.p_obj_com;
   if (const Mesh* mesh = std::get_if<Mesh>(&object.shape))
     return mesh->triangles->mass_properties()->center_of_mass;
   const Cone* cone = std::get_if<Cone>(&object.shape);
@@ -163,12 +184,34 @@ Mesh make_mesh(const TriangleMesh& triangles, double density, std::string file) 
   return mesh;
 }
 
+namespace {
+
+struct Volume {
+  double operator()(const Box& box) const { return box.size.prod(); }
+  double operator()(const Sphere& sphere) const {
+    return 4.0 / 3.0 * std::numbers::pi * sphere.radius * sphere.radius * sphere.radius;
+  }
+  double operator()(const Cylinder& cylinder) const {
+    return std::numbers::pi * cylinder.radius * cylinder.radius * cylinder.height;
+  }
+  double operator()(const Cone& cone) const {
+    return std::numbers::pi * cone.radius * cone.radius * cone.height / 3.0;
+  }
+  double operator()(const Plane&) const { return 0.0; }
+  double operator()(const Mesh& mesh) const { return mesh.triangles->mass_properties()->volume; }
+};
+
+}  // namespace
+
+double volume_of(const Shape& shape) { return std::visit(Volume{}, shape); }
+
 double mass_of(const Shape& shape) {
   const Mesh* mesh = std::get_if<Mesh>(&shape);
   return mesh == nullptr ? 0.0 : mesh->density * mesh->triangles->mass_properties()->volume;
 }
 
 Eigen::Matrix3d inertia(const Object& object) {
+  if (object.inertia_com) return *object.inertia_com;
   if (const Mesh* mesh = std::get_if<Mesh>(&object.shape)) {
     const MassProperties& even = *mesh->triangles->mass_properties();
     return object.mass / even.volume * even.inertia;

@@ -112,7 +112,40 @@ double gap_between(const Footprint& a, const Footprint& b) {
 
 }  // namespace
 
-double half_height(const Object& object) { return footprint(object).half_height; }
+bool has_plain_footprint(const Object& object) {
+  const Eigen::Matrix3d R = object.T_world_obj.linear();
+  if (std::holds_alternative<Sphere>(object.shape)) return true;
+  if (std::holds_alternative<Box>(object.shape) || std::holds_alternative<Plane>(object.shape))
+    return R.row(2).cwiseAbs().maxCoeff() >= kUpright;
+  return std::holds_alternative<Cylinder>(object.shape) && std::abs(R(2, 2)) >= kUpright;
+}
+
+namespace {
+
+// Of bodies that lean.
+struct Lowest {
+  Eigen::Vector3d up;  // in the frame of the body
+  double operator()(const Box& box) const { return up.cwiseAbs().dot(0.5 * box.size); }
+  double operator()(const Plane& plane) const {
+    return up.head<2>().cwiseAbs().dot(0.5 * plane.size);
+  }
+  double operator()(const Sphere& sphere) const { return sphere.radius; }
+  double operator()(const Mesh& mesh) const { return -up.dot(mesh.triangles->farthest(-up)); }
+  double operator()(const Cylinder& cylinder) const {
+    return cylinder.radius * up.head<2>().norm() + 0.5 * cylinder.height * std::abs(up.z());
+  }
+  double operator()(const Cone& cone) const {
+    const double base = cone.radius * up.head<2>().norm() + 0.5 * cone.height * up.z();
+    return std::max(base, -0.5 * cone.height * up.z());
+  }
+};
+
+}  // namespace
+
+double half_height(const Object& object) {
+  if (has_plain_footprint(object)) return footprint(object).half_height;
+  return std::visit(Lowest{object.T_world_obj.linear().row(2).transpose()}, object.shape);
+}
 
 std::optional<double> resting_height(const Object& falling, const Object& below) {
   const Footprint upper = footprint(falling);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/similar.hpp"
@@ -23,14 +24,24 @@ const Object& World::insert(Object object) {
   }
   object.T_world_obj = renormalised(object.T_world_obj);
   bodies_.push_back({.object = std::move(object), .attachment = std::nullopt});
+  index_from(bodies_.size() - 1);
   ride(bodies_.back());
   return bodies_.back().object;
 }
 
 std::vector<Fall> World::remove(std::string_view name) {
-  const std::vector<std::string> above = stacked_on(name);
-  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index_of(name)));
+  std::vector<std::string> above = stacked_on(name);
+  const std::size_t index = index_of(name);
+  let_loose(bodies_[index].object.name, above);
+  if (!bodies_[index].fastened_on.empty()) --fastened_;
+  index_.erase(bodies_[index].object.name);
+  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(index));
+  index_from(index);
   return settle(above);
+}
+
+void World::index_from(std::size_t first) {
+  for (std::size_t i = first; i < bodies_.size(); ++i) index_[bodies_[i].object.name] = i;
 }
 
 std::vector<std::string> World::names() const {
@@ -40,9 +51,8 @@ std::vector<std::string> World::names() const {
 }
 
 const Object* World::find(std::string_view name) const {
-  const auto found =
-      std::ranges::find_if(bodies_, [&](const Body& each) { return each.object.name == name; });
-  return found == bodies_.end() ? nullptr : &found->object;
+  const auto found = index_.find(name);
+  return found == index_.end() ? nullptr : &bodies_[found->second].object;
 }
 
 const Object& World::at(std::string_view name) const { return bodies_[index_of(name)].object; }
@@ -55,9 +65,8 @@ std::optional<std::string> World::similar_name(std::string_view name) const {
 }
 
 std::size_t World::index_of(std::string_view name) const {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].object.name == name) return i;
-  }
+  const auto found = index_.find(name);
+  if (found != index_.end()) return found->second;
   const auto similar = similar_name(name);
   throw ArgumentError(fmt::format("There is no object \"{}\"{}", name,
                                   similar ? fmt::format("; did you mean \"{}\"?", *similar) : "."));
@@ -67,16 +76,27 @@ std::vector<Fall> World::set_pose(std::string_view name, const Eigen::Isometry3d
   Body& moved = bodies_[index_of(name)];
   check_place(name, T_world_obj);
   const std::vector<std::string> above = stacked_on(name);
-  moved.attachment.reset();
+  const Eigen::Isometry3d T_old_new = moved.object.T_world_obj.inverse() * T_world_obj;
   moved.object.T_world_obj = renormalised(T_world_obj);
-  ride(moved);
+  if (moved.object.fixed && (moved.attachment || !moved.fastened_on.empty())) {
+    if (moved.attachment)
+      moved.attachment->T_carrier_obj = renormalised(moved.attachment->T_carrier_obj * T_old_new);
+    moved.T_on_obj = renormalised(moved.T_on_obj * T_old_new);
+  } else {
+    moved.attachment.reset();
+    if (!std::exchange(moved.fastened_on, {}).empty()) --fastened_;
+    ride(moved);
+  }
+  bring_fastened(moved);
   return settle(above);
 }
 
 bool World::is_carried_on(const Body& upper, const Body& lower) const {
-  if (&upper == &lower || upper.object.fixed) return false;
+  if (&upper == &lower) return false;
+  if (!upper.fastened_on.empty()) return upper.fastened_on == lower.object.name;
   if (upper.attachment) return upper.attachment->on == lower.object.name;
-  const auto z_rest = resting_height(upper.object, lower.object);
+  if (upper.object.fixed) return false;
+  const auto z_rest = rests_at(upper.object, lower.object);
   return z_rest && std::abs(upper.object.T_world_obj.translation().z() - *z_rest) <= kRestTolerance;
 }
 
@@ -119,7 +139,9 @@ void World::attach(std::string_view name, int carrier, const Eigen::Isometry3d& 
     };
     lower.push_back(std::ranges::find_if(bodies_, is_lower)->object.name);
   }
-  carry(bodies_[index_of(name)], {});
+  Body& taken = bodies_[index_of(name)];
+  if (!std::exchange(taken.fastened_on, {}).empty()) --fastened_;
+  carry(taken, {});
   for (std::size_t i = 0; i < above.size(); ++i) carry(bodies_[index_of(above[i])], lower[i]);
 }
 
@@ -134,97 +156,26 @@ const std::optional<Attachment>& World::attachment(std::string_view name) const 
 
 std::string_view World::carried_by(int carrier) const {
   for (const Body& each : bodies_) {
-    if (each.attachment && each.attachment->carrier == carrier && each.attachment->on.empty())
+    if (each.attachment && each.attachment->carrier == carrier && each.attachment->on.empty() &&
+        !each.attachment->mounted)
       return each.object.name;
   }
   return {};
 }
 
-void World::move_carried(int carrier, const Eigen::Isometry3d& T_world_carrier) {
+void World::move_carried(int carrier, std::span<const Eigen::Isometry3d> T_world_frames) {
+  const auto frame = [&](int index) -> const Eigen::Isometry3d& {
+    return index == kFlange ? T_world_frames.back()
+                            : T_world_frames[static_cast<std::size_t>(index)];
+  };
   for (Body& each : bodies_) {
     if (!each.attachment || each.attachment->carrier != carrier) continue;
-    each.object.T_world_obj = T_world_carrier * each.attachment->T_carrier_obj;
+    each.object.T_world_obj = frame(each.attachment->frame) * each.attachment->T_carrier_obj;
   }
-}
-
-Drop World::fall(const Body& falling) const {
-  const double z = falling.object.T_world_obj.translation().z();
-  Drop drop;
-  bool found = false;
-  // A sheet that lies on a surface carries what comes down there.
-  const auto consider = [&](double z_rest, const std::string& support, bool is_sheet) {
-    constexpr double kSameHeight = 1e-9;  // m
-    const double distance = z - z_rest;
-    const double below = drop.distance + (is_sheet ? kSameHeight : 0.0);
-    if (distance < -kRestTolerance || (found && distance >= below)) return;
-    drop = {.distance = distance, .support = support};
-    found = true;
-  };
-  if (floor_z_) consider(*floor_z_ + half_height(falling.object), "floor", false);
-  for (const Body& each : bodies_) {
-    if (&each == &falling) continue;
-    const auto z_rest = resting_height(falling.object, each.object);
-    if (z_rest)
-      consider(*z_rest, each.object.name, std::holds_alternative<Plane>(each.object.shape));
+  for (NamedFrame& each : frames_) {
+    if (each.base == FrameBase::kCarrier && each.carrier == carrier)
+      each.T_world_carrier = frame(each.frame);
   }
-  return drop;
-}
-
-// A body that rests on a carried one is carried by the same hand.
-void World::ride(Body& body) {
-  const auto is_carried = [](const Body& each) { return each.attachment.has_value(); };
-  if (body.object.fixed || std::ranges::none_of(bodies_, is_carried)) return;
-  const Drop under = fall(body);
-  if (std::abs(under.distance) > kRestTolerance) return;
-  for (const Body& lower : bodies_) {
-    if (lower.object.name != under.support || !lower.attachment) continue;
-    const Eigen::Isometry3d T_lower_body =
-        lower.object.T_world_obj.inverse() * body.object.T_world_obj;
-    body.attachment = Attachment{.carrier = lower.attachment->carrier,
-                                 .T_carrier_obj = lower.attachment->T_carrier_obj * T_lower_body,
-                                 .on = lower.object.name};
-    return;
-  }
-}
-
-// From the lowest up, so that each finds where those below it have come to rest.
-std::vector<Fall> World::settle(const std::vector<std::string>& names) {
-  std::vector<std::size_t> order;
-  for (const std::string& name : names) order.push_back(index_of(name));
-  const auto bottom = [this](std::size_t i) {
-    const Object& object = bodies_[i].object;
-    return object.T_world_obj.translation().z() - half_height(object);
-  };
-  std::ranges::stable_sort(order, {}, bottom);
-  for (const std::size_t i : order) bodies_[i].attachment.reset();
-  std::vector<Fall> falls;
-  for (const std::size_t i : order) {
-    Body& body = bodies_[i];
-    Drop drop = fall(body);
-    if (drop.distance > kRestTolerance) {
-      body.object.T_world_obj.translation().z() -= drop.distance;
-      falls.push_back({.name = body.object.name, .drop = std::move(drop)});
-    }
-    ride(body);
-  }
-  return falls;
-}
-
-Drop World::drop(std::string_view name) {
-  const std::vector<std::string> above = stacked_on(name);
-  for (const std::string& each : above) bodies_[index_of(each)].attachment.reset();
-  Body& falling = bodies_[index_of(name)];
-  falling.attachment.reset();
-  const Drop drop = fall(falling);
-  falling.object.T_world_obj.translation().z() -= drop.distance;
-  ride(falling);
-  settle(above);
-  return drop;
-}
-
-std::string World::resting_on(std::string_view name) const {
-  const Drop drop = fall(bodies_[index_of(name)]);
-  return std::abs(drop.distance) <= kRestTolerance ? drop.support : std::string();
 }
 
 }  // namespace armlet

@@ -50,6 +50,7 @@ std::span<const NativeFunction> path_functions();
 std::span<const NativeFunction> hand_functions();
 std::span<const NativeFunction> finger_functions();
 std::span<const NativeFunction> world_functions();
+std::span<const NativeFunction> object_functions();
 std::span<const NativeFunction> frame_functions();
 std::span<const NativeFunction> classic_functions();
 std::span<const NativeFunction> time_functions();

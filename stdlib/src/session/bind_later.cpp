@@ -31,11 +31,6 @@ constexpr NativeFunction kLaterFunctions[] = {
     later("camera{}",
           "(name: string, on: object, at: posC?, size: int[]?, fov: angle = 1rad) -> camera"),
     later("camera{}", "(name: string, at: posC?, size: int[]?, fov: angle = 1rad) -> camera"),
-    later("object{}",
-          "(name: string, shape: shape, at: posC, texture: string, mass: mass = 0kg, friction: "
-          "double = 0.5, color: "
-          "string = \"gray\", fixed: bool = false) -> object",
-          "an object with a texture"),
     later("corners", "(o: object) -> length[][]", "`corners` of an object"),
     later("capture", "(c: camera) -> image"),
     later("project", "(c: camera, points: length[][], from: posC?) -> matrix"),

@@ -44,8 +44,8 @@ Result<fs::path> Host::write(const FileKind& kind, const std::string& name,
 }
 
 Result<std::string> Host::read(const std::string& name, std::size_t most) const {
-  if (options_.folder.empty()) return refuse("this host lets programs read no files");
-  const Result<Folder> folder = Folder::open(options_.folder.string());
+  if (folder_of_files().empty()) return refuse("this host lets programs read no files");
+  const Result<Folder> folder = Folder::open(folder_of_files().string());
   if (!folder.ok()) return refuse("the folder of the program cannot be opened");
   Result<std::string> text = folder->read(name, most);
   if (!text.ok()) return refusal(text.error(), "read");
@@ -60,23 +60,23 @@ Result<std::string> Host::read_mesh(const std::string& name, double unit) const 
   }
   // By another name it may be a GLB all the same; read_glb says if not.
   if (mesh_format(name).empty()) return read(name, kMostBytes);
-  if (options_.folder.empty()) return refuse("this host lets programs read no files");
+  if (folder_of_files().empty()) return refuse("this host lets programs read no files");
   if (!options_.convert_mesh) {
     // What a laboratory took along is a GLB by the name that the program says.
     Result<std::string> bytes = read(name, kMostBytes);
     if (!bytes.ok() || bytes->starts_with("glTF")) return bytes;
     return Error{"converter", "this host reads GLB alone; make one of it with armlet mesh convert"};
   }
-  const Result<std::string> glb = options_.convert_mesh(options_.folder.string(), name, unit);
+  const Result<std::string> glb = options_.convert_mesh(folder_of_files().string(), name, unit);
   if (!glb.ok() && glb.error().code == "outside") return refusal(glb.error(), "read");
   return glb;
 }
 
 std::string Host::mesh_path(const std::string& file, const std::string& mesh) const {
-  if (options_.folder.empty()) return {};
-  const fs::path folder = (options_.folder / file).parent_path();
-  const fs::path from = file.empty() ? options_.folder : folder;
-  return find_mesh(from.string(), options_.folder.string(), mesh);
+  if (folder_of_files().empty()) return {};
+  const fs::path folder = (folder_of_files() / file).parent_path();
+  const fs::path from = file.empty() ? folder_of_files() : folder;
+  return find_mesh(from.string(), folder_of_files().string(), mesh);
 }
 
 bool Host::finds_mesh(const std::string& file, const std::string& mesh) const {
@@ -134,10 +134,18 @@ Result<std::string> Host::load_mesh(const std::string& file, const std::string& 
 }
 
 Result<std::string> Host::load_shape(const std::string& name, double unit) const {
-  if (options_.journal == nullptr) return read_mesh(name, unit);
-  Reply reply = options_.journal->load(name, [&] { return reply_of(read_mesh(name, unit)); });
-  if (reply.error) return *reply.error;
-  return std::move(reply.text);
+  const std::string key = fmt::format("{} in units of {}", name, unit);
+  if (const auto known = world_meshes_.find(key); known != world_meshes_.end())
+    return known->second;
+  Result<std::string> glb = [&]() -> Result<std::string> {
+    if (options_.journal == nullptr) return read_mesh(name, unit);
+    Reply reply = options_.journal->load(name, [&] { return reply_of(read_mesh(name, unit)); });
+    if (reply.error) return *reply.error;
+    return std::move(reply.text);
+  }();
+  // The parts of a scene are many.
+  if (!world_folder_.empty() && glb.ok()) world_meshes_.emplace(key, *glb);
+  return glb;
 }
 
 bool Host::has_mesh(const std::string& file, const std::string& mesh) const {

@@ -63,6 +63,7 @@ std::span<const Chapter> chapters() {
       {.title = "Robots: paths", .functions = path_functions()},
       {.title = "Hands", .functions = hand_functions()},
       {.title = "Hands with fingers", .functions = finger_functions()},
+      {.title = "Objects", .functions = object_functions()},
       {.title = "World and signals", .functions = world_functions()},
       {.title = "Frames with names", .functions = frame_functions()},
       {.title = "The classic subset", .functions = classic_functions()},

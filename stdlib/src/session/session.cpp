@@ -6,6 +6,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/interpreter/world_names.hpp"
+#include "messages/library_messages.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "session/editor_texts.hpp"
@@ -29,6 +30,18 @@ class OneCompilation {
  private:
   std::atomic<bool>& cancelled_;
   bool makes_program_ = false;
+};
+
+// From here on files are those of the program again.
+class ReadFromProgram {
+ public:
+  explicit ReadFromProgram(Host& host) : host_(host) {}
+  ~ReadFromProgram() { host_.read_from({}); }
+  ReadFromProgram(const ReadFromProgram&) = delete;
+  ReadFromProgram& operator=(const ReadFromProgram&) = delete;
+
+ private:
+  Host& host_;
 };
 
 // Whether names of objects may be checked: the text, or a file that it imports, calls one of the
@@ -82,6 +95,14 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   compile_options.host = &host;
   compile_options.open = false;
   compile_options.cancelled = &cancelled_;
+  if (options_.world) {  // not the host's own
+    compile_options.only_blocks = {"object", "frame"};
+    compile_options.refuse = [](Span statement) {
+      return make_diagnostic(bind::row("R0670"), statement);
+    };
+  }
+  host.read_from(world.folder);
+  const ReadFromProgram back(host);
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
   for (Diagnostic& d : compiled.diagnostics) problems.push_back({std::move(d), compiled.sources});
   if (compiled.program == nullptr) return false;

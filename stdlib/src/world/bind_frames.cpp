@@ -67,6 +67,19 @@ Answer<FrameRef> frame_on_frame(Vm& vm, std::string_view name, const PosC& at, c
                      .turned = at.has_orientation || lower->turned});
 }
 
+Answer<FrameRef> frame_on_robot(Vm& vm, std::string_view name, const PosC& at, const RobotRef& on,
+                                std::optional<std::int64_t> link) {
+  const auto mount = mount_on_robot(vm, on, link, 3);
+  if (!mount) return Failed{};
+  return insert(vm, {.name = std::string(name),
+                     .base = FrameBase::kCarrier,
+                     .on = mount->on,
+                     .T_on_frame = at.T,
+                     .turned = true,
+                     .carrier = mount->carrier,
+                     .frame = mount->frame});
+}
+
 Answer<FrameRef> frame_named(Vm& vm, std::string_view name) {
   if (Host::of(vm).cell().world().find_frame(name) == nullptr)
     return fail_unknown_frame(vm, name, 0);
@@ -93,8 +106,8 @@ Answer<PosC> seen_from(Vm& vm, const FrameRef& f, const PosC& p) {
 }
 
 constexpr std::string_view kFrameHelp =
-    "A frame with a name; at is seen from what it is on, an object or another frame, with which it "
-    "moves, or from the world.";
+    "A frame with a name; at is seen from what it is on, with which it moves: an object, another "
+    "frame or a link of a robot, its flange unless told otherwise; or from the world.";
 
 constexpr NativeFunction kFrameFunctions[] = {
     def<frame_block>("frame{}(name: string, at: posC) -> frame", kFrameHelp,
@@ -104,6 +117,10 @@ constexpr NativeFunction kFrameFunctions[] = {
     def<frame_on_frame>("frame{}(name: string, at: posC, on: frame) -> frame", kFrameHelp,
                         "frame bench { at: xyz(x: 300mm) } frame corner { at: xyz(y: 50mm); on: "
                         "bench }",
+                        {.acts = true}),
+    def<frame_on_robot>("frame{}(name: string, at: posC, on: robot, link: int?) -> frame",
+                        kFrameHelp,
+                        "robot arm = robots.ur5(); frame probe { at: xyz(z: 80mm); on: arm }",
                         {.acts = true}),
     def<frame_named>("frame(name: string) -> frame", "The frame of that name.",
                      "frame bench { at: xyz(x: 300mm) } print(frame(\"bench\"))"),

@@ -46,24 +46,6 @@ bool has_orientation(const Object& object) {
          std::holds_alternative<Mesh>(object.shape);
 }
 
-namespace {
-
-using Eigen::Isometry3d;
-using Eigen::Vector3d;
-
-// The object behind a handle, the first argument; fails if it was removed.
-Answer<const Object*> object_of(Vm& vm, const ObjectRef& o) {
-  const Object* object = Host::of(vm).cell().world().find(o.name);
-  if (object == nullptr) return fail_unknown_object(vm, o.name, 0);
-  return object;
-}
-
-ShapeValue box(double x, double y, double z) { return {Box{{x, y, z}}}; }
-ShapeValue cylinder(double radius, double height) { return {Cylinder{radius, height}}; }
-ShapeValue sphere(double radius) { return {Sphere{radius}}; }
-ShapeValue cone(double radius, double height) { return {Cone{radius, height}}; }
-ShapeValue plane(double x, double y) { return {Plane{{x, y}}}; }
-
 // W0723, once for each place of the program.
 void report_overlap(Vm& vm, const std::string& name) {
   Host& host = Host::of(vm);
@@ -82,35 +64,23 @@ void report_overlap(Vm& vm, const std::string& name) {
   vm.advise(advice);
 }
 
-Answer<ObjectRef> insert_object(Vm& vm, Object object) try {
-  Host& host = Host::of(vm);
-  const ObjectRef made{object.name};
-  if (host.is_skipped(made.name)) return made;
-  host.cell().insert(std::move(object));
-  report_overlap(vm, made.name);
-  return made;
-} catch (const ArgumentError& error) {
-  return failure_of(vm, row("R0631"), error);
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+// The object behind a handle, the first argument; fails if it was removed.
+Answer<const Object*> object_of(Vm& vm, const ObjectRef& o) {
+  const Object* object = Host::of(vm).cell().world().find(o.name);
+  if (object == nullptr) return fail_unknown_object(vm, o.name, 0);
+  return object;
 }
 
-Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& shape,
-                               const PosC& at, double mass, double friction, double stiffness,
-                               std::string_view color, bool fixed) {
-  Object object;
-  object.name = name;
-  object.shape = shape.shape;
-  object.T_world_obj = at.T;
-  object.mass = mass == 0.0 ? mass_of(shape.shape) : mass;
-  object.friction = friction;
-  object.stiffness = stiffness;
-  object.color = color;
-  object.fixed = fixed;
-  return insert_object(vm, std::move(object));
-}
-Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, const PosC& at,
-                        double mass, std::string_view color) {
-  return object_block(vm, name, s, at, mass, Object{}.friction, Object{}.stiffness, color, false);
-}
+ShapeValue box(double x, double y, double z) { return {Box{{x, y, z}}}; }
+ShapeValue cylinder(double radius, double height) { return {Cylinder{radius, height}}; }
+ShapeValue sphere(double radius) { return {Sphere{radius}}; }
+ShapeValue cone(double radius, double height) { return {Cone{radius, height}}; }
+ShapeValue plane(double x, double y) { return {Plane{{x, y}}}; }
 
 Answer<ObjectRef> object_named(Vm& vm, std::string_view name) {
   if (find_object(vm, name) == nullptr) return fail_unknown_object(vm, name, 0);
@@ -250,24 +220,14 @@ constexpr NativeFunction kWorldFunctions[] = {
                "A thin rectangle that faces up, its frame in the middle.", "plane(400mm, 300mm)",
                {.check = check_plane}),
     def<mesh_shape>(
-        "mesh(path: string, density: density?, unit: length?) -> shape",
-        "The body whose surface is in a file of the program's folder: GLB, or OBJ, 3DS, VRML 2.0, "
-        "STL, DAE, PLY and glTF, which are converted. Its frame is in the middle of the box around "
-        "it, z up. With a density its objects have a mass; `unit` is the length of one unit of a "
-        "file that does not say so, such as 1mm of an STL.",
+        "mesh(path: string, density: density?, unit: length?, part: string?, scale: double = 1) -> "
+        "shape",
+        "The body whose surface is in a file of the program's folder, or in the node of it that "
+        "part names: GLB, or OBJ, 3DS, VRML 2.0, STL, DAE, PLY and glTF, which are converted. Its "
+        "frame is in the middle of the box around it, z up. With a density its objects have a mass; "
+        "unit is the length of one unit of a file that does not say so, such as 1mm of an STL, and "
+        "scale makes the body larger.",
         "mesh(\"part.glb\", density: 2700kg/m^3)"),
-    def<object_block>(
-        "object{}(name: string, shape: shape, at: posC, mass: mass = 0kg, friction: double = 0.5, "
-        "stiffness: force/length = 50N/mm, color: string = \"gray\", fixed: bool = false) -> "
-        "object",
-        "Adds an object to the world; a fixed one cannot be grasped. What is pressed into it feels "
-        "stiffness times the depth, and friction.",
-        "object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }", {.acts = true}),
-    def<spawn>(
-        "spawn(s: shape, name: string, at: posC, mass: mass = 0kg, color: string = \"gray\") -> "
-        "object",
-        "Adds an object to the world, in loops for example.",
-        "sphere(15mm).spawn(\"ball\", at: xyz(300mm, 0mm, 300mm))", {.acts = true}),
     def<object_named>("object(name: string) -> object", "The object of that name.",
                       "object(\"cube\")", {.check = check_object_name}),
     def<object_name>("object.name(o: object) -> string", "The name.", "object(\"cube\").name"),

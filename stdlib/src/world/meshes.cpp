@@ -66,28 +66,48 @@ Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::st
   return loaded;
 }
 
+// What a file or one node of it is as a mesh, which knows the bytes that it is drawn from.
+static Result<TriangleMesh> triangles_in(const std::string& bytes,
+                                         std::optional<std::string_view> part) {
+  if (!part) {
+    Result<TriangleMesh> read = read_glb(bytes);
+    if (!read.ok()) return read.error();
+    TriangleMesh whole = std::move(read).value();
+    whole.set_source(std::make_shared<const std::string>(bytes));
+    return whole;
+  }
+  Result<std::vector<GlbThing>> things = read_glb_things(bytes, std::string(*part));
+  if (!things.ok()) return things.error();
+  TriangleMesh triangles = things->front().triangles;
+  triangles.set_source(std::make_shared<const std::string>(write_glb(things->front())));
+  return triangles;
+}
+
 Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density,
-                              std::optional<double> unit) try {
+                              std::optional<double> unit, std::optional<std::string_view> part,
+                              double scale) try {
   const std::string file(path);
   if (density && !(std::isfinite(*density) && *density > 0.0)) {
     return fail_mesh(vm, file,
-                     fmt::format("its density is {} kg/m^3; expected more than 0", *density));
+                     fmt::format("its density is {} kg/m^3; expected more than 0", *density), {}, 1);
   }
   if (unit && !(std::isfinite(*unit) && *unit > 0.0)) {
     return fail_mesh(vm, file, fmt::format("its unit is {} m; expected more than 0", *unit), {}, 2);
   }
+  if (!(std::isfinite(scale) && scale > 0.0)) {
+    return fail_mesh(vm, file, fmt::format("its scale is {}; expected more than 0", scale), {}, 4);
+  }
   const Result<std::string> bytes = Host::of(vm).load_shape(file, unit.value_or(0.0));
   if (!bytes.ok()) return fail_unread(vm, file, bytes.error());
   advise_notes(vm, file, *bytes);
-  Result<TriangleMesh> read = read_glb(*bytes);
-  if (!read.ok()) return fail_mesh(vm, file, read.error().message);
-  TriangleMesh triangles = std::move(read).value();
-  triangles.set_source(std::make_shared<const std::string>(*bytes));
-  if (!triangles.is_closed()) {
-    return fail_mesh(vm, file, triangles.open_because(),
+  Result<TriangleMesh> triangles = triangles_in(*bytes, part);
+  if (!triangles.ok()) return fail_mesh(vm, file, triangles.error().message, {}, part ? 3 : 0);
+  if (scale != 1.0) triangles = triangles->scaled(Eigen::Vector3d::Constant(scale));
+  if (!triangles->is_closed()) {
+    return fail_mesh(vm, file, triangles->open_because(),
                      "close it where it was made: an object needs an inside to have a volume");
   }
-  return ShapeValue{make_mesh(triangles, density.value_or(0.0), file)};
+  return ShapeValue{make_mesh(*std::move(triangles), density.value_or(0.0), file)};
 } catch (const ArgumentError& error) {
   return fail_mesh(vm, std::string(path), error.what());
 }

@@ -16,9 +16,10 @@ namespace armlet::bind {
 Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::string fix = {},
                  int parameter = 0);
 
-// mesh(path, density, unit): a body.
+// mesh(path, density, unit, part, scale): a body.
 Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density,
-                              std::optional<double> unit);
+                              std::optional<double> unit, std::optional<std::string_view> part,
+                              double scale);
 
 // The mesh of a link that `file` names, the program itself if it is empty; null if it is of a kind
 // that is not read, or if it would have to be converted and nothing does that (W0741).

@@ -115,6 +115,8 @@ class Cell {
 
   // Of a hand with fingers the tool point is that of the arm, whatever its joints do.
   [[nodiscard]] Eigen::Isometry3d T_world_base(int robot) const;
+  // What joint `frame` moves, 0: the base; or kFlange. throws  ArgumentError for another one.
+  [[nodiscard]] Eigen::Isometry3d T_world_link(int robot, int frame) const;
   [[nodiscard]] Eigen::Isometry3d T_world_flange(int robot) const;
   [[nodiscard]] Eigen::Isometry3d T_world_tool(int robot) const;
 
@@ -170,6 +172,10 @@ class Cell {
   // --- objects --------------------------------------------------------------------------------
   [[nodiscard]] const World& world() const { return world_; }
   void insert(Object object);
+  // An object on something, in whose frame its pose is given: it goes where that goes until a hand
+  // takes it or it is put elsewhere; on a frame of the world it is only placed there.
+  // throws  ArgumentError for what it would be on and is not there.
+  void insert(Object object, const Mount& on);
 
   // What rested on the object falls straight down to the first surface; returns what fell, from the
   // lowest.
@@ -178,7 +184,7 @@ class Cell {
   std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
   // Frames with names, as World has them.
-  void insert_frame(NamedFrame frame) { world_.insert_frame(std::move(frame)); }
+  void insert_frame(NamedFrame frame);
   void set_frame(std::string_view name, const Eigen::Isometry3d& T_world_frame) {
     world_.set_frame(name, T_world_frame);
   }
@@ -246,6 +252,8 @@ class Cell {
   // Before a motion of a finger, or of a whole hand, that would end holding nothing.
   void loosen_grip(int index, const Trajectory& motion);
   void bring_to_now();
+  // What a robot holds, and what is mounted on it, goes with it.
+  void carry_along(int index);
   // Brings `loaded` of all robots up to date after a change of what hands carry.
   void weigh_loads();
   // motion  that the robot executes or has just ended; -1: it stands without one.

@@ -27,7 +27,7 @@ struct ArmSolid {
          role == LinkShapeRole::kFingerRight;
 }
 
-// Worked out once for an arm: `robot.derived<ArmSolids>()`. Links that have meshes are these. The
+// Worked out once for an arm: `robot.derived<ArmSolids>()`. Links that have meshes or simple bodies are these. The
 // other bodies are those of link_shapes,
 // without the rings that only mark joints, and rods of sliding joints only up to the next frame.
 // The end of an arm without a hand of a length of its own is a point in this table, around which

@@ -87,6 +87,9 @@ struct GlbScene {
 // source  Khronos Group, glTF 2.0 specification, 2021, chapters 3 and 4.4 (GLB).
 std::string write_glb(const GlbScene& scene);
 
+// Adds the triangles of a mesh, every one flat.
+void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_node_mesh, GlbPart& part);
+
 // The triangles of a scene, all nodes together, z up, in the frame of the file. Points and lines
 // are left out. Only the bytes are read: nothing that they name is opened. Every number is checked
 // before it is used; a file takes at most 40 times its size, and 300 MB.
@@ -116,6 +119,33 @@ std::string_view image_kind(std::string_view bytes);
 // or its converter reads it; otherwise empty.
 std::string_view mesh_format(std::string_view name);
 inline constexpr std::string_view kMeshFormats = "OBJ, 3DS, VRML 2.0, STL, DAE, PLY, glTF and GLB";
+
+// A node of a scene that has triangles.
+//
+// name         of the node, or "node 3"; one that several have gets " 2", " 3" behind it.
+// T_world_thing  where it is, z up; what is scaled or sheared is so in its triangles.
+// look, color  the colour of its first material, linear and as "#rrggbb"; white and empty: none.
+// mass, fixed  what `extras` of the node say, if anything; kg.
+struct GlbThing {
+  std::string name;
+  Eigen::Isometry3d T_world_thing = Eigen::Isometry3d::Identity();
+  GlbMaterial look{};
+  std::string color{};
+  std::optional<double> mass{};
+  std::optional<bool> fixed{};
+  TriangleMesh triangles;
+};
+
+// The nodes of a scene, each with its own triangles, z up; or only the one of that name.
+//
+// returns  an error as read_glb, which names the node where one is at fault; also for more than
+//          kMostThings nodes with triangles, and a name that no node has.
+inline constexpr std::size_t kMostThings = 10'000;
+Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes,
+                                              const std::string& only = {});
+
+// A file of one thing at the origin, of one colour, every triangle flat.
+std::string write_glb(const GlbThing& thing);
 
 // Whether a file is one by its name, ".glb" in whatever case.
 bool is_glb_name(std::string_view name);

@@ -33,6 +33,16 @@ struct LinkMesh {
   Eigen::Isometry3d T_link_mesh = Eigen::Isometry3d::Identity();
 };
 
+// A simple body fixed to a link, its middle in its frame; a cylinder lies along z.
+//
+// size  m: the sides of a box; (radius, length, 0) of a cylinder; (radius, 0, 0) of a sphere.
+enum class LinkSolidKind { kBox, kCylinder, kSphere };
+struct LinkSolid {
+  LinkSolidKind kind = LinkSolidKind::kBox;
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  Eigen::Isometry3d T_link_solid = Eigen::Isometry3d::Identity();
+};
+
 // The rigid body moved by a joint and the motor that moves it. Positions are in the link's own DH
 // frame: the far end of the link for the standard convention, the near end for the modified one.
 struct Link {
@@ -44,6 +54,7 @@ struct Link {
   Friction friction;
   std::string mesh;              // file of the shape; empty: none
   std::vector<LinkMesh> bodies;  // what was read of it: in the place of shapes from the table
+  std::vector<LinkSolid> solids;  // simple bodies, likewise
 };
 
 // A rigid body fixed to the flange, besides the last link: what a hand holds.

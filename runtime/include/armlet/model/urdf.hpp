@@ -30,6 +30,40 @@ struct UrdfOptions {
 //          swapped limits, an inertia that no body has, a missing mesh.
 Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options = {});
 
+// A part of a link of a fixed scene.
+//
+// mesh   file that the scene names, if it is one; otherwise empty, and `solid` says what it is.
+// scale  of the mesh, along its axes.
+// color  "#rrggbb"; empty: none.
+struct UrdfPart {
+  LinkSolid solid{};
+  std::string mesh{};
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  Eigen::Isometry3d T_link_part = Eigen::Isometry3d::Identity();
+  std::string color{};
+};
+
+// A link of a fixed scene, the one before it first.
+//
+// parent    index of the link that it is fixed to; -1: none, or it is free to move.
+// T_world_link
+// link      mass, centre of mass and inertia, in the frame of the link.
+struct UrdfLink {
+  std::string name;
+  int parent = -1;
+  bool is_free = false;
+  Eigen::Isometry3d T_world_link = Eigen::Isometry3d::Identity();
+  Link link;
+  std::vector<UrdfPart> parts;
+};
+
+// What a robot description shows that has no joints of a robot: a scene of links that are fixed to
+// each other or float. Parts are those of visual elements, or of collision elements of a link
+// without visual ones.
+//
+// returns  an error as read_urdf, and for a joint that turns or slides.
+Result<std::vector<UrdfLink>> read_urdf_scene(std::string_view text);
+
 // The mechanism as a URDF that read_urdf and others understand; numbers read back to the same bits.
 // Tips become links of their own.
 //

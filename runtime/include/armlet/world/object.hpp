@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -56,6 +57,9 @@ Mesh make_mesh(const TriangleMesh& triangles, double density = 0.0, std::string 
 // Mass that follows from the density of a shape, kg; 0 if it has none.
 double mass_of(const Shape& shape);
 
+// m^3; 0 for a plane.
+double volume_of(const Shape& shape);
+
 // Sizes from kSmallest to kLargest and positions up to kLargest from the origin can be computed
 // with: distances are right to nanometres next to the origin and to micrometres there.
 inline constexpr double kSmallest = 1e-6;  // m
@@ -69,6 +73,9 @@ inline constexpr double kLargest = 1e4;    // m
 // friction     coefficient of Coulomb friction on its surface.
 // stiffness    force on what is pressed into it, for each metre of depth, N/m.
 // color        a name or "#rrggbb".
+// texture      bytes of a PNG or JPEG that its surface shows, shared with who draws it; null: none.
+// p_obj_com    its centre of mass, m; nothing: that of an even body.
+// inertia_com  about its centre of mass along the object's axes, kg m^2; nothing: the same.
 // fixed        true for what belongs to the cell, such as a table: it cannot be grasped.
 struct Object {
   std::string name;
@@ -79,6 +86,9 @@ struct Object {
   double friction = 0.5;
   double stiffness = 5e4;
   std::string color = "gray";
+  std::shared_ptr<const std::string> texture{};
+  std::optional<Eigen::Vector3d> p_obj_com{};
+  std::optional<Eigen::Matrix3d> inertia_com{};
   bool fixed = false;
 };
 
@@ -89,10 +99,11 @@ void check_object(const Object& object);
 // The same for a pose alone.
 void check_place(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
-// Centre of mass of a body of even density in its own frame, m: the origin, but for a cone or mesh.
+// Centre of mass in its own frame, m: of a body of even density the origin, but for a cone or mesh.
 Eigen::Vector3d center_of_mass(const Object& object);
 
-// Inertia about the centre of mass in the object's axes, kg m^2, for a body of even density.
+// Inertia about the centre of mass in the object's axes, kg m^2: that of a body of even density
+// unless it was given.
 Eigen::Matrix3d inertia(const Object& object);
 
 // How far a parallel gripper must open to close on the object, m: the smallest width at right

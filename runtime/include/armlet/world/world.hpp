@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "armlet/world/object.hpp"
@@ -13,14 +15,22 @@ namespace armlet {
 // A body closer than this to a surface below it rests on it.
 inline constexpr double kRestTolerance = 0.002;  // m
 
+// The last frame of a carrier, in which its hand is.
+inline constexpr int kFlange = -1;
+
 // A body carried by a frame of a robot. The pose in that frame is stored once, so that carrying
 // never drifts.
 //
-// on  name of the carried body that it rests on and travels with; empty: the hand itself holds it.
+// on       name of the carried body that it rests on and travels with; empty: the hand itself holds
+//          it, or it is mounted on the frame.
+// frame    what joint `frame` of the carrier moves, 0: its base; or kFlange.
+// mounted  it travels with what is mounted there, not with what the hand holds.
 struct Attachment {
   int carrier = 0;
   Eigen::Isometry3d T_carrier_obj = Eigen::Isometry3d::Identity();
   std::string on{};
+  int frame = kFlange;
+  bool mounted = false;
 };
 
 // What a falling body found.
@@ -38,18 +48,35 @@ struct Fall {
   Drop drop;
 };
 
-// A frame with a name, which moves with what it is on: a body or a frame, or nothing, the world.
+// What a body or a frame is on: a body or a frame, `on`; a frame of a carrier; or the world.
+enum class FrameBase { kWorld, kObject, kFrame, kCarrier };
+struct Mount {
+  FrameBase base = FrameBase::kWorld;
+  std::string on{};
+  int carrier = -1;
+  int frame = kFlange;
+};
+
+// A frame with a name, which moves with what it is on.
 //
-// T_on_frame  its pose in the frame that it is on.
-// turned      its orientation means something (posC of programs).
-enum class FrameBase { kWorld, kObject, kFrame };
+// T_on_frame       its pose in the frame that it is on.
+// turned           its orientation means something (posC of programs).
+// carrier, frame   as in Mount.
+// T_world_carrier  where that frame of the carrier is now.
 struct NamedFrame {
   std::string name;
   FrameBase base = FrameBase::kWorld;
   std::string on{};
   Eigen::Isometry3d T_on_frame = Eigen::Isometry3d::Identity();
   bool turned = true;
+  int carrier = -1;
+  int frame = kFlange;
+  Eigen::Isometry3d T_world_carrier = Eigen::Isometry3d::Identity();
 };
+
+// Where a body that moves straight down comes to rest on another one: the height of its frame in the
+// world, m; nothing if it passes.
+using RestingHeight = std::optional<double> (*)(const Object& falling, const Object& below);
 
 // Bodies by name, in the order in which they were inserted, and frames, whose names are their own.
 class World {
@@ -58,6 +85,10 @@ class World {
   explicit World(std::optional<double> floor_z = std::nullopt);
 
   [[nodiscard]] std::optional<double> floor_z() const { return floor_z_; }
+
+  // How it is found where bodies rest that lean or have no simple shape. Null, as at first: they
+  // count as the boxes around them.
+  void set_resting(RestingHeight resting) { resting_ = resting; }
 
   // Throws ArgumentError for a name that exists already and for what check_object refuses. The
   // rotation is made orthonormal to rounding. A body put onto a carried one travels with it.
@@ -80,8 +111,8 @@ class World {
   // The existing name most like a mistyped one, for "did you mean"; nothing if none is similar.
   [[nodiscard]] std::optional<std::string> similar_name(std::string_view name) const;
 
-  // Puts a body somewhere; one that is carried is let go first. Returns what fell, as `remove`
-  // does.
+  // Puts a body somewhere; one that is carried or fastened is let go first, unless it is fixed: that
+  // stays on what it is on, from there. Returns what fell, as `remove` does.
   std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
   // The body keeps its present pose relative to the carrier from now on; what rests on it, directly
@@ -97,8 +128,33 @@ class World {
   // Name of the body that a carrier's hand holds; empty if none.
   [[nodiscard]] std::string_view carried_by(int carrier) const;
 
-  // Moves what the carrier carries: T_world_obj = T_world_carrier T_carrier_obj.
-  void move_carried(int carrier, const Eigen::Isometry3d& T_world_carrier);
+  // Moves what the carrier carries: T_world_obj = T_world_frame T_frame_obj.
+  //
+  // T_world_frames  its frames from the base on, the last one that of the hand; that one alone is
+  //                 enough where nothing is mounted on the others.
+  void move_carried(int carrier, std::span<const Eigen::Isometry3d> T_world_frames);
+  void move_carried(int carrier, const Eigen::Isometry3d& T_world_carrier) {
+    move_carried(carrier, std::span(&T_world_carrier, 1));
+  }
+
+  // --- fastening (fastening.cpp) ----------------------------------------------------------------
+  // Fastens a body to another one or to a frame of a carrier: it goes where that goes, until a hand
+  // takes it or it is put elsewhere. Of a body that is removed it is let go, and falls.
+  // throws  ArgumentError if the other one is the body itself or fastened on it.
+  void fasten(std::string_view name, std::string_view on);
+  void mount(std::string_view name, int carrier, int frame,
+             const Eigen::Isometry3d& T_world_frame);
+  // Whether anything was ever mounted on a carrier, bodies or frames.
+  [[nodiscard]] bool has_mounted(int carrier) const;
+  // Name of the body that it is fastened on; empty: none.
+  [[nodiscard]] const std::string& fastened_on(std::size_t index) const {
+    return bodies_[index].fastened_on;
+  }
+  // A body and all that is fastened on it, directly or not.
+  [[nodiscard]] std::vector<const Object*> thing(std::string_view name) const;
+  // Whether they belong to one thing: one of them is fastened on the other, directly or not, or
+  // both on a third.
+  [[nodiscard]] bool are_fastened(std::string_view a, std::string_view b) const;
 
   // Lets a body fall straight down to the first surface below it, keeping its orientation, and what
   // rests on it after it. A body that falls onto a carried one travels with it.
@@ -122,6 +178,8 @@ class World {
   // Where it is in the world; nothing if the body that carries it, directly or not, was removed.
   // throws  ArgumentError for an unknown name, as the next.
   [[nodiscard]] std::optional<Eigen::Isometry3d> T_world_frame(std::string_view name) const;
+  // What carries it, a body or a frame of a carrier, or nothing: the world; through other frames.
+  [[nodiscard]] Mount mount_of_frame(std::string_view name) const;
   // Puts a frame somewhere in the world; from now on it moves from there with what it is on.
   // throws  ArgumentError if that was removed, too.
   void set_frame(std::string_view name, const Eigen::Isometry3d& T_world_frame);
@@ -131,17 +189,44 @@ class World {
   struct Body {
     Object object;
     std::optional<Attachment> attachment;
+    std::string fastened_on{};
+    Eigen::Isometry3d T_on_obj = Eigen::Isometry3d::Identity();
+  };
+  struct NameHash : std::hash<std::string_view> {
+    using is_transparent = void;
   };
   [[nodiscard]] std::size_t index_of(std::string_view name) const;
-  [[nodiscard]] Drop fall(const Body& falling) const;
+  // --- falling (falling.cpp)
+  // A body, with what is fastened on it, and how far it falls.
+  struct Landing {
+    std::size_t body;
+    Drop drop;
+  };
+  [[nodiscard]] std::optional<double> rests_at(const Object& falling, const Object& below) const;
+  [[nodiscard]] std::optional<double> gap_above(const Object& part, const Object& below) const;
+  [[nodiscard]] std::optional<Drop> fall(const Body& falling,
+                                         const std::vector<bool>& falls = {}) const;
+  [[nodiscard]] std::vector<Landing> land(const std::vector<std::size_t>& roots) const;
+  void put_down(Body& body, const Drop& drop);
   // Whether `upper` would fall or travel with `lower`.
   [[nodiscard]] bool is_carried_on(const Body& upper, const Body& lower) const;
   void ride(Body& body);
   std::vector<Fall> settle(const std::vector<std::string>& names);
+  void index_from(std::size_t first);
+  // What is fastened on a body goes with it.
+  void bring_fastened(const Body& lower);
+  // The bodies that are fastened on one, directly or not, and itself.
+  [[nodiscard]] std::vector<const Body*> compound(const Body& root) const;
+  [[nodiscard]] std::string_view root_of(std::string_view name) const;
+  void let_loose(std::string_view removed, std::vector<std::string>& above);
 
   std::optional<double> floor_z_;
+  RestingHeight resting_ = nullptr;
   std::vector<Body> bodies_;
+  std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>> index_;  // of the bodies
+  int fastened_ = 0;  // how many bodies are fastened on others
   std::vector<NamedFrame> frames_;
+  std::vector<int> mounted_;  // carriers on which something was mounted
 };
 
 }  // namespace armlet

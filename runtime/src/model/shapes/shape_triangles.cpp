@@ -120,17 +120,4 @@ void add_triangles(const LinkShape& shape, GlbPart& part) {
   }
 }
 
-void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_link_mesh, GlbPart& part) {
-  for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
-    const Vector3d a = T_link_mesh * mesh.corner(i, 0), b = T_link_mesh * mesh.corner(i, 1),
-                   c = T_link_mesh * mesh.corner(i, 2);
-    const Eigen::Vector3f n = (b - a).cross(c - a).normalized().cast<float>();
-    for (const Vector3d& each : {a, b, c}) {
-      part.corners.push_back(static_cast<std::uint32_t>(part.positions.size()));
-      part.positions.emplace_back(each.cast<float>());
-      part.normals.push_back(n);
-    }
-  }
-}
-
 }  // namespace armlet

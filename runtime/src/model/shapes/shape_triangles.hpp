@@ -9,7 +9,4 @@ namespace armlet {
 // Adds the closed surface of a shape, in the frame of its link.
 void add_triangles(const LinkShape& shape, GlbPart& part);
 
-// The same for a mesh, every triangle flat.
-void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_link_mesh, GlbPart& part);
-
 }  // namespace armlet

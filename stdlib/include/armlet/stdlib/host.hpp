@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -21,6 +22,7 @@
 #include "armlet/model/robot.hpp"
 #include "armlet/plot/figure.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
+#include "armlet/stdlib/mesh_converter.hpp"
 #include "armlet/trajectory/planner.hpp"
 #include "armlet/trajectory/velocity.hpp"
 
@@ -104,12 +106,6 @@ struct NamedPlanner {
   Through through = Through::kStops;
 };
 
-// Makes a GLB of a mesh in another format: the file `name` in a folder, which is what it may read,
-// with `unit` m in one unit of it, 0 if its format says so. An error with the code "converter"
-// means that this host has no means to.
-using MeshConverter = std::function<Result<std::string>(const std::string& folder,
-                                                        const std::string& name, double unit)>;
-
 struct HostOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
   std::vector<NamedPlanner> planners;  // beside the built-in ones
@@ -163,6 +159,11 @@ class Host : public Timeline {
   void set_world_name(std::string name) { world_name_ = std::move(name); }
   [[nodiscard]] const std::string& world_name() const { return world_name_; }
   [[nodiscard]] bool has_world() const { return !world_name_.empty(); }
+  // Until the next call files are read from this folder; empty: from that of the program.
+  void read_from(std::filesystem::path folder) {
+    world_folder_ = std::move(folder);
+    world_meshes_.clear();
+  }
   // The program names an object: fetch the default world if nobody gave one.
   void want_world(const std::vector<std::string>& declared);
   // While a default world is filled: whether this object gives way to one that the program declares
@@ -245,6 +246,9 @@ class Host : public Timeline {
                                                     std::string_view content) const;
   [[nodiscard]] Result<std::string> read(const std::string& name, std::size_t most) const;
   [[nodiscard]] Result<std::string> read_mesh(const std::string& name, double unit) const;
+  [[nodiscard]] const std::filesystem::path& folder_of_files() const {
+    return world_folder_.empty() ? options_.folder : world_folder_;
+  }
   [[nodiscard]] std::string mesh_path(const std::string& file, const std::string& mesh) const;
   [[nodiscard]] bool finds_mesh(const std::string& file, const std::string& mesh) const;
   bool pace_to(std::int64_t t_ns);
@@ -258,6 +262,8 @@ class Host : public Timeline {
   std::vector<PlannedWay> ways_;
   int default_robot_ = -1;
   std::string world_name_;
+  std::filesystem::path world_folder_;
+  mutable std::map<std::string, std::string> world_meshes_;  // read already, while it is filled
   std::vector<Figure> figures_;
   std::optional<LabRows> lab_;
   std::vector<std::string> skipped_;

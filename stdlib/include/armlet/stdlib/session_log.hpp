@@ -18,11 +18,15 @@
 
 namespace armlet {
 
-// A program that declares objects, such as worlds/table.rbt.
+// A program that declares objects and frames, such as worlds/table.rbt.
+//
+// folder  where the files lie that it names; empty: that of the program. It is no part of what the
+//         world is: what came out of the files is in the log.
 struct WorldText {
   std::string name;
   std::string text;
-  bool operator==(const WorldText&) const = default;
+  std::string folder{};
+  bool operator==(const WorldText& other) const { return name == other.name && text == other.text; }
 };
 
 // What the host did to a run.

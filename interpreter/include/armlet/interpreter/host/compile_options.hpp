@@ -47,6 +47,10 @@ struct CompileOptions {
   // that only the top level uses lie in registers.
   bool open = true;
   bool markers = false;  // for debuggers: run by statements (host/stepping.hpp), and more slowly
+  // The text may only declare things by blocks of these types, `object`, and constants; empty:
+  // anything. `refuse` makes the message for another statement.
+  std::vector<std::string_view> only_blocks{};
+  std::function<Diagnostic(Span statement)> refuse{};
   // The text is an entry of a session: its names stay for entries behind it, and the value of an
   // expression at its end is kept as `ans`.
   bool is_entry = false;

@@ -1,0 +1,22 @@
+#pragma once
+// What nodes of a scene are as things of a world.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <set>
+#include <string>
+
+namespace armlet {
+
+// How far a linear map turns: its axes made perpendicular in their order; not at all if it is flat.
+Eigen::Matrix3d rotation_in(const Eigen::Matrix3d& linear);
+
+// A text that a program can write between quotes, and that is not in `names` yet, where it is put.
+std::string unique_name(std::string name, std::uint64_t number, std::set<std::string>& names);
+
+// "#rrggbb" of a linear colour, as screens show it.
+//
+// source  IEC 61966-2-1 (sRGB), 1999.
+std::string shown_color(const double linear[3]);
+
+}  // namespace armlet

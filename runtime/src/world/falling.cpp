@@ -1,0 +1,199 @@
+// Bodies that fall straight down together.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "armlet/core/error.hpp"
+#include "armlet/world/world.hpp"
+#include "world/support.hpp"
+
+namespace armlet {
+namespace {
+
+// A sheet that lies on a surface carries what comes down there.
+constexpr double kSameHeight = 1e-9;  // m
+
+}  // namespace
+
+std::optional<double> World::rests_at(const Object& falling, const Object& below) const {
+  if (resting_ != nullptr && !(has_plain_footprint(falling) && has_plain_footprint(below)))
+    return resting_(falling, below);
+  return resting_height(falling, below);
+}
+
+// How far a part is above a body that it would come down on.
+std::optional<double> World::gap_above(const Object& part, const Object& below) const {
+  const auto z_rest = rests_at(part, below);
+  if (!z_rest) return std::nullopt;
+  const double gap = part.T_world_obj.translation().z() - *z_rest;
+  return gap < -kRestTolerance ? std::nullopt : std::optional(gap);
+}
+
+// Of a body with what is fastened on it, down to the first surface; `falls` are the bodies that
+// count for none.
+std::optional<Drop> World::fall(const Body& falling, const std::vector<bool>& falls) const {
+  const std::vector<const Body*> parts = compound(falling);
+  std::optional<Drop> drop;
+  const auto consider = [&](double gap, const std::string& support, bool is_sheet) {
+    if (gap < -kRestTolerance) return;
+    if (drop && gap >= drop->distance + (is_sheet ? kSameHeight : 0.0)) return;
+    drop = Drop{.distance = gap, .support = support};
+  };
+  for (const Body* part : parts) {
+    const double z = part->object.T_world_obj.translation().z();
+    if (floor_z_) consider(z - (*floor_z_ + half_height(part->object)), "floor", false);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const Body& each = bodies_[i];
+      if ((!falls.empty() && falls[i]) || std::ranges::find(parts, &each) != parts.end()) continue;
+      if (const auto gap = gap_above(part->object, each.object))
+        consider(*gap, each.object.name, std::holds_alternative<Plane>(each.object.shape));
+    }
+  }
+  return drop;
+}
+
+// The distances d obey d_i <= d_j + gap for every body i that is above another one j of them, and
+// d_i <= what `fall` says; the largest ones are shortest ways in the graph of the gaps.
+//
+// source  T. H. Cormen et al., Introduction to Algorithms, 3rd edition, 2009, 24.4 (difference
+//         constraints), by the algorithm of Dijkstra.
+std::vector<World::Landing> World::land(const std::vector<std::size_t>& roots) const {
+  const std::size_t n = roots.size();
+  std::vector<bool> falls(bodies_.size(), false);
+  std::vector<std::vector<const Body*>> parts;
+  for (const std::size_t root : roots) {
+    parts.push_back(compound(bodies_[root]));
+    for (const Body* part : parts.back())
+      falls[static_cast<std::size_t>(part - bodies_.data())] = true;
+  }
+  std::vector<std::optional<Drop>> drops;
+  for (const std::size_t root : roots) drops.push_back(fall(bodies_[root], falls));
+  // What lies above each: who, how far, on which part.
+  struct Above {
+    std::size_t who;
+    double gap;
+    const Body* on;
+  };
+  std::vector<std::vector<Above>> above(n);
+  std::vector<bool> has_below(n, false);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      for (const Body* lower : parts[j]) {
+        for (const Body* part : parts[i]) {
+          if (i == j) continue;
+          const auto gap = gap_above(part->object, lower->object);
+          if (!gap) continue;
+          above[j].push_back({i, std::max(*gap, 0.0), lower});
+          has_below[i] = true;
+        }
+      }
+    }
+  }
+  // What nothing is below stays.
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!drops[i] && !has_below[i]) drops[i] = Drop{};
+  }
+  std::vector<Landing> landings;
+  std::vector<bool> has_landed(n, false);
+  while (landings.size() < n) {
+    std::size_t next = n;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (has_landed[i]) continue;
+      if (next == n || (drops[i] && (!drops[next] || drops[i]->distance < drops[next]->distance)))
+        next = i;
+    }
+    const Drop landed = drops[next].value_or(Drop{});
+    has_landed[next] = true;
+    landings.push_back({roots[next], landed});
+    for (const Above& each : above[next]) {
+      std::optional<Drop>& drop = drops[each.who];
+      const double distance = landed.distance + each.gap;
+      const bool is_sheet = std::holds_alternative<Plane>(each.on->object.shape);
+      if (!drop || distance < drop->distance + (is_sheet ? kSameHeight : 0.0))
+        drop = Drop{.distance = distance, .support = each.on->object.name};
+    }
+  }
+  return landings;
+}
+
+// A body that rests on a carried one is carried by the same hand.
+void World::ride(Body& body) {
+  const auto is_carried = [](const Body& each) { return each.attachment.has_value(); };
+  if (body.object.fixed || std::ranges::none_of(bodies_, is_carried)) return;
+  const auto under = fall(body);
+  if (!under || std::abs(under->distance) > kRestTolerance) return;
+  for (const Body& lower : bodies_) {
+    if (lower.object.name != under->support || !lower.attachment) continue;
+    const Eigen::Isometry3d T_lower_body =
+        lower.object.T_world_obj.inverse() * body.object.T_world_obj;
+    body.attachment = Attachment{.carrier = lower.attachment->carrier,
+                                 .T_carrier_obj = lower.attachment->T_carrier_obj * T_lower_body,
+                                 .on = lower.object.name,
+                                 .frame = lower.attachment->frame,
+                                 .mounted = lower.attachment->mounted};
+    return;
+  }
+}
+
+// Puts a body where it comes to rest. The sum of gaps is right to rounding; on its support it lies
+// where it would lie if it had come down there alone.
+void World::put_down(Body& body, const Drop& drop) {
+  double& z = body.object.T_world_obj.translation().z();
+  z -= drop.distance;
+  const Object* support = find(drop.support);
+  if (support == nullptr || compound(body).size() > 1) return;
+  const auto z_rest = rests_at(body.object, *support);
+  if (z_rest && std::abs(*z_rest - z) <= kRestTolerance) z = *z_rest;
+}
+
+// All at once, from the one that falls least.
+std::vector<Fall> World::settle(const std::vector<std::string>& names) {
+  std::vector<std::size_t> roots;
+  for (const std::string& name : names) {
+    const std::size_t i = index_of(name);
+    if (bodies_[i].fastened_on.empty()) roots.push_back(i);
+  }
+  for (const std::size_t i : roots) bodies_[i].attachment.reset();
+  const std::vector<Landing> landings = land(roots);
+  std::vector<Fall> falls;
+  for (const Landing& each : landings) {
+    Body& body = bodies_[each.body];
+    if (each.drop.distance > kRestTolerance) {
+      put_down(body, each.drop);
+      falls.push_back({.name = body.object.name, .drop = each.drop});
+    }
+    bring_fastened(body);
+  }
+  for (const Landing& each : landings) {
+    ride(bodies_[each.body]);
+    bring_fastened(bodies_[each.body]);
+  }
+  const auto bottom = [this](const Fall& each) {
+    const Object& object = at(each.name);
+    return object.T_world_obj.translation().z() - half_height(object);
+  };
+  std::ranges::stable_sort(falls, {}, bottom);
+  return falls;
+}
+
+Drop World::drop(std::string_view name) {
+  std::vector<std::string> falling = stacked_on(name);
+  Body& body = bodies_[index_of(name)];
+  if (!std::exchange(body.fastened_on, {}).empty()) --fastened_;
+  falling.insert(falling.begin(), body.object.name);
+  for (const Fall& each : settle(falling)) {
+    if (each.name == name) return each.drop;
+  }
+  // It lies there already, to the tolerance.
+  const Drop drop = fall(body).value_or(Drop{});
+  put_down(body, drop);
+  bring_fastened(body);
+  return drop;
+}
+
+std::string World::resting_on(std::string_view name) const {
+  const auto drop = fall(bodies_[index_of(name)]);
+  return drop && std::abs(drop->distance) <= kRestTolerance ? drop->support : std::string();
+}
+
+}  // namespace armlet

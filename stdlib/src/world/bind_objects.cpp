@@ -1,0 +1,248 @@
+// How objects come into the world (language reference, section 14).
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "armlet/core/format.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "armlet/world/looks.hpp"
+#include "messages/library_messages.hpp"
+#include "robot/models.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+#include "world/objects.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// What a block says beside what and where the object is.
+struct Fields {
+  std::optional<double> mass{};
+  std::optional<double> density{};
+  Numbers com{};
+  NumberRows inertia{};
+  double friction = Object{}.friction;
+  double stiffness = Object{}.stiffness;
+  std::string_view color = "gray";
+  std::optional<std::string_view> texture{};
+  bool fixed = false;
+  int first = 0;  // index of the parameter `mass`; the others follow in this order
+};
+
+// W0744: the colour is gray then.
+void report_color(Vm& vm, std::string_view color, int parameter) {
+  Failure advice;
+  advice.headline = {row("W0744"), {std::string(color)}};
+  advice.mark_parameter = parameter;
+  if (const auto meant = similar_color(color)) advice.fix = fmt::format("did you mean \"{}\"?", *meant);
+  vm.advise(advice);
+}
+
+// The mass, or that of the density.
+Answer<void> weigh(Vm& vm, const Fields& fields, Object& object) {
+  const auto& [mass, density] = std::tie(fields.mass, fields.density);
+  object.mass = mass.value_or(mass_of(object.shape));
+  if (!density) return {};
+  if (!std::isfinite(*density) || !(*density > 0.0)) {
+    return failure(vm, row("R0631"),
+                   fmt::format("the density of \"{}\" is {} kg/m^3; expected more than 0",
+                               object.name, *density),
+                   fields.first + 1);
+  }
+  const double volume = volume_of(object.shape);
+  if (volume == 0.0) {
+    return failure(vm, row("R0631"),
+                   fmt::format("a plane has no volume, so the density of \"{}\" gives no mass",
+                               object.name),
+                   fields.first + 1, {}, "give it a mass");
+  }
+  if (!mass) {
+    object.mass = *density * volume;
+    return {};
+  }
+  Failure advice;
+  advice.headline = {row("W0745"), {object.name}};
+  advice.mark_parameter = fields.first + 1;
+  advice.why = fmt::format("the density alone would give {:.4g} kg", *density * volume);
+  advice.fix = "leave one of them out";
+  vm.advise(advice);
+  return {};
+}
+
+Answer<void> dress(Vm& vm, const Fields& fields, Object& object) {
+  object.color = fields.color;
+  if (!is_color(fields.color)) report_color(vm, fields.color, fields.first + 6);
+  if (!fields.texture) return {};
+  constexpr std::size_t kMostBytes = 16 << 20;
+  const std::string file(*fields.texture);
+  const auto refuse = [&](const std::string& why) -> Answer<void> {
+    Failure f;
+    f.headline = {row("R0671"), {file, why}};
+    f.mark_parameter = fields.first + 7;
+    return fail(vm, std::move(f));
+  };
+  Result<std::string> bytes = Host::of(vm).load_file(file, kMostBytes);
+  if (!bytes.ok()) return refuse(bytes.error().message);
+  if (const std::string fault = picture_fault(*bytes); !fault.empty()) return refuse(fault);
+  object.texture = std::make_shared<const std::string>(std::move(bytes).value());
+  return {};
+}
+
+Answer<Object> object_of_fields(Vm& vm, std::string_view name, const ShapeValue& shape,
+                                const PosC& at, const Fields& fields) {
+  Object object;
+  object.name = name;
+  object.shape = shape.shape;
+  object.T_world_obj = at.T;
+  object.friction = fields.friction;
+  object.stiffness = fields.stiffness;
+  object.fixed = fields.fixed;
+  Link link;
+  if (!read_com(vm, fields.com, fields.first + 2, link) ||
+      !read_inertia(vm, fields.inertia, fields.first + 3, link)) {
+    return Failed{};
+  }
+  if (fields.com) object.p_obj_com = link.com;
+  if (fields.inertia) object.inertia_com = link.inertia;
+  if (!weigh(vm, fields, object) || !dress(vm, fields, object)) return Failed{};
+  return object;
+}
+
+Answer<ObjectRef> insert_object(Vm& vm, Object object, const Mount& on) try {
+  Host& host = Host::of(vm);
+  const ObjectRef made{object.name};
+  if (host.is_skipped(made.name)) return made;
+  if (on.base == FrameBase::kWorld) {
+    host.cell().insert(std::move(object));
+  } else {
+    host.cell().insert(std::move(object), on);
+  }
+  report_overlap(vm, made.name);
+  return made;
+} catch (const ArgumentError& error) {
+  return failure_of(vm, row("R0631"), error);
+}
+
+Answer<ObjectRef> make_object(Vm& vm, std::string_view name, const ShapeValue& shape,
+                              const PosC& at, const Fields& fields, const Mount& on = {}) {
+  auto object = object_of_fields(vm, name, shape, at, fields);
+  if (!object) return Failed{};
+  return insert_object(vm, *std::move(object), on);
+}
+
+constexpr int kOn = 3;
+
+Answer<Mount> mount_on(Vm& vm, const ObjectRef& on) {
+  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, kOn);
+  return Mount{.base = FrameBase::kObject, .on = on.name};
+}
+Answer<Mount> mount_on(Vm& vm, const FrameRef& on) {
+  if (!frame_now(vm, on, kOn)) return Failed{};
+  return Mount{.base = FrameBase::kFrame, .on = on.name};
+}
+
+Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& shape,
+                               const PosC& at, std::optional<double> mass,
+                               std::optional<double> density, Numbers com, NumberRows inertia,
+                               double friction, double stiffness, std::string_view color,
+                               std::optional<std::string_view> texture, bool fixed) {
+  return make_object(vm, name, shape, at,
+                     {mass, density, com, inertia, friction, stiffness, color, texture, fixed, 3});
+}
+template <class On>
+Answer<ObjectRef> object_on(Vm& vm, std::string_view name, const ShapeValue& shape, const PosC& at,
+                            const On& on, std::optional<double> mass,
+                            std::optional<double> density, Numbers com, NumberRows inertia,
+                            double friction, double stiffness, std::string_view color,
+                            std::optional<std::string_view> texture, bool fixed) {
+  const auto mount = mount_on(vm, on);
+  if (!mount) return Failed{};
+  return make_object(vm, name, shape, at,
+                     {mass, density, com, inertia, friction, stiffness, color, texture, fixed, 4},
+                     *mount);
+}
+Answer<ObjectRef> object_on_robot(Vm& vm, std::string_view name, const ShapeValue& shape,
+                                  const PosC& at, const RobotRef& on,
+                                  std::optional<std::int64_t> link, std::optional<double> mass,
+                                  std::optional<double> density, Numbers com, NumberRows inertia,
+                                  double friction, double stiffness, std::string_view color,
+                                  std::optional<std::string_view> texture, bool fixed) {
+  const auto mount = mount_on_robot(vm, on, link, 4);
+  if (!mount) return Failed{};
+  const Cell& cell = Host::of(vm).cell();
+  if (const CellRobot& hand = cell.robot(on.id); hand.on >= 0) {
+    return failure(vm, row("R0631"),
+                   fmt::format("`{}` is a hand, and objects are mounted on arms", hand.name), kOn,
+                   {}, fmt::format("write on: {}", cell.robot(hand.on).name));
+  }
+  return make_object(vm, name, shape, at,
+                     {mass, density, com, inertia, friction, stiffness, color, texture, fixed, 5},
+                     *mount);
+}
+
+Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, const PosC& at,
+                        std::optional<double> mass, std::string_view color) {
+  // The colour is parameter 4 here.
+  return make_object(vm, name, s, at, {.mass = mass, .color = color, .first = -2});
+}
+
+#define ARMLET_OBJECT_FIELDS                                                                      \
+  "mass: mass?, density: density?, com: length[]?, inertia: double[][]?, friction: double = 0.5, " \
+  "stiffness: force/length = 50N/mm, color: string = \"gray\", texture: string?, fixed: bool = "   \
+  "false) -> object"
+
+constexpr std::string_view kObjectHelp =
+    "Adds an object to the world; a fixed one cannot be grasped. What is pressed into it feels "
+    "stiffness times the depth, and friction. On an object, a frame or a link of a robot, its flange "
+    "unless told otherwise, it goes where that goes, and at is seen from there.";
+
+constexpr NativeFunction kObjectFunctions[] = {
+    def<object_block>("object{}(name: string, shape: shape, at: posC, " ARMLET_OBJECT_FIELDS,
+                      kObjectHelp,
+                      "object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }",
+                      {.acts = true}),
+    def<object_on_robot>(
+        "object{}(name: string, shape: shape, at: posC, on: robot, link: int?, " ARMLET_OBJECT_FIELDS,
+        kObjectHelp,
+        "robot arm = robots.ur5(); object bracket { shape: box(40mm, 20mm, 10mm); at: xyz(z: 5mm); "
+        "on: arm; fixed: true }",
+        {.acts = true}),
+    def<object_on<ObjectRef>>(
+        "object{}(name: string, shape: shape, at: posC, on: object, " ARMLET_OBJECT_FIELDS,
+        kObjectHelp,
+        "object knob { shape: sphere(5mm); at: xyz(z: 25mm); on: object(\"cube\") }",
+        {.acts = true}),
+    def<object_on<FrameRef>>(
+        "object{}(name: string, shape: shape, at: posC, on: frame, " ARMLET_OBJECT_FIELDS,
+        kObjectHelp,
+        "frame bench { at: xyz(300mm, 200mm, 300mm) } object part { shape: sphere(15mm); at: xyz(); "
+        "on: bench }",
+        {.acts = true}),
+    def<spawn>(
+        "spawn(s: shape, name: string, at: posC, mass: mass?, color: string = \"gray\") -> object",
+        "Adds an object to the world, in loops for example.",
+        "sphere(15mm).spawn(\"ball\", at: xyz(300mm, 0mm, 300mm))", {.acts = true}),
+};
+
+}  // namespace
+
+Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link,
+                             int parameter) {
+  const CellRobot& arm = Host::of(vm).cell().robot(on.id);
+  const int n = arm.model->n();
+  if (link && (*link < 0 || *link > n)) {
+    return failure(vm, row("R0631"),
+                   fmt::format("`{}` has the links 0, its base, to {}, but no link {}", arm.name, n,
+                               *link),
+                   parameter);
+  }
+  return Mount{.base = FrameBase::kCarrier,
+               .on = arm.name,
+               .carrier = on.id,
+               .frame = link ? static_cast<int>(*link) : kFlange};
+}
+
+std::span<const NativeFunction> object_functions() { return kObjectFunctions; }
+
+}  // namespace armlet::bind
