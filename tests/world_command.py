@@ -103,6 +103,13 @@ def check_glb(folder):
     check(f"{lines}", lines[1] == "(400, 0, 150) mm, 45 deg about z")
     check(f"{lines}", lines[2].startswith("(500, 50, 25) mm"))
     check(f"{lines}", abs(float(lines[3].split()[0]) - 50) < 1e-4)
+    record = str(folder.path / "run.arec")
+    words = [sys.argv[1], "run", str(folder.path / "program.rbt"), "--world", str(folder.path / "worlds/kitchen.glb"), "--record", record]
+    subprocess.run(words, capture_output=True, check=True, timeout=120)
+    (folder.path / "worlds/kitchen.glb").rename(folder.path / "worlds/kept.glb")
+    again = subprocess.run([sys.argv[1], "replay", record, "--verify"], capture_output=True, text=True, timeout=120)
+    check(f"a run is taken again without the files of its world: {again.stderr}", again.returncode == 0)
+    (folder.path / "worlds/kept.glb").rename(folder.path / "worlds/kitchen.glb")
     folder.refuses("no.glb", "no.glb")
     whole = (folder.path / "worlds/kitchen.glb").read_bytes()
     for size in range(0, len(whole), 97):

@@ -56,7 +56,14 @@ void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_node_mes
 std::string write_glb(const GlbThing& thing) {
   GlbNode node{.name = thing.name, .joint = std::nullopt, .parts = {{}}};
   add_triangles(thing.triangles, Eigen::Isometry3d::Identity(), node.parts.front());
-  return write_glb({.materials = {thing.look}, .nodes = {std::move(node)}});
+  GlbScene scene;
+  if (thing.color.empty()) {
+    node.parts.front().material = -1;
+  } else {
+    scene.materials.push_back(thing.look);
+  }
+  scene.nodes.push_back(std::move(node));
+  return write_glb(scene);
 }
 
 }  // namespace armlet

@@ -36,8 +36,8 @@ void check_part(const GlbScene& scene, const GlbNode& node, const GlbPart& part)
   };
   const bool fits = part.positions.size() == part.normals.size() && part.corners.size() % 3 == 0 &&
                     fits_all(part.on_image.size()) && fits_all(part.colors.size()) &&
-                    !part.corners.empty() && part.material >= 0 &&
-                    in_range(static_cast<std::size_t>(part.material), scene.materials.size()) &&
+                    !part.corners.empty() && part.material >= -1 &&
+                    part.material < static_cast<int>(scene.materials.size()) &&
                     std::ranges::all_of(part.corners, [&](std::uint32_t i) {
                       return in_range(i, part.positions.size());
                     });
@@ -137,9 +137,9 @@ class Writer {
                                 {"NORMAL", add_vectors(part.normals, false)}};
       if (!part.on_image.empty()) attributes["TEXCOORD_0"] = add_vectors(part.on_image, false);
       if (!part.colors.empty()) attributes["COLOR_0"] = add_vectors(part.colors, false);
-      primitives.push_back({{"attributes", attributes},
-                            {"indices", add_indices(part.corners)},
-                            {"material", part.material}});
+      OrderedJson json = {{"attributes", attributes}, {"indices", add_indices(part.corners)}};
+      if (part.material >= 0) json["material"] = part.material;
+      primitives.push_back(std::move(json));
     }
     meshes_.push_back({{"name", node.name}, {"primitives", primitives}});
     return meshes_.size() - 1;

@@ -124,6 +124,7 @@ bool Session::replay(const SessionLog& log) {
   give_up();
   submitted_.reset();
   run_ = std::make_unique<Run>();
+  world_replies_ = log.entries.front().replies;
   std::vector<Entry> entries = compile_log(log);
   if (entries.size() < log.entries.size()) return false;
   run_->entries = std::move(entries);

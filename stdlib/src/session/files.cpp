@@ -144,7 +144,7 @@ Result<std::string> Host::load_shape(const std::string& name, double unit) const
     return std::move(reply.text);
   }();
   // The parts of a scene are many.
-  if (!world_folder_.empty() && glb.ok()) world_meshes_.emplace(key, *glb);
+  if (fills_world_ && glb.ok()) world_meshes_.emplace(key, *glb);
   return glb;
 }
 

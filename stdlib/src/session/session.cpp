@@ -7,6 +7,7 @@
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/interpreter/world_names.hpp"
 #include "messages/library_messages.hpp"
+#include "replay/journal.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "session/editor_texts.hpp"
@@ -32,13 +33,15 @@ class OneCompilation {
   bool makes_program_ = false;
 };
 
-// From here on files are those of the program again.
-class ReadFromProgram {
+// While it lives files are those of a world; after it those of the program again.
+class FillingWorld {
  public:
-  explicit ReadFromProgram(Host& host) : host_(host) {}
-  ~ReadFromProgram() { host_.read_from({}); }
-  ReadFromProgram(const ReadFromProgram&) = delete;
-  ReadFromProgram& operator=(const ReadFromProgram&) = delete;
+  FillingWorld(Host& host, const WorldText& world) : host_(host) {
+    host.begin_world(world.folder);
+  }
+  ~FillingWorld() { host_.end_world(); }
+  FillingWorld(const FillingWorld&) = delete;
+  FillingWorld& operator=(const FillingWorld&) = delete;
 
  private:
   Host& host_;
@@ -101,8 +104,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
       return make_diagnostic(bind::row("R0670"), statement);
     };
   }
-  host.read_from(world.folder);
-  const ReadFromProgram back(host);
+  const FillingWorld filling(host, world);
   Compilation compiled = engine_.compile(world.text, world.name + ".rbt", compile_options);
   for (Diagnostic& d : compiled.diagnostics) problems.push_back({std::move(d), compiled.sources});
   if (compiled.program == nullptr) return false;
@@ -123,7 +125,12 @@ void Session::describe_world() {
   const std::optional<WorldText>& text = options_.world ? options_.world : options_.default_world;
   if (world_names_ != nullptr || !text) return;
   world_problems_.clear();
-  const std::unique_ptr<Host> host = make_host(nullptr);
+  // A run begins with what its world asks for.
+  LoggedEntry known;
+  known.replies = world_replies_;
+  Journal journal;
+  journal.begin(known, false);
+  const std::unique_ptr<Host> host = make_host(&journal);
   fill_world(*host, *text, world_problems_);
   auto names = std::make_shared<WorldNames>();
   names->world = text->name;

@@ -41,6 +41,7 @@ struct GlbImage {
 // on_image   where each lies on the picture, 0 to 1 from its upper left corner; empty: nowhere.
 // colors     of each, linear, times that of the material; empty: none.
 // corners    three indices for each triangle, counterclockwise seen from outside.
+// material   -1: none.
 struct GlbPart {
   std::vector<Eigen::Vector3f> positions;
   std::vector<Eigen::Vector3f> normals;
@@ -124,7 +125,7 @@ inline constexpr std::string_view kMeshFormats = "OBJ, 3DS, VRML 2.0, STL, DAE, 
 //
 // name         of the node, or "node 3"; one that several have gets " 2", " 3" behind it.
 // T_world_thing  where it is, z up; what is scaled or sheared is so in its triangles.
-// look, color  the colour of its first material, linear and as "#rrggbb"; white and empty: none.
+// look, color  the colour of its first material, linear and as "#rrggbb"; empty: none.
 // mass, fixed  what `extras` of the node say, if anything; kg.
 struct GlbThing {
   std::string name;
@@ -144,7 +145,7 @@ inline constexpr std::size_t kMostThings = 10'000;
 Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes,
                                               const std::string& only = {});
 
-// A file of one thing at the origin, of one colour, every triangle flat.
+// A file of one thing at the origin, every triangle flat, in its colour if it has one.
 std::string write_glb(const GlbThing& thing);
 
 // Whether a file is one by its name, ".glb" in whatever case.

@@ -159,9 +159,14 @@ class Host : public Timeline {
   void set_world_name(std::string name) { world_name_ = std::move(name); }
   [[nodiscard]] const std::string& world_name() const { return world_name_; }
   [[nodiscard]] bool has_world() const { return !world_name_.empty(); }
-  // Until the next call files are read from this folder; empty: from that of the program.
-  void read_from(std::filesystem::path folder) {
+  // While the world is filled: files are read from this folder, if it has a name, and each mesh once.
+  void begin_world(std::filesystem::path folder) {
     world_folder_ = std::move(folder);
+    fills_world_ = true;
+  }
+  void end_world() {
+    world_folder_.clear();
+    fills_world_ = false;
     world_meshes_.clear();
   }
   // The program names an object: fetch the default world if nobody gave one.
@@ -263,6 +268,7 @@ class Host : public Timeline {
   int default_robot_ = -1;
   std::string world_name_;
   std::filesystem::path world_folder_;
+  bool fills_world_ = false;
   mutable std::map<std::string, std::string> world_meshes_;  // read already, while it is filled
   std::vector<Figure> figures_;
   std::optional<LabRows> lab_;

@@ -284,6 +284,7 @@ class Session {
   // What the world holds, which is one for all programs, and the messages of its text.
   std::shared_ptr<const WorldNames> world_names_;
   std::vector<Problem> world_problems_;
+  std::vector<Reply> world_replies_;  // files that the world of a log named, by its first entry
   std::atomic<bool> is_running_{false};
   std::atomic<Vm*> running_{nullptr};
   std::atomic<int> cancelling_{0};  // calls of cancel that are under way
