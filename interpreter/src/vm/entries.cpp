@@ -128,7 +128,7 @@ void load(VmState& state, const CompiledProgram& program, Before* before) {
   for (const hir::Variable* variable : program.module.globals) add_global(state, *variable);
   if (before != nullptr) before->pass_over(program);
   state.programs.newest = &program;
-  state.host.all_are_set = false;
+  state.host.require_values();
   state.programs.units.push_back(std::move(unit));
 }
 
@@ -157,7 +157,7 @@ void drop_newest(VmState& state) {
 // the session does not grow by it.
 void finish_entry(VmState& state, bool done) {
   state.main.stack.rest();
-  state.host.all_are_set = false;
+  state.host.require_values();
   state.recordings.reset();
   state.shared.large_copies.clear();
   if (!done) {

@@ -37,15 +37,20 @@ inline void push_host(const Task& task, Frame* below, Slot* window) {
   return false;
 }
 
+// References of a function that begins.
+[[gnu::always_inline]] inline void clear_references(const Frame& frame) {
+  unsigned count = frame.callee->references;
+  if (count == 0) [[likely]]
+    return;
+  for (Slot* reference = frame.base + frame.callee->references_begin; count > 0; --count) {
+    reference++->o = nullptr;
+  }
+}
+
 // The frame of the function above that; the loop is told where it is.
 [[gnu::always_inline]] inline void push_function(Frame* below, const Frame& function) {
   below[2] = function;
-  unsigned count = function.callee->references;
-  if (count == 0) [[likely]]
-    return;
-  for (Slot* reference = function.base + function.callee->references_begin; count > 0; --count) {
-    reference++->o = nullptr;
-  }
+  clear_references(function);
 }
 
 }  // namespace armlet::lang

@@ -42,13 +42,14 @@ class ReadyFunction {
   static Result<ReadyFunction> find(Vm& vm, std::string_view name, std::span<const ValueKind> takes,
                                     const ValueKind& gives);
 
-  // Calls the function; its result is left in `result`, and a reference belongs to the caller.
+  // Calls the function with numbers for a number, which is left in `result`.
   //
   // throws  ArgumentError while the Vm runs: in another thread, or in the function of the host that
   //         calls this; and if the entry of a session that declares the function has failed.
   Outcome run(std::span<const Slot> arguments, Slot& result) const;
-  // The same with at most three arguments, in registers; what is beyond the parameters is not read.
-  Outcome run(Slot first, Slot second, Slot third, Slot& result) const;
+  // The same with at most three doubles for a double, or for nothing; what is beyond the parameters
+  // is not read.
+  Outcome run_reals(double first = 0.0, double second = 0.0, double third = 0.0) const;
 
   // A call with arguments or a result that are objects: while it lives, the Vm is busy with it.
   class Call {
@@ -131,14 +132,20 @@ class ProgramFunction<Result_(Arguments...)> {
 
   // throws  ArgumentError while the Vm runs (ReadyFunction::run).
   Answer<Result_> operator()(const typed::Passed<Arguments>&... arguments) const {
-    if constexpr (kIsPlain) {
-      Slot result{.i = 0};
-      const ReadyFunction::Outcome outcome = run(result, slot_of(arguments)...);
+    if constexpr (kIsReal) {
+      const ReadyFunction::Outcome outcome = ready_.run_reals(arguments...);
       if (!outcome.done) return Failed{};
       if constexpr (std::is_void_v<Result_>) {
         return {};
-      } else if constexpr (std::is_same_v<Result_, double>) {
+      } else {
         return outcome.result;
+      }
+    } else if constexpr (kIsPlain) {
+      Slot result{.i = 0};
+      const std::array<Slot, sizeof...(Arguments)> slots{slot_of(arguments)...};
+      if (!ready_.run(slots, result).done) return Failed{};
+      if constexpr (std::is_void_v<Result_>) {
+        return {};
       } else {
         return number_in<Result_>(result);
       }
@@ -153,16 +160,12 @@ class ProgramFunction<Result_(Arguments...)> {
   static constexpr bool kIsNumber = SlotNumber<T> || std::is_void_v<T>;
   static constexpr bool kIsPlain =
       kIsNumber<Result_> && (kIsNumber<typed::Passed<Arguments>> && ...);
+  // Doubles travel in registers.
+  static constexpr bool kIsReal =
+      (std::is_same_v<Result_, double> || std::is_void_v<Result_>)&&sizeof...(Arguments) <= 3 &&
+      (std::is_same_v<typed::Passed<Arguments>, double> && ...);
 
   explicit ProgramFunction(const ReadyFunction& ready) : ready_(ready) {}
-
-  ReadyFunction::Outcome run(Slot& result, Slot first = {.i = 0}, Slot second = {.i = 0},
-                             Slot third = {.i = 0}) const {
-    return ready_.run(first, second, third, result);
-  }
-  template <class... More>
-  requires(sizeof...(More) > 3) ReadyFunction::Outcome run(Slot& result, More... slots)
-  const { return ready_.run(std::array<Slot, sizeof...(More)>{slots...}, result); }
 
   template <std::size_t... I>
   Answer<Result_> call(std::index_sequence<I...>,
