@@ -78,7 +78,7 @@ void make_task(lang::VmState& state) {
 // While it lives, the host's task is the running one. Who has the turn makes its only call.
 class Running {
  public:
-  Running(lang::VmState& state, lang::Task& task)
+  [[gnu::always_inline]] Running(lang::VmState& state, lang::Task& task)
       : state_(state), before_(state.running), kernels_(&state.kernels) {
     if (task.host_data != state.main.host_data) [[unlikely]]
       take_data(state, task);
@@ -86,7 +86,7 @@ class Running {
     state.host.calls = 1;
     state.steps.begin_call();
   }
-  ~Running() {
+  [[gnu::always_inline]] ~Running() {
     state_.host.calls = 0;
     state_.running = before_;
   }
@@ -99,35 +99,31 @@ class Running {
   Supervised kernels_;
 };
 
+// With the arguments in their window, where the result is left. The loop leaves the task at the
+// frame of the host.
+[[gnu::always_inline]] inline lang::Left enter(lang::VmState& state, const lang::Callee& callee) {
+  lang::Task& task = *state.host.task;
+  Slot* window = state.host.window;
+  const Running running(state, task);
+  if (!lang::count_step(state)) [[unlikely]]
+    return {lang::Exit::kFailed};
+  lang::Frame* frame = task.stack.frames + 2;
+  frame->base = window;
+  asm volatile("" : "+r"(window));  // two stores take less than making one of them
+  frame->callee = &callee;
+  lang::clear_references(*frame);
+  return lang::enter_function(state, task, frame, window, callee.code);
+}
+
 [[gnu::cold, gnu::noinline]] Outcome fail(lang::VmState& state) {
   lang::keep_failure(state);
   return {false};
 }
 
-[[gnu::cold, gnu::noinline]] Outcome ended_after_throw(lang::VmState& state, lang::Task& task) {
-  const lang::Left left = lang::resume_thrown(state, task);
-  return left.exit == lang::Exit::kDone ? Outcome{true, left.result} : fail(state);
-}
-
-// With the arguments in their window, where the result is left. The loop leaves the task at the
-// frame of the host.
 [[gnu::always_inline]] inline Outcome run_here(lang::VmState& state, const lang::Callee& callee) {
-  lang::Task& task = *state.host.task;
-  Slot* window = state.host.window;
-  const Running running(state, task);
-  if (!lang::count_step(state)) [[unlikely]]
-    return fail(state);
-  lang::Frame* frame = task.stack.frames + 2;
-  frame->base = window;
-  frame->callee = &callee;
-  lang::clear_references(*frame);
-  try {
-    const lang::Left left = lang::interpret(state, task, frame, window, callee.code);
-    if (left.exit == lang::Exit::kDone) [[likely]]
-      return {true, left.result};
-  } catch (...) {
-    return ended_after_throw(state, task);
-  }
+  const lang::Left left = enter(state, callee);
+  if (left.exit == lang::Exit::kDone) [[likely]]
+    return {true, left.result};
   return fail(state);
 }
 
@@ -139,16 +135,11 @@ class Running {
   return outcome;
 }
 
-// Whether a call can begin without asking for anything: run_unready has found so in this thread.
-[[gnu::always_inline]] inline bool is_ready(const lang::HostAccess& access) {
-  const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
-  return access.ready_thread == lang::this_thread() &&
-         here - access.ready_from < access.ready_bytes;
-}
-
-[[gnu::noinline]] Outcome run_unready(lang::VmState& state, const lang::Callee& callee) {
+// Found once for a thread, a part of its stack and a program: all variables have values, and the
+// stack is ample.
+[[gnu::cold, gnu::noinline]] Outcome run_unready(lang::VmState& state, const lang::Callee& callee,
+                                                 std::uintptr_t here) {
   lang::require_values_of_globals(state);
-  const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
   const std::size_t left = stack_left();
   if (left < kAmpleStack) return run_elsewhere(state, callee);
   state.host.ready_thread = lang::this_thread();
@@ -159,7 +150,13 @@ class Running {
 
 [[gnu::always_inline]] inline Outcome run_in_turn(lang::VmState& state,
                                                   const lang::Callee& callee) {
-  return is_ready(state.host) ? run_here(state, callee) : run_unready(state, callee);
+  const lang::HostAccess& host = state.host;
+  char mark;
+  const auto here = reinterpret_cast<std::uintptr_t>(&mark);
+  if (host.ready_thread == lang::this_thread() && here - host.ready_from < host.ready_bytes)
+      [[likely]]
+    return run_here(state, callee);
+  return run_unready(state, callee, here);
 }
 
 // What belongs to the caller: a result that holds what it may not is released here.
@@ -200,6 +197,9 @@ const lang::hir::Function& declared(const lang::VmState& state, std::uint32_t fu
 
 }  // namespace
 
+ReadyFunction::ReadyFunction(Vm& vm, std::uint32_t function)
+    : vm_(&vm), state_(&vm.state()), function_(function) {}
+
 Result<ReadyFunction> ReadyFunction::find(Vm& vm, std::string_view name,
                                           std::span<const ValueKind> takes,
                                           const ValueKind& gives) {
@@ -215,7 +215,7 @@ Result<ReadyFunction> ReadyFunction::find(Vm& vm, std::string_view name,
 }
 
 Outcome ReadyFunction::run(std::span<const Slot> arguments, Slot& result) const {
-  lang::VmState& state = vm_->state();
+  lang::VmState& state = *state_;
   const lang::Turn turn(state);
   std::ranges::copy(arguments, state.host.window);
   const Outcome outcome = run_in_turn(state, callee_of(state, function_));
@@ -224,13 +224,38 @@ Outcome ReadyFunction::run(std::span<const Slot> arguments, Slot& result) const 
 }
 
 // A window has room for three arguments, however few the function has.
+Outcome ReadyFunction::run(Slot first, Slot second, Slot third, Slot& result) const {
+  lang::VmState& state = *state_;
+  const lang::Turn turn(state);
+  Slot* window = state.host.window;
+  window[0] = first;
+  window[1] = second;
+  window[2] = third;
+  const Outcome outcome = run_in_turn(state, callee_of(state, function_));
+  result = *window;
+  return outcome;
+}
+
 Outcome ReadyFunction::run_reals(double first, double second, double third) const {
-  lang::VmState& state = vm_->state();
+  lang::VmState& state = *state_;
   const lang::Turn turn(state);
   Slot* window = state.host.window;
   window[0].d = first;
   window[1].d = second;
   window[2].d = third;
+  return run_in_turn(state, callee_of(state, function_));
+}
+
+Outcome ReadyFunction::run_reals(double only) const {
+  lang::VmState& state = *state_;
+  const lang::Turn turn(state);
+  state.host.window->d = only;
+  return run_in_turn(state, callee_of(state, function_));
+}
+
+Outcome ReadyFunction::run_reals() const {
+  lang::VmState& state = *state_;
+  const lang::Turn turn(state);
   return run_in_turn(state, callee_of(state, function_));
 }
 

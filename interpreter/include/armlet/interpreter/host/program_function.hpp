@@ -42,14 +42,17 @@ class ReadyFunction {
   static Result<ReadyFunction> find(Vm& vm, std::string_view name, std::span<const ValueKind> takes,
                                     const ValueKind& gives);
 
-  // Calls the function with numbers for a number, which is left in `result`.
+  // Calls the function; its result, a number, is left in `result`.
   //
   // throws  ArgumentError while the Vm runs: in another thread, or in the function of the host that
   //         calls this; and if the entry of a session that declares the function has failed.
   Outcome run(std::span<const Slot> arguments, Slot& result) const;
-  // The same with at most three doubles for a double, or for nothing; what is beyond the parameters
-  // is not read.
-  Outcome run_reals(double first = 0.0, double second = 0.0, double third = 0.0) const;
+  // The same with at most three arguments, in registers; what is beyond the parameters is not read.
+  Outcome run(Slot first, Slot second, Slot third, Slot& result) const;
+  // The same with at most three doubles for a double, or for nothing.
+  Outcome run_reals() const;
+  Outcome run_reals(double only) const;
+  Outcome run_reals(double first, double second, double third = 0.0) const;
 
   // A call with arguments or a result that are objects: while it lives, the Vm is busy with it.
   class Call {
@@ -86,9 +89,10 @@ class ReadyFunction {
   [[nodiscard]] Vm& vm() const { return *vm_; }
 
  private:
-  ReadyFunction(Vm& vm, std::uint32_t function) : vm_(&vm), function_(function) {}
+  ReadyFunction(Vm& vm, std::uint32_t function);
 
   Vm* vm_;
+  Vm::State* state_;        // of the Vm
   std::uint32_t function_;  // its number in the machine
 };
 
@@ -142,8 +146,7 @@ class ProgramFunction<Result_(Arguments...)> {
       }
     } else if constexpr (kIsPlain) {
       Slot result{.i = 0};
-      const std::array<Slot, sizeof...(Arguments)> slots{slot_of(arguments)...};
-      if (!ready_.run(slots, result).done) return Failed{};
+      if (!run(result, slot_of(arguments)...).done) return Failed{};
       if constexpr (std::is_void_v<Result_>) {
         return {};
       } else {
@@ -166,6 +169,14 @@ class ProgramFunction<Result_(Arguments...)> {
       (std::is_same_v<typed::Passed<Arguments>, double> && ...);
 
   explicit ProgramFunction(const ReadyFunction& ready) : ready_(ready) {}
+
+  ReadyFunction::Outcome run(Slot& result, Slot first = {.i = 0}, Slot second = {.i = 0},
+                             Slot third = {.i = 0}) const {
+    return ready_.run(first, second, third, result);
+  }
+  template <class... More>
+  requires(sizeof...(More) > 3) ReadyFunction::Outcome run(Slot& result, More... slots)
+  const { return ready_.run(std::array<Slot, sizeof...(More)>{slots...}, result); }
 
   template <std::size_t... I>
   Answer<Result_> call(std::index_sequence<I...>,
