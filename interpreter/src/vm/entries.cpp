@@ -146,6 +146,10 @@ namespace {
 
 void drop_newest(VmState& state) {
   LoadedCode& unit = *state.programs.units.back();
+  for (const Callee& callee : unit.callees) {
+    Callee& known = state.programs.callees[callee.function->function->index];
+    if (known.own == &callee) known = Callee{};  // the first entry has replaced nothing
+  }
   for (const Slot text : unit.texts) state.heap.release(text.o);
   state.heap.drain();
   state.programs.units.pop_back();
@@ -172,7 +176,6 @@ void finish_entry(VmState& state, bool done) {
   state.programs.before.reset();
   if (done && state.programs.units.back()->callees.size() > 1) return;
   drop_newest(state);
-  state.programs.callees[0] = Callee{};
 }
 
 }  // namespace armlet::lang
