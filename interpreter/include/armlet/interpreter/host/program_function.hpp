@@ -49,7 +49,7 @@ class ReadyFunction {
   Outcome run(std::span<const Slot> arguments, Slot& result) const;
   // The same with at most three arguments, in registers; what is beyond the parameters is not read.
   Outcome run(Slot first, Slot second, Slot third, Slot& result) const;
-  // The same with at most three doubles for a double, or for nothing.
+  // The same with at most three doubles for a double.
   Outcome run_reals() const;
   Outcome run_reals(double only) const;
   Outcome run_reals(double first, double second, double third = 0.0) const;
@@ -139,11 +139,7 @@ class ProgramFunction<Result_(Arguments...)> {
     if constexpr (kIsReal) {
       const ReadyFunction::Outcome outcome = ready_.run_reals(arguments...);
       if (!outcome.done) return Failed{};
-      if constexpr (std::is_void_v<Result_>) {
-        return {};
-      } else {
-        return outcome.result;
-      }
+      return outcome.result;
     } else if constexpr (kIsPlain) {
       Slot result{.i = 0};
       if (!run(result, slot_of(arguments)...).done) return Failed{};
@@ -164,9 +160,8 @@ class ProgramFunction<Result_(Arguments...)> {
   static constexpr bool kIsPlain =
       kIsNumber<Result_> && (kIsNumber<typed::Passed<Arguments>> && ...);
   // Doubles travel in registers.
-  static constexpr bool kIsReal =
-      (std::is_same_v<Result_, double> || std::is_void_v<Result_>)&&sizeof...(Arguments) <= 3 &&
-      (std::is_same_v<typed::Passed<Arguments>, double> && ...);
+  static constexpr bool kIsReal = std::is_same_v<Result_, double> && sizeof...(Arguments) <= 3 &&
+                                  (std::is_same_v<typed::Passed<Arguments>, double> && ...);
 
   explicit ProgramFunction(const ReadyFunction& ready) : ready_(ready) {}
 
