@@ -128,7 +128,7 @@ void load(VmState& state, const CompiledProgram& program, Before* before) {
   for (const hir::Variable* variable : program.module.globals) add_global(state, *variable);
   if (before != nullptr) before->pass_over(program);
   state.programs.newest = &program;
-  state.host.all_are_set = false;
+  state.host.require_values();
   state.programs.units.push_back(std::move(unit));
 }
 
@@ -146,6 +146,10 @@ namespace {
 
 void drop_newest(VmState& state) {
   LoadedCode& unit = *state.programs.units.back();
+  for (const Callee& callee : unit.callees) {
+    Callee& known = state.programs.callees[callee.function->function->index];
+    if (known.own == &callee) known = Callee{};  // the first entry has replaced nothing
+  }
   for (const Slot text : unit.texts) state.heap.release(text.o);
   state.heap.drain();
   state.programs.units.pop_back();
@@ -157,7 +161,7 @@ void drop_newest(VmState& state) {
 // the session does not grow by it.
 void finish_entry(VmState& state, bool done) {
   state.main.stack.rest();
-  state.host.all_are_set = false;
+  state.host.require_values();
   state.recordings.reset();
   state.shared.large_copies.clear();
   if (!done) {
@@ -172,7 +176,6 @@ void finish_entry(VmState& state, bool done) {
   state.programs.before.reset();
   if (done && state.programs.units.back()->callees.size() > 1) return;
   drop_newest(state);
-  state.programs.callees[0] = Callee{};
 }
 
 }  // namespace armlet::lang

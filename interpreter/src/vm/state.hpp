@@ -49,6 +49,7 @@ struct StepMeter {
   std::int64_t chunk = 0;              // size of the running chunk
   std::uint64_t total = 0;             // before the running chunk
   std::uint64_t since_pause = 0;       // likewise
+  std::uint64_t of_program = 0;        // that of the program, while the host has the turn
   std::uint64_t limit = 0;             // between two pauses
   std::uint64_t slice_end = kEndless;  // the total at which the run returns to the host
   std::uint64_t look_at = kEndless;    // the total at which the wish to cancel is looked at
@@ -77,14 +78,16 @@ struct StepMeter {
     since_pause = 0;
   }
   // A call by the host may take as many steps as the program between two pauses, and does not count
-  // among these: what the running chunk has done is booked when it is settled.
-  [[nodiscard]] std::uint64_t begin_call() {
-    const std::uint64_t before = since_pause + static_cast<std::uint64_t>(chunk - left);
-    since_pause = 0 - static_cast<std::uint64_t>(chunk - left);
-    return before;
+  // among these: what the running chunk has done is booked when it is settled, and the program
+  // leaves its own count aside when its slice ends.
+  void begin_call() { since_pause = static_cast<std::uint64_t>(left - chunk); }
+  void go_on_with_program() {
+    settle();
+    since_pause = of_program;
   }
-  void end_call(std::uint64_t before) {
-    since_pause = before - static_cast<std::uint64_t>(chunk - left);
+  void leave_program() {
+    settle();
+    of_program = since_pause;
   }
 };
 
@@ -115,10 +118,7 @@ class KernelWork final : public Supervisor {
 };
 
 // Tells threads apart for less than asking the system.
-[[nodiscard]] inline const void* this_thread() {
-  static thread_local char mark = 0;
-  return &mark;
-}
+[[nodiscard]] inline const void* this_thread() { return &armlet::detail::present_supervisor; }
 
 // Stands for a row that a loop may look for, but that its list does not have (ROW).
 struct MissingRow : ListObj {
@@ -174,17 +174,24 @@ struct LibraryRecords {
 struct HostAccess {
   std::uint32_t calls = 0;             // that native functions have prepared
   std::unique_ptr<Task> task{};        // on which its calls run; null before the first one
+  Slot* window = nullptr;              // where their arguments go
   std::optional<Diagnostic> error{};   // of the last call that failed
   bool all_are_set = false;            // all variables of the top level have values
-  const void* stack_thread = nullptr;  // whose stack is known to be ample from here up to there
-  std::uintptr_t ample_from = 0;
-  std::uintptr_t ample_bytes = 0;
+  const void* ready_thread = nullptr;  // that can call if its stack is here or above
+  std::uintptr_t ready_from = 0;
+  std::uintptr_t ready_bytes = 0;
   std::optional<BegunCall> call{};           // a function runs instead of the program
   std::uint64_t started = 0;                 // tasks that the host has started
   bool is_read = false;                      // and no trace may stay
   std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
   std::uint64_t output_left = 0;             // bytes
   std::function<void()> on_look{};  // for tests: called at every look at the wish to cancel
+
+  // Before the next call: there are variables of the top level that may have none.
+  void require_values() {
+    all_are_set = false;
+    ready_thread = nullptr;
+  }
 };
 
 struct VmState {

@@ -12,17 +12,19 @@ namespace armlet::lang {
 inline void begin_turn(VmState& state) {
   const void* other = nullptr;
   if (!state.host.thread.compare_exchange_strong(other, this_thread(), std::memory_order_acquire))
-    [[unlikely]]
+      [[unlikely]]
     refuse_turn(other);
 }
-inline void end_turn(VmState& state) { state.host.thread.store(nullptr, std::memory_order_release); }
+inline void end_turn(VmState& state) {
+  state.host.thread.store(nullptr, std::memory_order_release);
+}
 
 // While it lives the program belongs to this thread: its functions can be called.
 class Turn {
  public:
   // throws  ArgumentError if somebody else's has not ended.
   explicit Turn(VmState& state) : state_(state) { begin_turn(state); }
-  ~Turn() { end_turn(state_); }
+  [[gnu::always_inline]] ~Turn() { end_turn(state_); }
   Turn(const Turn&) = delete;
   Turn& operator=(const Turn&) = delete;
 

@@ -103,6 +103,7 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   }
   on_ample_stack([&] {
     const Supervised kernels(&state.kernels);
+    state.steps.go_on_with_program();
     state.steps.begin_slice(budget.steps);
     const std::uint64_t begun = state.marks.begun;
     state.marks.pause_at =
@@ -115,6 +116,7 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
       if (state.host.call) state.finish_call(exit == lang::Exit::kDone);
       if (is_entry) finish_entry();
     }
+    state.steps.leave_program();
     result_.steps = steps;
   });
   return result_.status;

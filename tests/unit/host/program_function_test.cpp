@@ -1,6 +1,7 @@
 #include "armlet/interpreter/host/program_function.hpp"
 
 #include <atomic>
+#include <functional>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -272,6 +273,43 @@ TEST_CASE("functions are called between two slices, and the run goes on as if th
   CHECK(printed == whole.printed);
 }
 
+TEST_CASE("steps of calls between slices are not steps of the program, nor the other way round") {
+  const Engine engine;
+  const auto program = compiled(engine, R"(
+    fn turn(n: int) -> int { var k = 0
+      while (k < n) { k += 1 }
+      return k }
+    while (true) { }
+  )");
+  const auto slices_until_limit = [&](bool calls) {
+    Vm vm(program, {.limits = {.steps = 1000}});
+    int slices = 0;
+    while (vm.run({.steps = 90}) == Progress::kPaused) {
+      if (calls) CHECK(*vm.function<std::int64_t(std::int64_t)>("turn")(900) == 900);
+      ++slices;
+    }
+    CHECK(vm.result().error->code == "R0622");
+    return slices;
+  };
+  CHECK(slices_until_limit(false) == 11);  // the limit is in the twelfth
+  CHECK(slices_until_limit(true) == 11);
+}
+
+// What a thread has found of its stack holds there and no farther down, and not in another thread.
+TEST_CASE("a function is called from any depth of any stack") {
+  Hosted host("fn half(x: double) -> double { return x / 2 }");
+  const auto half = host.vm.function<double(double)>("half");
+  const std::function<double(int, double)> deep = [&](int levels, double x) {
+    volatile char room[1000];
+    room[0] = 0;
+    if (levels > 0) return deep(levels - 1, x) + room[0];
+    return *half(x);
+  };
+  for (const int levels : {0, 4500, 10, 1500, 0}) CHECK(deep(levels, 3.0) == 1.5);
+  std::thread([&] { CHECK(deep(1000, 5.0) == 2.5); }).join();
+  CHECK(deep(3, 7.0) == 3.5);
+}
+
 TEST_CASE("a function is not called before the variables have values") {
   const Engine engine;
   Vm vm(
@@ -282,6 +320,20 @@ TEST_CASE("a function is not called before the variables have values") {
         "`names` has no value yet: the program has not come to line 2, where it is declared.");
   CHECK(vm.run({}) == Progress::kDone);
   CHECK(*first() == "a");
+}
+
+TEST_CASE("a function goes with its entry, if that fails") {
+  const Engine engine;
+  Vm vm(compiled(engine, "fn half(x: double) -> double { return x / 2 }\nwait(1s)\nassert(false)",
+                 {.is_entry = true}));
+  CHECK(vm.run({.until_ns = 0}) == Progress::kPaused);
+  const auto half = vm.function<double(double)>("half");
+  CHECK(*half(3.0) == 1.5);
+  CHECK(vm.run({}) == Progress::kFailed);
+  for (int i = 0; i < 2; ++i) {
+    CHECK(refusal_of([&] { static_cast<void>(half(3.0)); }) ==
+          "This function is gone: the entry of the session that declares it has failed.");
+  }
 }
 
 TEST_CASE("a function that is begun runs in slices, takes time and holds its arguments") {

@@ -20,6 +20,19 @@ inline void push_host(const Task& task, Frame* below, Slot* window) {
   below[1] = {kReturnToHost, window, task.stack.frames->callee, nullptr};
 }
 
+// The loop, for a function that the host calls. What is thrown becomes a failure of the program,
+// which goes on with whoever handles it.
+[[nodiscard, gnu::always_inline]] inline Left enter_function(VmState& state, Task& task,
+                                                             Frame* frame, Slot* window,
+                                                             const Instr* code) {
+  try {
+    return interpret(state, task, frame, window, code);
+  } catch (...) {
+    raise_thrown(state, task);
+  }
+  return resume_failed(state, task);  // behind the handler, where the result can stay in registers
+}
+
 [[nodiscard]] inline bool count_step(VmState& state) {
   return --state.steps.left >= 0 || count_slowly(state);
 }
@@ -37,15 +50,19 @@ inline void push_host(const Task& task, Frame* below, Slot* window) {
   return false;
 }
 
+// References of a function that begins are null. They are few, so a call of memset would cost more.
+[[gnu::always_inline]] inline void clear_references(const Frame& frame) {
+  unsigned count = frame.callee->references;
+  for (Slot* reference = frame.base + frame.callee->references_begin; count > 0; --count) {
+    reference++->o = nullptr;
+    asm volatile("" : "+r"(reference));
+  }
+}
+
 // The frame of the function above that; the loop is told where it is.
 [[gnu::always_inline]] inline void push_function(Frame* below, const Frame& function) {
   below[2] = function;
-  unsigned count = function.callee->references;
-  if (count == 0) [[likely]]
-    return;
-  for (Slot* reference = function.base + function.callee->references_begin; count > 0; --count) {
-    reference++->o = nullptr;
-  }
+  clear_references(function);
 }
 
 }  // namespace armlet::lang

@@ -151,12 +151,7 @@ PreparedCall::Outcome PreparedCall::run() const {
   if (!lang::count_step(state)) [[unlikely]]
     return {false};
   lang::push_function(below, {code, window_, &callee, function_});
-  lang::Left left{};
-  try {
-    left = lang::interpret(state, task, below + 2, window_, code);
-  } catch (...) {
-    left = lang::resume_thrown(state, task);
-  }
+  const lang::Left left = lang::enter_function(state, task, below + 2, window_, code);
   if (left.exit != lang::Exit::kDone) [[unlikely]]
     return {false};
   task.stack.top = below;

@@ -61,30 +61,33 @@ const lang::hir::Function& require_function(const lang::VmState& state, std::str
 }
 
 // The host's calls run on a task of their own, so that one of the program may be paused.
-lang::Task& make_task(lang::VmState& state) {
+void make_task(lang::VmState& state) {
   std::unique_ptr<lang::Task>& task = state.host.task;
-  if (task == nullptr) {
-    const std::uint32_t depth = state.options.limits.call_depth;
-    task = std::make_unique<lang::Task>(depth, lang::ample_slots(depth));
-    task->origin.parent = &state.main;
-    lang::push_host(*task, task->stack.frames, lang::window_above(*task->stack.frames));
-  }
-  return *task;
+  if (task != nullptr) return;
+  const std::uint32_t depth = state.options.limits.call_depth;
+  task = std::make_unique<lang::Task>(depth, lang::ample_slots(depth));
+  task->origin.parent = &state.main;
+  state.host.window = lang::window_above(*task->stack.frames);
+  lang::push_host(*task, task->stack.frames, state.host.window);
 }
 
-// While it lives, the host's task is the running one.
+[[gnu::cold, gnu::noinline]] void take_data(const lang::VmState& state, lang::Task& task) {
+  task.host_data = state.main.host_data;
+}
+
+// While it lives, the host's task is the running one. Who has the turn makes its only call.
 class Running {
  public:
-  Running(lang::VmState& state, lang::Task& task)
+  [[gnu::always_inline]] Running(lang::VmState& state, lang::Task& task)
       : state_(state), before_(state.running), kernels_(&state.kernels) {
-    if (task.host_data != state.main.host_data) task.host_data = state.main.host_data;
+    if (task.host_data != state.main.host_data) [[unlikely]]
+      take_data(state, task);
     state.running = &task;
-    ++state.host.calls;
-    steps_ = state.steps.begin_call();
+    state.host.calls = 1;
+    state.steps.begin_call();
   }
-  ~Running() {
-    state_.steps.end_call(steps_);
-    --state_.host.calls;
+  [[gnu::always_inline]] ~Running() {
+    state_.host.calls = 0;
     state_.running = before_;
   }
   Running(const Running&) = delete;
@@ -93,68 +96,75 @@ class Running {
  private:
   lang::VmState& state_;
   lang::Task* before_;
-  std::uint64_t steps_ = 0;  // of the run since it paused last
   Supervised kernels_;
 };
 
-// Where the arguments of the next call go.
-Slot* window_of(const lang::VmState& state) { return state.host.task->stack.frames[1].base; }
-
-// With the arguments in their window.
-[[gnu::always_inline]] inline Outcome run_here(lang::VmState& state, const lang::Callee& callee,
-                                               Slot& result) {
+// With the arguments in their window, where the result is left. The loop leaves the task at the
+// frame of the host.
+[[gnu::always_inline]] inline lang::Left enter(lang::VmState& state, const lang::Callee& callee) {
   lang::Task& task = *state.host.task;
-  lang::Frame* below = task.stack.frames;
-  Slot* window = below[1].base;
+  Slot* window = state.host.window;
   const Running running(state, task);
-  lang::Left left{lang::Exit::kFailed};
-  if (lang::count_step(state)) [[likely]] {
-    lang::push_function(below, {callee.code, window, &callee, nullptr});
-    try {
-      left = lang::interpret(state, task, below + 2, window, callee.code);
-    } catch (...) {
-      left = lang::resume_thrown(state, task);
-    }
-  }
-  task.stack.top = below;
-  result = *window;
-  if (left.exit == lang::Exit::kDone && callee.checks_result &&
-      !lang::check_given(state, callee, result)) [[unlikely]]
-    left.exit = lang::Exit::kFailed;
-  if (left.exit == lang::Exit::kDone) [[likely]]
-    return {true, left.result};
+  if (!lang::count_step(state)) [[unlikely]]
+    return {lang::Exit::kFailed};
+  lang::Frame* frame = task.stack.frames + 2;
+  frame->base = window;
+  asm volatile("" : "+r"(window));  // two stores take less than making one of them
+  frame->callee = &callee;
+  lang::clear_references(*frame);
+  return lang::enter_function(state, task, frame, window, callee.code);
+}
+
+[[gnu::cold, gnu::noinline]] Outcome fail(lang::VmState& state) {
   lang::keep_failure(state);
   return {false};
 }
 
-[[gnu::cold, gnu::noinline]] Outcome run_elsewhere(lang::VmState& state, const lang::Callee& callee,
-                                                   Slot& result) {
+[[gnu::always_inline]] inline Outcome run_here(lang::VmState& state, const lang::Callee& callee) {
+  const lang::Left left = enter(state, callee);
+  if (left.exit == lang::Exit::kDone) [[likely]]
+    return {true, left.result};
+  return fail(state);
+}
+
+// On a stack of its own, if this one is not ample.
+[[gnu::cold, gnu::noinline]] Outcome run_elsewhere(lang::VmState& state,
+                                                   const lang::Callee& callee) {
   Outcome outcome{false};
-  on_ample_stack([&] { outcome = run_here(state, callee, result); });
+  on_ample_stack([&] { outcome = run_here(state, callee); });
   return outcome;
 }
 
-// Whether the present stack is ample; asked of the system only where the last call was elsewhere.
-[[gnu::always_inline]] inline bool has_ample_stack(lang::HostAccess& access) {
-  const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
-  if (access.stack_thread == lang::this_thread() && here - access.ample_from < access.ample_bytes)
-      [[likely]]
-    return true;
+// Found once for a thread, a part of its stack and a program: all variables have values, and the
+// stack is ample.
+[[gnu::cold, gnu::noinline]] Outcome run_unready(lang::VmState& state, const lang::Callee& callee,
+                                                 std::uintptr_t here) {
+  lang::require_values_of_globals(state);
   const std::size_t left = stack_left();
-  if (left < kAmpleStack) return false;
-  access.stack_thread = lang::this_thread();
-  access.ample_from = here - (left - kAmpleStack);
-  access.ample_bytes = left - kAmpleStack + 1;
-  return true;
+  if (left < kAmpleStack) return run_elsewhere(state, callee);
+  state.host.ready_thread = lang::this_thread();
+  state.host.ready_from = here - (left - kAmpleStack);
+  state.host.ready_bytes = left - kAmpleStack + 1;
+  return run_here(state, callee);
 }
 
-[[gnu::always_inline]] inline Outcome run_in_turn(lang::VmState& state, const lang::Callee& callee,
-                                                  Slot& result) {
-  if (!state.host.all_are_set) [[unlikely]]
-    lang::require_values_of_globals(state);
-  if (has_ample_stack(state.host)) [[likely]]
-    return run_here(state, callee, result);
-  return run_elsewhere(state, callee, result);
+[[gnu::always_inline]] inline Outcome run_in_turn(lang::VmState& state,
+                                                  const lang::Callee& callee) {
+  const lang::HostAccess& host = state.host;
+  char mark;
+  const auto here = reinterpret_cast<std::uintptr_t>(&mark);
+  if (host.ready_thread == lang::this_thread() && here - host.ready_from < host.ready_bytes)
+      [[likely]]
+    return run_here(state, callee);
+  return run_unready(state, callee, here);
+}
+
+// What belongs to the caller: a result that holds what it may not is released here.
+Outcome given(lang::VmState& state, const lang::Callee& callee, Outcome outcome, Slot& result) {
+  result = *state.host.window;
+  if (!outcome.done || !callee.checks_result) return outcome;
+  const Running running(state, *state.host.task);
+  return lang::check_given(state, callee, result) ? outcome : fail(state);
 }
 
 }  // namespace
@@ -162,9 +172,8 @@ Slot* window_of(const lang::VmState& state) { return state.host.task->stack.fram
 bool lang::run_for_host(VmState& state, const Callee& callee, std::span<const Slot> arguments,
                         Slot& result) {
   make_task(state);
-  std::ranges::copy(arguments, window_of(state));
-  if (has_ample_stack(state.host)) return run_here(state, callee, result).done;
-  return run_elsewhere(state, callee, result).done;
+  std::ranges::copy(arguments, state.host.window);
+  return given(state, callee, run_elsewhere(state, callee), result).done;
 }
 
 namespace {
@@ -188,6 +197,9 @@ const lang::hir::Function& declared(const lang::VmState& state, std::uint32_t fu
 
 }  // namespace
 
+ReadyFunction::ReadyFunction(Vm& vm, std::uint32_t function)
+    : vm_(&vm), state_(&vm.state()), function_(function) {}
+
 Result<ReadyFunction> ReadyFunction::find(Vm& vm, std::string_view name,
                                           std::span<const ValueKind> takes,
                                           const ValueKind& gives) {
@@ -203,21 +215,48 @@ Result<ReadyFunction> ReadyFunction::find(Vm& vm, std::string_view name,
 }
 
 Outcome ReadyFunction::run(std::span<const Slot> arguments, Slot& result) const {
-  lang::VmState& state = vm_->state();
+  lang::VmState& state = *state_;
   const lang::Turn turn(state);
-  std::ranges::copy(arguments, window_of(state));
-  return run_in_turn(state, callee_of(state, function_), result);
+  std::ranges::copy(arguments, state.host.window);
+  const Outcome outcome = run_in_turn(state, callee_of(state, function_));
+  result = *state.host.window;
+  return outcome;
 }
 
 // A window has room for three arguments, however few the function has.
 Outcome ReadyFunction::run(Slot first, Slot second, Slot third, Slot& result) const {
-  lang::VmState& state = vm_->state();
+  lang::VmState& state = *state_;
   const lang::Turn turn(state);
-  Slot* window = window_of(state);
+  Slot* window = state.host.window;
   window[0] = first;
   window[1] = second;
   window[2] = third;
-  return run_in_turn(state, callee_of(state, function_), result);
+  const Outcome outcome = run_in_turn(state, callee_of(state, function_));
+  result = *window;
+  return outcome;
+}
+
+Outcome ReadyFunction::run_reals(double first, double second, double third) const {
+  lang::VmState& state = *state_;
+  const lang::Turn turn(state);
+  Slot* window = state.host.window;
+  window[0].d = first;
+  window[1].d = second;
+  window[2].d = third;
+  return run_in_turn(state, callee_of(state, function_));
+}
+
+Outcome ReadyFunction::run_reals(double only) const {
+  lang::VmState& state = *state_;
+  const lang::Turn turn(state);
+  state.host.window->d = only;
+  return run_in_turn(state, callee_of(state, function_));
+}
+
+Outcome ReadyFunction::run_reals() const {
+  lang::VmState& state = *state_;
+  const lang::Turn turn(state);
+  return run_in_turn(state, callee_of(state, function_));
 }
 
 // ---- in slices
@@ -262,8 +301,9 @@ ReadyFunction::Call::~Call() {
 
 Outcome ReadyFunction::Call::run(std::span<const Slot> arguments, Slot& result) {
   lang::VmState& state = function_.vm().state();
-  std::ranges::copy(arguments, window_of(state));
-  return run_in_turn(state, callee_of(state, function_.function_), result);
+  std::ranges::copy(arguments, state.host.window);
+  const lang::Callee& callee = callee_of(state, function_.function_);
+  return given(state, callee, run_in_turn(state, callee), result);
 }
 
 void ReadyFunction::Call::keep(Obj* object) { kept_[count_++] = object; }

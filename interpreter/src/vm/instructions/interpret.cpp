@@ -187,8 +187,7 @@ Left interpret(VmState& state, Task& task, double last) {
   }
 }
 
-Left resume_thrown(VmState& state, Task& task) {
-  raise_thrown(state, task);
+Left resume_failed(VmState& state, Task& task) {
   return unwind(state, task) ? interpret(state, task) : Left{Exit::kFailed};
 }
 

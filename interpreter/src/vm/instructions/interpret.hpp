@@ -30,8 +30,8 @@ struct Left {
                              double last = 0.0);
 // The same from task.stack.top on; what is thrown becomes a failure of the program.
 [[nodiscard]] Left interpret(VmState& state, Task& task, double last = 0.0);
-// Goes on, in the handler of an exception that came out of the first, with whoever handles it.
-[[nodiscard]] Left resume_thrown(VmState& state, Task& task);
+// Goes on with whoever handles the failure that is set.
+[[nodiscard, gnu::cold]] Left resume_failed(VmState& state, Task& task);
 
 // What a host frame does when the function above it returns.
 extern const Instr kReturnToHost[2];

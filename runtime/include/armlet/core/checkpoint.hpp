@@ -22,8 +22,9 @@ class Supervisor {
 };
 
 namespace detail {
-extern constinit thread_local Supervisor* present_supervisor;
-}
+// Asking for it is a call in code that can be moved, unless it is known to lie beside the thread.
+[[gnu::tls_model("initial-exec")]] extern constinit thread_local Supervisor* present_supervisor;
+}  // namespace detail
 
 // While it lives, checkpoints in this thread ask `supervisor`, or nobody if it is null.
 class Supervised {

@@ -42,13 +42,17 @@ class ReadyFunction {
   static Result<ReadyFunction> find(Vm& vm, std::string_view name, std::span<const ValueKind> takes,
                                     const ValueKind& gives);
 
-  // Calls the function; its result is left in `result`, and a reference belongs to the caller.
+  // Calls the function; its result, a number, is left in `result`.
   //
   // throws  ArgumentError while the Vm runs: in another thread, or in the function of the host that
   //         calls this; and if the entry of a session that declares the function has failed.
   Outcome run(std::span<const Slot> arguments, Slot& result) const;
   // The same with at most three arguments, in registers; what is beyond the parameters is not read.
   Outcome run(Slot first, Slot second, Slot third, Slot& result) const;
+  // The same with at most three doubles for a double.
+  Outcome run_reals() const;
+  Outcome run_reals(double only) const;
+  Outcome run_reals(double first, double second, double third = 0.0) const;
 
   // A call with arguments or a result that are objects: while it lives, the Vm is busy with it.
   class Call {
@@ -85,9 +89,10 @@ class ReadyFunction {
   [[nodiscard]] Vm& vm() const { return *vm_; }
 
  private:
-  ReadyFunction(Vm& vm, std::uint32_t function) : vm_(&vm), function_(function) {}
+  ReadyFunction(Vm& vm, std::uint32_t function);
 
   Vm* vm_;
+  Vm::State* state_;        // of the Vm
   std::uint32_t function_;  // its number in the machine
 };
 
@@ -131,14 +136,15 @@ class ProgramFunction<Result_(Arguments...)> {
 
   // throws  ArgumentError while the Vm runs (ReadyFunction::run).
   Answer<Result_> operator()(const typed::Passed<Arguments>&... arguments) const {
-    if constexpr (kIsPlain) {
-      Slot result{.i = 0};
-      const ReadyFunction::Outcome outcome = run(result, slot_of(arguments)...);
+    if constexpr (kIsReal) {
+      const ReadyFunction::Outcome outcome = ready_.run_reals(arguments...);
       if (!outcome.done) return Failed{};
+      return outcome.result;
+    } else if constexpr (kIsPlain) {
+      Slot result{.i = 0};
+      if (!run(result, slot_of(arguments)...).done) return Failed{};
       if constexpr (std::is_void_v<Result_>) {
         return {};
-      } else if constexpr (std::is_same_v<Result_, double>) {
-        return outcome.result;
       } else {
         return number_in<Result_>(result);
       }
@@ -153,6 +159,9 @@ class ProgramFunction<Result_(Arguments...)> {
   static constexpr bool kIsNumber = SlotNumber<T> || std::is_void_v<T>;
   static constexpr bool kIsPlain =
       kIsNumber<Result_> && (kIsNumber<typed::Passed<Arguments>> && ...);
+  // Doubles travel in registers.
+  static constexpr bool kIsReal = std::is_same_v<Result_, double> && sizeof...(Arguments) <= 3 &&
+                                  (std::is_same_v<typed::Passed<Arguments>, double> && ...);
 
   explicit ProgramFunction(const ReadyFunction& ready) : ready_(ready) {}
 
