@@ -55,7 +55,6 @@ class MotorRuns {
     if (best && best->duration() <= free.duration() * (1.0 + kRounding)) return best;
     take_shorter(best, slowed(motors_, by_acceleration));
     take_shorter(best, along(free, evenly(free)));
-    take_shorter(best, along(by_acceleration, evenly(by_acceleration)));
     take_shorter(best, straight());
     return best;
   }

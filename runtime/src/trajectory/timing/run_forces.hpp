@@ -43,10 +43,10 @@ class RunForces {
   const Robot& arm_;
   const Trajectory& path_;
   double share_;
-  bool rubs_ = false;              // any dry friction
+  bool rubs_ = false;  // any dry friction
   bool holds_ = true;
-  std::vector<double> less_;       // taken from the limits, by cell, then by joint
-  std::vector<double> room_;       // the least that gravity and friction leave of them
+  std::vector<double> less_;  // taken from the limits, by cell, then by joint
+  std::vector<double> room_;  // the least that gravity and friction leave of them
   Eigen::VectorXd q_, first_, second_;
 };
 

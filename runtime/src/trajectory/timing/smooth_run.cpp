@@ -144,8 +144,7 @@ class Run {
     const std::vector<double> knots = place_knots(fastest, cells);
     tight_.assign(knots.size() - 1, Tight{});
     spline_ = SpeedSpline(knots);
-    if (course.arm != nullptr)
-      forces_.emplace(*course.arm, path_, course.share, spline_.cells());
+    if (course.arm != nullptr) forces_.emplace(*course.arm, path_, course.share, spline_.cells());
     lay_pieces(knots);
     take_thirds();
   }
