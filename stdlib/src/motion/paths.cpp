@@ -203,6 +203,7 @@ Started make_path(Vm& vm, const CollectedPath& path) try {
   PathMove move{.q0 = state.q, .points = corners.points(), .time = path.time};
   if (!move.time) move.speed = block.speed;
   if (block.track == Track::kSlow) move.jerk = Jerk::kFree;
+  if (move.jerk == Jerk::kLimited) move.motors = limiting_motors(vm, whole);
   double slowest = 0.0;  // what the moves with speeds of their own take together
   Eigen::Vector3d from = forward(*model, state.q).translation();
   for (const auto& point : move.points) {

@@ -10,8 +10,8 @@
 #include "armlet/trajectory/joint_move.hpp"
 #include "armlet/trajectory/motion_forces.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
+#include "motor_arms.hpp"
 #include "paths.hpp"
-#include "random_mass.hpp"
 
 using namespace armlet;
 using Eigen::VectorXd;
@@ -57,32 +57,6 @@ double integral(double v, F f) {
   double sum = f(0.0) + f(v);
   for (int k = 1; k < kParts; ++k) sum += (k % 2 == 0 ? 2.0 : 4.0) * f(v * k / kParts);
   return sum * v / (3.0 * kParts);
-}
-
-enum class Rub { kNone, kDry, kAll };
-
-// An arm whose motors give somewhat more than what holds it along the path.
-Robot arm_for(Random& random, const Trajectory& path, Rub rub) {
-  RobotSpec spec = random_heavy_arm(random, path.n()).spec();
-  for (Link& link : spec.links) {
-    link.gear = random.uniform(-60.0, 60.0);
-    if (rub != Rub::kNone) link.friction = {.coulomb_plus = 0.01, .coulomb_minus = -0.008};
-    if (rub == Rub::kAll) {
-      link.friction.viscous = random.uniform(0.0, 1e-3);
-      link.friction.static_torque = 0.015;
-      link.friction.stribeck_speed = random.uniform(1.0, 5.0);
-    }
-  }
-  const Robot heavy(spec);
-  VectorXd most = VectorXd::Zero(path.n());
-  for (int k = 0; k <= 50; ++k) {
-    VectorXd q(path.n());
-    for (int i = 0; i < path.n(); ++i) q[i] = path.value(i, path.duration() * k / 50.0);
-    most = most.cwiseMax(gravity_forces(heavy, q).cwiseAbs());
-  }
-  for (int i = 0; i < path.n(); ++i)
-    spec.joints[static_cast<std::size_t>(i)].max_effort = 3.0 + random.uniform(1.3, 4.0) * most[i];
-  return Robot(spec);
 }
 
 std::vector<AxisLimits> free_limits(Random& random, int n) {

@@ -44,6 +44,9 @@ struct PathPoint {
 // time   whole duration, s; nothing: as fast as the limits of the joints and tool speeds allow.
 // speed  fraction of the joint limits, above 0 and at most 1; not together with time.
 // jerk   kFree: as fast as speeds and accelerations alone allow; accelerations jump.
+// motors the arm, with what it carries, whose motors count in the place of the accelerations of
+//        joints whose Joint::max_effort is finite; null: none. Not with kFree, which is made slower
+//        for them by who asks.
 struct PathMove {
   Eigen::VectorXd q0{};
   std::vector<PathPoint> points{};
@@ -51,6 +54,7 @@ struct PathMove {
   std::optional<double> time{};
   double speed = 1.0;
   Jerk jerk = Jerk::kLimited;
+  const Robot* motors = nullptr;
 };
 
 // How a path was planned.

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "armlet/core/error.hpp"
-#include "armlet/trajectory/motion_forces.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
 #include "trajectory/planners/planning.hpp"
 
@@ -30,16 +28,6 @@ std::vector<Eigen::VectorXd> different_points(const MoveRequest& request) {
   for (const Eigen::VectorXd& q : request.via) add(q);
   add(request.q1);
   return points;
-}
-
-// Limits on speeds, and on accelerations where no motor is known.
-std::vector<AxisLimits> limits_beside_motors(const MoveRequest& request) {
-  std::vector<AxisLimits> limits = request.limits;
-  for (int i = 0; request.motors != nullptr && i < request.motors->n(); ++i) {
-    if (std::isfinite(request.motors->joint(i).max_effort))
-      limits[static_cast<std::size_t>(i)].acceleration = std::numeric_limits<double>::infinity();
-  }
-  return limits;
 }
 
 // Whether a point lies on the line from one point in a direction of length 1.
@@ -89,36 +77,6 @@ std::optional<Trajectory> run_fastest(const MoveRequest& request,
   return whole;
 }
 
-// The joint whose limit is met most closely.
-TooFast tightest_joint(const MoveRequest& request, const std::vector<AxisLimits>& axes,
-                       const Trajectory& motion) {
-  TooFast out{.least_time = motion.duration()};
-  double most = -1.0;
-  if (request.motors != nullptr) {
-    const MotionForces forces = motion_forces(*request.motors, motion);
-    if (forces.nearest >= 0) {
-      const PeakForce& peak = forces.peaks[static_cast<std::size_t>(forces.nearest)];
-      most = peak.share();
-      out.joint = forces.nearest;
-      out.travel = travel_of(request, forces.nearest);
-      out.kind = LimitKind::kForce;
-      out.limit = peak.limit;
-    }
-  }
-  for (int i = 0; i < motion.n(); ++i) {
-    const AxisLimits& limits = axes[static_cast<std::size_t>(i)];
-    const double by_speed = motion.peak(i, 1) / limits.speed;
-    const double by_acceleration = std::sqrt(motion.peak(i, 2) / limits.acceleration);
-    if (std::max(by_speed, by_acceleration) <= most) continue;
-    most = std::max(by_speed, by_acceleration);
-    out.joint = i;
-    out.travel = travel_of(request, i);
-    out.kind = by_speed > by_acceleration ? LimitKind::kSpeed : LimitKind::kAcceleration;
-    out.limit = limit_value(limits, out.kind);
-  }
-  return out;
-}
-
 }  // namespace
 
 Plan plan_fastest(const MoveRequest& request) {
@@ -137,7 +95,7 @@ Plan plan_fastest(const MoveRequest& request) {
   if (!strongest) limits = request.limits;
   const Trajectory fastest =
       strongest ? *std::move(strongest) : *run_fastest(request, points, limits, false);
-  const Duration chosen = choose_duration(request, tightest_joint(request, limits, fastest));
+  const Duration chosen = choose_duration(request, tightest_joint(request, limits, fastest, Jerk::kFree));
   if (!chosen.possible) return {.too_fast = chosen.too_fast};
   return {.trajectory = fastest.stretched(chosen.T / fastest.duration()),
           .too_fast = chosen.too_fast};

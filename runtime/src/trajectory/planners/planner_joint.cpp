@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "armlet/trajectory/jerk_limited.hpp"
 #include "trajectory/planners/planning.hpp"
@@ -38,6 +40,18 @@ TooFast slowest_of_limited_jerk(const MoveRequest& request, std::span<const Axis
   }
   const double D = std::abs(travel_of(request, slowest));
   return named(request, slowest, held_limit(D, limits_of(request, slowest)));
+}
+
+// More time makes the whole slower. Nothing if motors cannot hold the arm.
+std::optional<Plan> plan_with_motors(const MoveRequest& request) {
+  std::optional<Trajectory> fastest = limited_jerk_with_motors(request);
+  if (!fastest) return {};
+  const std::vector<AxisLimits> limits = limits_beside_motors(request);
+  const Duration chosen =
+      choose_duration(request, tightest_joint(request, limits, *fastest, Jerk::kLimited));
+  if (!chosen.possible) return Plan{.too_fast = chosen.too_fast};
+  return Plan{.trajectory = fastest->stretched(chosen.T / fastest->duration()),
+              .too_fast = chosen.too_fast};
 }
 
 }  // namespace
@@ -101,6 +115,9 @@ Plan plan_without_ramps(const MoveRequest& request) {
 Plan plan_limited_jerk(const MoveRequest& request) {
   if (stands_still(request)) {
     return {.trajectory = Trajectory::at_rest(request.q1, request.time.value_or(0.0))};
+  }
+  if (request.motors != nullptr) {
+    if (auto plan = plan_with_motors(request)) return *std::move(plan);
   }
   const std::size_t n = request.limits.size();
   std::vector<AxisState> from(n);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "armlet/core/error.hpp"
+#include "armlet/trajectory/motion_forces.hpp"
+#include "trajectory/cube_root.hpp"
 
 namespace armlet {
 namespace {
@@ -60,6 +63,48 @@ Duration choose_duration(const MoveRequest& request, TooFast slowest) {
           .possible = possible};
 }
 
+std::vector<AxisLimits> limits_beside_motors(const MoveRequest& request) {
+  std::vector<AxisLimits> limits = request.limits;
+  for (int i = 0; request.motors != nullptr && i < request.motors->n(); ++i) {
+    if (std::isfinite(request.motors->joint(i).max_effort))
+      limits[static_cast<std::size_t>(i)].acceleration = std::numeric_limits<double>::infinity();
+  }
+  return limits;
+}
+
+TooFast tightest_joint(const MoveRequest& request, std::span<const AxisLimits> axes,
+                       const Trajectory& motion, Jerk jerk) {
+  TooFast out{.least_time = motion.duration()};
+  double most = -1.0;
+  if (request.motors != nullptr) {
+    const MotionForces forces = motion_forces(*request.motors, motion);
+    if (forces.nearest >= 0) {
+      const PeakForce& peak = forces.peaks[static_cast<std::size_t>(forces.nearest)];
+      most = peak.share();
+      out.joint = forces.nearest;
+      out.travel = travel_of(request, forces.nearest);
+      out.kind = LimitKind::kForce;
+      out.limit = peak.limit;
+    }
+  }
+  for (int i = 0; i < motion.n(); ++i) {
+    const AxisLimits& limits = axes[static_cast<std::size_t>(i)];
+    const auto consider = [&](LimitKind kind, double load) {
+      if (load <= most) return;
+      most = load;
+      out.joint = i;
+      out.travel = travel_of(request, i);
+      out.kind = kind;
+      out.limit = limit_value(limits, kind);
+    };
+    consider(LimitKind::kAcceleration, std::sqrt(motion.peak(i, 2) / limits.acceleration));
+    consider(LimitKind::kSpeed, motion.peak(i, 1) / limits.speed);
+    if (jerk == Jerk::kFree) continue;
+    consider(LimitKind::kJerk, cube_root(motion.peak(i, 3) / limits.jerk));
+  }
+  return out;
+}
+
 namespace {
 
 // The joint that comes nearest to its speed limit.
@@ -80,6 +125,7 @@ TooFast busiest_joint(const MoveRequest& request, const Trajectory& motion) {
 Plan plan_legs(const Planner& planner, const MoveRequest& request) {
   MoveRequest leg{.q0 = request.q0, .limits = request.limits};
   leg.enforce_limits = request.enforce_limits;
+  leg.motors = request.motors;
   Plan whole;
   for (std::size_t k = 0; k <= request.via.size(); ++k) {
     leg.q1 = k < request.via.size() ? request.via[k] : request.q1;

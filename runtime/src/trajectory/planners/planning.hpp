@@ -2,8 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "armlet/trajectory/planner.hpp"
+#include "armlet/trajectory/verify.hpp"
 
 namespace armlet {
 
@@ -28,6 +31,14 @@ struct Duration {
 // throws  ArgumentError when neither a limit nor a time decides.
 Duration choose_duration(const MoveRequest& request, TooFast slowest);
 
+// Limits on speeds and jerks, and on accelerations where no motor is known: infinite elsewhere.
+std::vector<AxisLimits> limits_beside_motors(const MoveRequest& request);
+
+// The joint whose limit a motion meets most closely: that of its motor, if request.motors is there,
+// or one of `axes`; those on jerk if they count.
+TooFast tightest_joint(const MoveRequest& request, std::span<const AxisLimits> axes,
+                       const Trajectory& motion, Jerk jerk);
+
 // Planners of planner_shapes.cpp: one curve through all points, whatever its speed.
 Plan plan_cubic_interpolator(const MoveRequest& request);
 Plan plan_spline_3(const MoveRequest& request);
@@ -41,6 +52,12 @@ Plan plan_five_cubics(const MoveRequest& request);
 Plan plan_one_by_one(const MoveRequest& request);     // Seq
 Plan plan_without_ramps(const MoveRequest& request);  // Lin0
 Plan plan_limited_jerk(const MoveRequest& request);   // SCurve
+
+// Of planner_motors.cpp: the shortest motion that was found within the limits on speed and jerk and
+// what request.motors give, which count in the place of the accelerations of their joints; never
+// longer than the one of plan_limited_jerk made slower until the motors can do it. Nothing if they
+// cannot hold the arm somewhere.
+std::optional<Trajectory> limited_jerk_with_motors(const MoveRequest& request);
 
 // The planner of planner_fastest.cpp.
 Plan plan_fastest(const MoveRequest& request);

@@ -1,6 +1,7 @@
 #include "trajectory/timing/force_bounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "armlet/dynamics/inverse_dynamics.hpp"
@@ -34,34 +35,62 @@ void SpeedStrips::add(double a, double b, double c) {
   (a > 0.0 ? upper : lower).push_back({c / a, -b / a});
 }
 
-ForceBounds::ForceBounds(const Robot& robot, const Trajectory& path)
-    : robot_(robot), path_(path), viscous_(robot.n()), limits_(robot.n()) {
-  for (int i = 0; i < robot.n(); ++i) {
-    const Link& link = robot.link(i);
-    viscous_[i] = link.gear * link.gear * link.friction.viscous;
-    limits_[i] = robot.joint(i).max_effort;
+ForceTerms force_terms(const Robot& robot, const VectorXd& q, const VectorXd& first,
+                       const VectorXd& second) {
+  const VectorXd still = VectorXd::Zero(q.size());
+  ForceTerms at;
+  at.g = gravity_forces(robot, q);
+  at.a = inverse_dynamics(robot, q, still, first) - at.g;
+  at.b = inverse_dynamics(robot, q, still, second) - at.g + coriolis_forces(robot, q, first);
+  at.d = first;
+  for (Index i = 0; i < q.size(); ++i) {
+    const Link& link = robot.link(static_cast<int>(i));
+    at.d[i] *= link.gear * link.gear * link.friction.viscous;
   }
+  return at;
 }
 
-void ForceBounds::terms_at(double s, At& at) const {
-  const Along p = along(path_, s);
-  const VectorXd still = VectorXd::Zero(path_.n());
-  at.g = gravity_forces(robot_, p.q);
-  at.a = inverse_dynamics(robot_, p.q, still, p.first) - at.g;
-  at.b =
-      inverse_dynamics(robot_, p.q, still, p.second) - at.g + coriolis_forces(robot_, p.q, p.first);
-  at.d = viscous_.cwiseProduct(p.first);
+DryFriction dry_friction(const Link& link, std::span<const double> rates) {
+  const double gear = std::abs(link.gear);
+  DryFriction dry;
+  bool none = true;
+  const auto include = [&](double force) {
+    dry.low = none ? force : std::min(dry.low, force);
+    dry.high = none ? force : std::max(dry.high, force);
+    none = false;
+  };
+  for (const double rate : rates) {
+    if (rate == 0.0) {
+      include(0.0);
+      continue;
+    }
+    include(gear * (rate > 0.0 ? link.friction.coulomb_plus : link.friction.coulomb_minus));
+    if (link.friction.stribeck_speed > 0.0)
+      include(std::copysign(gear * link.friction.static_torque, rate));
+  }
+  return dry;
+}
+
+ForceBounds::ForceBounds(const Robot& robot, const Trajectory& path)
+    : robot_(robot), path_(path), limits_(robot.n()) {
+  for (int i = 0; i < robot.n(); ++i) {
+    have_viscous_friction_ = have_viscous_friction_ || robot.link(i).friction.viscous != 0.0;
+    limits_[i] = robot.joint(i).max_effort;
+  }
 }
 
 void ForceBounds::lay(const std::vector<double>& s, const std::vector<double>& x_most) {
   s_ = s;
   x_most_ = x_most;
   at_.resize(s.size());
-  for (std::size_t k = 0; k < s.size(); ++k) terms_at(s[k], at_[k]);
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    const Along p = along(path_, s[k]);
+    at_[k] = force_terms(robot_, p.q, p.first, p.second);
+  }
   less_.assign(s.size() - 1, VectorXd::Zero(path_.n()));
   dry_.assign(s.size() - 1, std::vector<DryFriction>(static_cast<std::size_t>(path_.n())));
   for (std::size_t k = 0; k + 1 < s.size(); ++k) {
-    for (Index i = 0; i < path_.n(); ++i) dry_[k][static_cast<std::size_t>(i)] = dry_friction(k, i);
+    for (Index i = 0; i < path_.n(); ++i) dry_[k][static_cast<std::size_t>(i)] = dry_within(k, i);
   }
   std::vector<double> middle = x_most;
   for (double& x : middle) x *= 0.25;
@@ -70,33 +99,20 @@ void ForceBounds::lay(const std::vector<double>& s, const std::vector<double>& x
 }
 
 // Of all directions in which the joint moves within an interval.
-ForceBounds::DryFriction ForceBounds::dry_friction(std::size_t k, Index i) const {
-  const Link& link = robot_.link(static_cast<int>(i));
-  const double gear = std::abs(link.gear);
-  const bool stribeck = link.friction.stribeck_speed > 0.0;
-  DryFriction dry;
-  bool none = true;
-  const auto include = [&](double force) {
-    dry.low = none ? force : std::min(dry.low, force);
-    dry.high = none ? force : std::max(dry.high, force);
-    none = false;
-  };
-  for (const double part : {1e-6, 0.5, 1.0 - 1e-6}) {
-    const double rate = path_.value(static_cast<int>(i), s_[k] + part * (s_[k + 1] - s_[k]), 1);
-    if (rate == 0.0) {
-      include(0.0);
-      continue;
-    }
-    include(gear * (rate > 0.0 ? link.friction.coulomb_plus : link.friction.coulomb_minus));
-    if (stribeck) include(std::copysign(gear * link.friction.static_torque, rate));
+DryFriction ForceBounds::dry_within(std::size_t k, Index i) const {
+  const int joint = static_cast<int>(i);
+  std::array<double, 3> rates{};
+  for (std::size_t at = 0; at < rates.size(); ++at) {
+    constexpr std::array<double, 3> kParts = {1e-6, 0.5, 1.0 - 1e-6};
+    rates[at] = path_.value(joint, s_[k] + kParts[at] * (s_[k + 1] - s_[k]), 1);
   }
-  return dry;
+  return dry_friction(robot_.link(joint), rates);
 }
 
 void ForceBounds::check_holding() {
   holds_ = true;
   for (std::size_t k = 0; k + 1 < s_.size(); ++k) {
-    for (const At* at : {&at_[k], &at_[k + 1]}) {
+    for (const ForceTerms* at : {&at_[k], &at_[k + 1]}) {
       for (Index i = 0; i < limits_.size(); ++i) {
         const DryFriction& dry = dry_[k][static_cast<std::size_t>(i)];
         if (at->g[i] + dry.high >= limits_[i] || at->g[i] + dry.low <= -limits_[i]) holds_ = false;
@@ -120,7 +136,7 @@ void ForceBounds::linearise_at(const std::vector<double>& x, double reach) {
 // -1 the lower. `twice` is zero at the beginning of the interval.
 void ForceBounds::add_row(SpeedStrips& strips, std::size_t position, Index i, double dry,
                           double limit, double sign, double twice) const {
-  const At& at = at_[position];
+  const ForceTerms& at = at_[position];
   const double d = sign * at.d[i];
   const double room = limit - sign * (at.g[i] + dry);
   double from = 0.0, slope = 0.0;  // of d sqrt(x), from above
@@ -170,7 +186,7 @@ double ForceBounds::tighten(std::size_t k, double s, double x, double u) {
     if (!(excess > 0.0)) continue;
     double room = limits_[i];
     const DryFriction& dry = dry_[k][static_cast<std::size_t>(i)];
-    for (const At* at : {&at_[k], &at_[k + 1]})
+    for (const ForceTerms* at : {&at_[k], &at_[k + 1]})
       room = std::min({room, limits_[i] - at->g[i] - dry.high, limits_[i] + at->g[i] + dry.low});
     less_[k][i] = std::min(less_[k][i] + excess, kMostTaken * room);
     worst = std::max(worst, std::sqrt(1.0 + excess / room));

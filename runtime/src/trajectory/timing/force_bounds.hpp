@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "armlet/model/robot.hpp"
@@ -41,6 +42,25 @@ struct SpeedStrips {
   }
 };
 
+// At a point of a path q(s) the forces of the joints are a u + b x + d sqrt(x) + g and dry friction,
+// u being the acceleration along the path and x the squared speed.
+struct ForceTerms {
+  Eigen::VectorXd a, b, d, g;
+};
+
+// q              at the point.
+// first, second  derivatives of q by s there.
+// throws         ArgumentError where forces are beyond the range of numbers.
+ForceTerms force_terms(const Robot& robot, const Eigen::VectorXd& q, const Eigen::VectorXd& first,
+                       const Eigen::VectorXd& second);
+
+// The least and the most of the dry friction of a joint that moves with these rates; of Stribeck's
+// what is worse of standing and sliding.
+struct DryFriction {
+  double low = 0.0, high = 0.0;
+};
+DryFriction dry_friction(const Link& link, std::span<const double> rates);
+
 // The motors of an arm along q(s). At path speed sqrt(x) and acceleration u along the path a joint
 // takes the force
 //
@@ -65,7 +85,7 @@ class ForceBounds {
 
   // Whether motors can hold the arm everywhere, and move it slowly.
   [[nodiscard]] bool hold() const { return holds_; }
-  [[nodiscard]] bool have_viscous_friction() const { return viscous_.cwiseAbs().maxCoeff() > 0.0; }
+  [[nodiscard]] bool have_viscous_friction() const { return have_viscous_friction_; }
 
   // Tangents to viscous friction at these squared speeds from now on, and chords up to `reach`
   // times them, reach > 1, which then are the highest there are. What kept the bounds before keeps
@@ -82,14 +102,7 @@ class ForceBounds {
   double tighten(std::size_t k, double s, double x, double u);
 
  private:
-  struct At {
-    Eigen::VectorXd a, b, d, g;
-  };
-  struct DryFriction {
-    double low = 0.0, high = 0.0;
-  };
-  void terms_at(double s, At& at) const;
-  [[nodiscard]] DryFriction dry_friction(std::size_t k, Eigen::Index i) const;
+  [[nodiscard]] DryFriction dry_within(std::size_t k, Eigen::Index i) const;
   [[nodiscard]] Eigen::VectorXd forces_at(double s, double x, double u) const;
   void add_row(SpeedStrips& strips, std::size_t position, Eigen::Index i, double dry, double limit,
                double sign, double twice) const;
@@ -97,9 +110,10 @@ class ForceBounds {
 
   const Robot& robot_;
   const Trajectory& path_;
-  Eigen::VectorXd viscous_, limits_;
+  Eigen::VectorXd limits_;
+  bool have_viscous_friction_ = false;
   std::vector<double> s_, x_most_, tangent_at_, chord_to_;
-  std::vector<At> at_;                         // by position
+  std::vector<ForceTerms> at_;                 // by position
   std::vector<Eigen::VectorXd> less_;          // by interval: taken from the limits
   std::vector<std::vector<DryFriction>> dry_;  // by interval, then by joint
   bool holds_ = true;

@@ -10,9 +10,8 @@ namespace armlet {
 // jerk has a speed in u there; in between s grows like u. Twice continuously differentiable.
 class PathWarp {
  public:
-  // start, end  how long the ends are in u; half as long in s. Both above 0, their sum at most
-  // twice
-  //             the length.
+  // start, end  how long the ends are in u; half as long in s. Both above 0, or 0 for a path that
+  //             begins or ends like t^3 by itself; their sum at most twice the length.
   PathWarp(double length, double start, double end)
       : length_(length), start_(start), end_(end), whole_(length + 0.5 * (start + end)) {}
 
@@ -36,6 +35,8 @@ class PathWarp {
 
   // The u of a position.
   [[nodiscard]] double inverse(double s) const {
+    if (s <= 0.0) return 0.0;
+    if (s >= length_) return whole_;
     if (s <= 0.5 * start_) return ramp_inverse(s, start_);
     if (s >= length_ - 0.5 * end_) return whole_ - ramp_inverse(length_ - s, end_);
     return s + 0.5 * start_;

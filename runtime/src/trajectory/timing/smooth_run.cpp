@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "armlet/core/error.hpp"
 #include "trajectory/cube_root.hpp"
 #include "trajectory/timing/path_warp.hpp"
+#include "trajectory/timing/run_forces.hpp"
 #include "trajectory/timing/speed_spline.hpp"
 
 namespace armlet {
@@ -30,6 +32,7 @@ constexpr double kLongestRamps = 20.0;
 // How far the time may be from the least, at first and at the end, as a part of it.
 constexpr double kRoughly = 0.03;
 constexpr double kNearly = 2e-3;
+constexpr double kRests = 1e-9;     // derivatives of a path that rests at its ends: rounding
 constexpr double kWellKept = 2e-3;  // what may be exceeded before the whole is made slower
 
 // One derivative after another of a cubic piece at s.
@@ -86,6 +89,16 @@ PathWarp warp_of(const SpeedAlongPath& fastest, double jerk_time) {
   return {L, ramp(false), ramp(true)};
 }
 
+// Whether a path begins and ends at rest already.
+bool rests_at_ends(const Trajectory& path) {
+  double most = 0.0;
+  for (int i = 0; i < path.n(); ++i) {
+    for (const double s : {0.0, path.duration()})
+      most = std::max({most, std::abs(path.value(i, s, 1)), std::abs(path.value(i, s, 2))});
+  }
+  return most <= kRests;
+}
+
 // The intervals of the fastest run in which its speed changes, or would change if jerk were
 // limited.
 struct Changes {
@@ -119,17 +132,19 @@ Changes changes_of(const SpeedAlongPath& fastest, double jerk_time) {
 
 class Run {
  public:
-  Run(const Trajectory& path, std::span<const AxisLimits> limits, const SpeedAlongPath& fastest,
-      int cells, std::span<const SpeedZone> zones, std::span<const Segment> travel)
-      : path_(path),
-        limits_(limits),
-        zones_(zones),
-        travel_(travel),
-        warp_(warp_of(fastest, time_of_jerk(limits))),
-        longest_(kLongest * fastest.duration() + kLongestRamps * time_of_jerk(limits)) {
+  Run(const Course& course, const SpeedAlongPath& fastest, int cells)
+      : path_(course.path),
+        limits_(course.limits),
+        zones_(course.zones),
+        travel_(course.travel),
+        warp_(course.arm != nullptr && rests_at_ends(course.path)
+                  ? PathWarp(course.path.duration(), 0.0, 0.0)
+                  : warp_of(fastest, time_of_jerk(limits_))),
+        longest_(kLongest * fastest.duration() + kLongestRamps * time_of_jerk(limits_)) {
     const std::vector<double> knots = place_knots(fastest, cells);
     tight_.assign(knots.size() - 1, Tight{});
     spline_ = SpeedSpline(knots);
+    if (course.arm != nullptr) forces_.emplace(*course.arm, path_, course.share, spline_.cells());
     lay_pieces(knots);
     take_thirds();
   }
@@ -138,6 +153,7 @@ class Run {
     TimedRun run;
     for (int round = 0; round < kRounds; ++round) {
       add_points();
+      if (forces_ && !forces_->hold()) return {};
       spline_.find_fastest(round == 0 ? kRoughly : kNearly);
       if (!(spline_.duration() <= longest_)) return {};
       run = make();
@@ -292,6 +308,10 @@ class Run {
     const Rates rates =
         travel_.empty() ? Rates{along.s, 1.0, 0.0, 0.0} : rates_of(travel_[cursor.travel], along.s);
     add_zones(cell, point, by_u(rates, along));
+    if (forces_) {
+      const double from = warp_.at(u_[cursor.motion]).s, to = warp_.at(u_[cursor.motion + 1]).s;
+      forces_->add_to(spline_, cell, along, s, from, to);
+    }
   }
 
   void add_joint(std::size_t cell, SpeedSpline::Point& point, const Rates& r, const AxisLimits& l) {
@@ -398,6 +418,18 @@ class Run {
       most = std::max({most, worst[cell].speed, std::sqrt(worst[cell].acceleration),
                        cube_root(worst[cell].jerk)});
     }
+    return std::max(most, tighten_forces(run));
+  }
+
+  double tighten_forces(const TimedRun& run) {
+    if (!forces_) return 1.0;
+    double most = 1.0;
+    for (std::size_t k = 0; k < cell_of_.size(); ++k) {
+      for (const double part : {0.1, 0.35, 0.65, 0.9}) {
+        const double t = run.t[k] + part * (run.t[k + 1] - run.t[k]);
+        most = std::max(most, forces_->tighten(cell_of_[k], run.motion, t));
+      }
+    }
     return most;
   }
 
@@ -418,6 +450,7 @@ class Run {
   std::span<const Segment> travel_;
   PathWarp warp_;
   SpeedSpline spline_;
+  std::optional<RunForces> forces_;
   std::vector<Tight> tight_;          // by cell
   double longest_;                    // that the run may take
   std::vector<double> u_;             // where pieces of the motion meet
@@ -445,8 +478,12 @@ TimedRun TimedRun::stretched(double factor) const {
 TimedRun smooth_run(const Trajectory& path, std::span<const AxisLimits> limits,
                     const SpeedAlongPath& fastest, int cells, std::span<const SpeedZone> zones,
                     std::span<const Segment> travel) {
-  for (const AxisLimits& l : limits) check_positive("jerk limit", l.jerk);
-  return Run(path, limits, fastest, cells, zones, travel).find();
+  return smooth_run(Course{path, limits, zones, travel}, fastest, cells);
+}
+
+TimedRun smooth_run(const Course& course, const SpeedAlongPath& fastest, int cells) {
+  for (const AxisLimits& l : course.limits) check_positive("jerk limit", l.jerk);
+  return Run(course, fastest, cells).find();
 }
 
 }  // namespace armlet

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "armlet/trajectory/time_optimal.hpp"
+#include "trajectory/timing/course.hpp"
 
 namespace armlet {
 
@@ -35,5 +36,13 @@ struct TimedRun {
 TimedRun smooth_run(const Trajectory& path, std::span<const AxisLimits> limits,
                     const SpeedAlongPath& fastest, int cells, std::span<const SpeedZone> zones = {},
                     std::span<const Segment> travel = {});
+
+// The same with motors too: what they give is kept but for what friction and the pieces between the
+// points that are looked at leave, some 1e-3 of it. Joints with an infinite limit on acceleration
+// are limited by their motors, their speed and their jerk. The path may also begin and end at rest,
+// like t^3.
+//
+// returns  an empty run also if motors cannot hold the arm somewhere.
+TimedRun smooth_run(const Course& course, const SpeedAlongPath& fastest, int cells);
 
 }  // namespace armlet

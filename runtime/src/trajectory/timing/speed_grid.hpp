@@ -7,21 +7,12 @@
 #include <vector>
 
 #include "armlet/trajectory/time_optimal.hpp"
+#include "trajectory/timing/course.hpp"
 #include "trajectory/timing/force_bounds.hpp"
 
 namespace armlet {
 
 constexpr double kSameKnot = 1e-9;  // as in Trajectory::knots
-
-// What is run along: the path, its limits and those of its zones; and the arm whose motors limit it
-// too, null: none.
-struct Course {
-  const Trajectory& path;
-  std::span<const AxisLimits> limits;
-  std::span<const SpeedZone> zones;
-  std::span<const Segment> travel;
-  const Robot* arm = nullptr;
-};
 
 // The piece that begins at a position or goes on behind it; knots of different joints that differ
 // by rounding are one position. `piece` is one before.

@@ -56,6 +56,7 @@ SpeedSpline::Basis SpeedSpline::basis(std::size_t cell, double u) const {
 void SpeedSpline::clear_points() {
   points_.clear();
   rows_.clear();
+  forces_.clear();
 }
 
 SpeedSpline::Point& SpeedSpline::add_point(std::size_t cell, double part, double weight) {
@@ -66,13 +67,20 @@ SpeedSpline::Point& SpeedSpline::add_point(std::size_t cell, double part, double
                      .curve = b.curve,
                      .weight = weight * (knots_[cell + 1] - knots_[cell]),
                      .rows = rows_.size(),
-                     .rows_end = rows_.size()});
+                     .rows_end = rows_.size(),
+                     .forces = forces_.size(),
+                     .forces_end = forces_.size()});
   return points_.back();
 }
 
 void SpeedSpline::add_row(const Row& row) {
   rows_.push_back(row);
   points_.back().rows_end = rows_.size();
+}
+
+void SpeedSpline::add_force(const Force& force) {
+  forces_.push_back(force);
+  points_.back().forces_end = forces_.size();
 }
 
 // The highest b that a point allows to a spline whose coefficients change little from cell to cell.
@@ -89,6 +97,14 @@ double SpeedSpline::room_of(const Point& point) const {
       const double root = cube_root(1.0 / z);
       most = root * root;
     }
+  }
+  for (std::size_t k = point.forces; k < point.forces_end; ++k) {
+    const Force& force = forces_[k];
+    const double y = std::abs(force.ya) * kGrows / h + std::abs(force.yb);
+    const double room = std::min(force.high, -force.low), v = std::abs(force.v);
+    // The root of y x^2 + v x - room.
+    const double x = 2.0 * room / (v + std::sqrt(v * v + 4.0 * y * room));
+    most = std::min(most, x * x);
   }
   return most;
 }
@@ -112,6 +128,29 @@ bool SpeedSpline::shrink(int most) {
   for (int k = 0; !keeps_limits(c_); ++k) {
     if (k == most) return false;
     for (double& c : c_) c *= 0.9;
+  }
+  return true;
+}
+
+// The barriers of the forces of one point; false if one is beyond its limits.
+bool SpeedSpline::add_force_barriers(const Point& point, double mu,
+                                     const std::array<double, 3>& b) {
+  const double root = std::sqrt(b[0]);
+  for (std::size_t k = point.forces; k < point.forces_end; ++k) {
+    const Force& force = forces_[k];
+    const double f = force.ya * b[1] + force.yb * b[0] + force.v * root;
+    const double above = force.high - f, below = f - force.low;
+    if (!(above > 0.0 && below > 0.0)) return false;
+    const double p = 1.0 / above, q = 1.0 / below;
+    const double by_b = force.yb + 0.5 * force.v / root;
+    // Of the curvature of friction only what bends a barrier upwards.
+    const double bent = 0.25 * std::abs(force.v) / (b[0] * root) * (force.v > 0.0 ? q : p);
+    const double slope = mu * (p - q), curve = mu * (p * p + q * q);
+    g_[0] += slope * by_b;
+    g_[1] += slope * force.ya;
+    h_[0][0] += curve * by_b * by_b + mu * bent;
+    h_[0][1] += curve * by_b * force.ya;
+    h_[1][1] += curve * force.ya * force.ya;
   }
   return true;
 }
@@ -164,7 +203,7 @@ bool SpeedSpline::add_barriers(const Point& point, double mu, const std::array<d
   h_[1][1] += mu * h11;
   h_[1][2] += mu * h12;
   h_[2][2] += mu * h22;
-  return true;
+  return add_force_barriers(point, mu, b);
 }
 
 // b, b' and b'' at a point.
@@ -174,7 +213,7 @@ std::array<double, 3> SpeedSpline::at(const Point& point, const std::vector<doub
 }
 
 bool SpeedSpline::keeps_limits(const std::vector<double>& c) const {
-  checkpoint(kRowWork * rows_.size());
+  checkpoint(kRowWork * (rows_.size() + forces_.size()));
   // Then the spline is above zero between the points too.
   if (!(*std::ranges::min_element(c) > 0.0)) return false;
   for (const Point& point : points_) {
@@ -186,13 +225,18 @@ bool SpeedSpline::keeps_limits(const std::vector<double>& c) const {
       const double z = row.za * b[2] + row.zb * b[1] + row.zc * b[0];
       if (!(y * y < 1.0 && z * z * b[0] < 1.0)) return false;
     }
+    for (std::size_t k = point.forces; k < point.forces_end; ++k) {
+      const Force& force = forces_[k];
+      const double f = force.ya * b[1] + force.yb * b[0] + force.v * std::sqrt(b[0]);
+      if (!(f < force.high && f > force.low)) return false;
+    }
   }
   return true;
 }
 
 // The duration with the barriers, and its derivatives; false if a limit is not kept.
 bool SpeedSpline::evaluate(const std::vector<double>& c, double mu) {
-  checkpoint(4 * kRowWork * rows_.size());
+  checkpoint(4 * kRowWork * (rows_.size() + forces_.size()));
   time_ = 0.0;
   gradient_.assign(c.size(), 0.0);
   hessian_.assign(c.size(), {});
@@ -273,7 +317,7 @@ double SpeedSpline::step(double mu) {
 }
 
 void SpeedSpline::find_fastest(double gap) {
-  const auto barriers = static_cast<double>(points_.size() + 4 * rows_.size());
+  const auto barriers = static_cast<double>(points_.size() + 4 * rows_.size() + 2 * forces_.size());
   bool again = !c_.empty();
   if (!again || !shrink(kFewShrinks)) {
     again = false;

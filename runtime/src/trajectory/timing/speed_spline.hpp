@@ -13,8 +13,10 @@ namespace armlet {
 //
 //   b < most,  |ya b' + yb b| < 1  and  |za b'' + zb b' + zc b| sqrt(b) < 1
 //
-// for every row of the point. The last is not convex; it is replaced by its tangent in 1 / sqrt(b),
-// which keeps it and is found anew in each step of the interior point method.
+// for every row of the point, and low < ya b' + yb b + v sqrt(b) < high for every force. Where a
+// limit is not convex, as that of the second kind and one side of a force with v, its tangent takes
+// its place, in 1 / sqrt(b) and in b, which is found anew in each step of the interior point
+// method; what the limit itself keeps is asked before the step is taken.
 class SpeedSpline {
  public:
   struct Point {
@@ -23,9 +25,14 @@ class SpeedSpline {
     double weight = 0.0;                             // in the integral
     double most = std::numeric_limits<double>::infinity();
     std::size_t rows = 0, rows_end = 0;
+    std::size_t forces = 0, forces_end = 0;
   };
   struct Row {
     double ya = 0.0, yb = 0.0, za = 0.0, zb = 0.0, zc = 0.0;
+  };
+  // low < 0 < high.
+  struct Force {
+    double ya = 0.0, yb = 0.0, v = 0.0, low = 0.0, high = 0.0;
   };
   // du/dt and its derivative by time.
   struct Rate {
@@ -47,6 +54,7 @@ class SpeedSpline {
   Point& add_point(std::size_t cell, double part, double weight);
   // Of the last point.
   void add_row(const Row& row);
+  void add_force(const Force& force);
 
   // Begins with what was found before, if something was.
   //
@@ -72,6 +80,7 @@ class SpeedSpline {
   [[nodiscard]] static std::array<double, 3> at(const Point& point, const std::vector<double>& c);
   [[nodiscard]] bool keeps_limits(const std::vector<double>& c) const;
   bool evaluate(const std::vector<double>& c, double mu);
+  bool add_force_barriers(const Point& point, double mu, const std::array<double, 3>& b);
   bool add_barriers(const Point& point, double mu, const std::array<double, 3>& b);
   [[nodiscard]] std::vector<double> newton_step() const;
   double step(double mu);
@@ -80,6 +89,7 @@ class SpeedSpline {
   std::vector<double> c_;  // coefficients of b, one for each cell and two more
   std::vector<Point> points_;
   std::vector<Row> rows_;
+  std::vector<Force> forces_;
   // What was evaluated last: the duration, gradient and the upper half of the second derivatives.
   double time_ = 0.0;
   std::vector<double> gradient_;

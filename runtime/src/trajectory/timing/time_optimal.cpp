@@ -226,6 +226,13 @@ SpeedAlongPath fastest_along(const Trajectory& path, std::span<const AxisLimits>
   return fastest_on(grid);
 }
 
+std::optional<SpeedAlongPath> fastest_along(const Course& course, int intervals) {
+  check_course(course, intervals);
+  SpeedGrid grid(course, positions_along(course, intervals));
+  if (!motors_hold(grid)) return {};
+  return fastest_with_friction(grid);
+}
+
 Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed) {
   const std::size_t count = speed.s.size() - 1;
   std::vector<double> start(count + 1, 0.0);

@@ -9,6 +9,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/check_finite.hpp"
 #include "armlet/math/pose.hpp"
+#include "armlet/trajectory/motion_forces.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
 #include "trajectory/timing/smooth_run.hpp"
 #include "trajectory/tool/joined_path.hpp"
@@ -110,6 +111,9 @@ class PathPlanner {
       limits_.push_back({.speed = move.speed * robot.max_speed()[i],
                          .acceleration = move.speed * move.speed * robot.max_accel()[i],
                          .jerk = move.speed * move.speed * move.speed * robot.max_jerk()[i]});
+      driven_.push_back(limits_.back());
+      if (move.motors != nullptr && std::isfinite(move.motors->joint(i).max_effort))
+        driven_.back().acceleration = INFINITY;
     }
   }
 
@@ -341,15 +345,35 @@ class PathPlanner {
     return std::move(run.motion);
   }
 
+  // The shorter of what limits on accelerations and what motors allow, if they count.
   TimedRun smooth_run_on(const Stretch& stretch) const {
     const std::vector<Segment> travel = travel_of(stretch);
-    const SpeedAlongPath speed =
-        fastest_along(stretch.path, limits_, kIntervals, stretch.zones, travel);
-    const int cells = kCells + kCellsPerCorner * stretch.corners;
-    TimedRun run = smooth_run(stretch.path, limits_, speed, cells, stretch.zones, travel);
-    if (run.s.empty())
-      run = smooth_run(stretch.path, limits_, speed, kFiner * cells, stretch.zones, travel);
+    const Course course{stretch.path, limits_, stretch.zones, travel};
+    TimedRun run = smooth_on(course, stretch.corners);
+    if (move_.motors == nullptr) return run;
+    run = slowed(std::move(run));
+    const Course by_motors{stretch.path, driven_,      stretch.zones,
+                           travel,       move_.motors, move_.speed * move_.speed};
+    TimedRun strong = slowed(smooth_on(by_motors, stretch.corners));
+    const bool shorter =
+        !strong.s.empty() && (run.s.empty() || strong.motion.duration() < run.motion.duration());
+    return shorter ? strong : run;
+  }
+
+  static TimedRun smooth_on(const Course& course, int corners) {
+    const auto speed = fastest_along(course, kIntervals);
+    if (!speed) return {};
+    const int cells = kCells + kCellsPerCorner * corners;
+    TimedRun run = smooth_run(course, *speed, cells);
+    if (run.s.empty()) run = smooth_run(course, *speed, kFiner * cells);
     return run;
+  }
+
+  // Until motors can do it, if they can.
+  [[nodiscard]] TimedRun slowed(TimedRun run) const {
+    if (run.s.empty()) return run;
+    const double slower = motion_forces(*move_.motors, run.motion).slower;
+    return std::isfinite(slower) ? run.stretched(std::max(slower, 1.0)) : run;
   }
 
   TimedRun run_on(const Stretch& stretch) {
@@ -378,17 +402,18 @@ class PathPlanner {
     fill_times();
     const double least = fastest.duration();
     if (!move_.time || least == 0.0) {
-      plan_.motion = verify(robot_, std::move(fastest), true, jerk_);
+      plan_.motion = verify(robot_, std::move(fastest), true, jerk_, move_.motors);
       return;
     }
     if (*move_.time < least * (1.0 - 1e-9)) {
-      plan_.motion.too_fast = least_time(robot_, fastest, jerk_);
+      plan_.motion.too_fast = least_time(robot_, fastest, jerk_, move_.motors);
       plan_.motion.too_fast->given = *move_.time;
       plan_.motion.too_fast->least_time = least;
       return;
     }
     for (double& t : plan_.times) t *= *move_.time / least;
-    plan_.motion = verify(robot_, fastest.stretched(*move_.time / least), true, jerk_);
+    plan_.motion =
+        verify(robot_, fastest.stretched(*move_.time / least), true, jerk_, move_.motors);
   }
 
   // Positions at which nothing moves are reached with those before them.
@@ -400,8 +425,9 @@ class PathPlanner {
   const Robot& robot_;
   const PathMove& move_;
   std::vector<AxisLimits> limits_;
-  int way_ = 0, ways_ = 1;  // of arms with a joint to spare, see LineSamples
-  Jerk jerk_;               // of what is done: where limiting it would take very long, it is not
+  std::vector<AxisLimits> driven_;  // accelerations only where no motor is known
+  int way_ = 0, ways_ = 1;          // of arms with a joint to spare, see LineSamples
+  Jerk jerk_;  // of what is done: where limiting it would take very long, it is not
   std::vector<Leg> legs_;
   PathPlan plan_;
 };

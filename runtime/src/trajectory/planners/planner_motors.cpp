@@ -1,0 +1,114 @@
+// Moves with limited jerk that use what motors give in the place of the limits on accelerations.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "armlet/trajectory/jerk_limited.hpp"
+#include "armlet/trajectory/motion_forces.hpp"
+#include "armlet/trajectory/time_optimal.hpp"
+#include "trajectory/planners/planning.hpp"
+#include "trajectory/timing/smooth_run.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr int kCells = 64;          // of the speed along a path
+constexpr int kIntervals = 100;     // where it is known without limits on jerk
+constexpr double kRounding = 1e-9;  // relative
+
+// All joints by their phases, with these limits.
+Trajectory by_phases(const MoveRequest& request, std::span<const AxisLimits> limits) {
+  std::vector<AxisState> from(limits.size());
+  std::vector<double> to(limits.size());
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const int joint = static_cast<int>(i);
+    to[i] = request.q1[joint];
+    from[i].q = travel_of(request, joint) == 0.0 ? to[i] : request.q0[joint];
+  }
+  std::vector<JerkProfile> profiles(limits.size());
+  const double T = plan_jerk_limited(from, to, limits, profiles);
+  return jerk_trajectory(from, to, profiles, T);
+}
+
+// Slowed down as a whole until motors can do it; nothing if none is slow enough.
+std::optional<Trajectory> slowed(const Robot& motors, Trajectory motion) {
+  const double slower = motion_forces(motors, motion).slower;
+  if (!std::isfinite(slower)) return {};
+  if (slower <= 1.0) return motion;
+  return motion.stretched(slower);
+}
+
+// Each joint with its limits on speed and jerk and, where its motor is known, that of its motor.
+class MotorRuns {
+ public:
+  explicit MotorRuns(const MoveRequest& request)
+      : request_(request), motors_(*request.motors), limits_(limits_beside_motors(request)) {}
+
+  std::optional<Trajectory> shortest() {
+    const Trajectory by_acceleration = by_phases(request_, request_.limits);
+    const Trajectory free = without_accelerations();
+    std::optional<Trajectory> best = slowed(motors_, free);
+    // No motion is faster than one that speeds and jerks alone limit.
+    if (best && best->duration() <= free.duration() * (1.0 + kRounding)) return best;
+    take_shorter(best, slowed(motors_, by_acceleration));
+    take_shorter(best, along(free, evenly(free)));
+    take_shorter(best, straight());
+    return best;
+  }
+
+ private:
+  static void take_shorter(std::optional<Trajectory>& best, std::optional<Trajectory> other) {
+    if (other && (!best || other->duration() < best->duration())) best = std::move(other);
+  }
+
+  // From rest to its highest speed and back no joint comes to more than sqrt(V J).
+  [[nodiscard]] Trajectory without_accelerations() const {
+    std::vector<AxisLimits> limits = limits_;
+    for (AxisLimits& l : limits) {
+      if (!std::isfinite(l.acceleration)) l.acceleration = std::sqrt(l.speed * l.jerk);
+    }
+    return by_phases(request_, limits);
+  }
+
+  // The path of a motion, run as it is.
+  static SpeedAlongPath evenly(const Trajectory& motion) {
+    SpeedAlongPath speed;
+    for (int k = 0; k <= kIntervals; ++k) {
+      speed.s.push_back(motion.duration() * k / kIntervals);
+      speed.squared.push_back(1.0);
+    }
+    return speed;
+  }
+
+  [[nodiscard]] std::optional<Trajectory> along(const Trajectory& path,
+                                                const SpeedAlongPath& fastest) const {
+    const Course course{path, limits_, {}, {}, &motors_};
+    TimedRun run = smooth_run(course, fastest, kCells);
+    if (run.s.empty()) return {};
+    return slowed(motors_, std::move(run.motion));
+  }
+
+  // All joints in proportion.
+  [[nodiscard]] std::optional<Trajectory> straight() const {
+    const std::vector<Eigen::VectorXd> points = {request_.q0, request_.q1};
+    const Trajectory path = path_through(points);
+    const auto fastest = fastest_along(Course{path, limits_, {}, {}, &motors_}, kIntervals);
+    if (!fastest) return {};
+    return along(path, *fastest);
+  }
+
+  const MoveRequest& request_;
+  const Robot& motors_;
+  std::vector<AxisLimits> limits_;
+};
+
+}  // namespace
+
+std::optional<Trajectory> limited_jerk_with_motors(const MoveRequest& request) {
+  return MotorRuns(request).shortest();
+}
+
+}  // namespace armlet
