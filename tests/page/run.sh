@@ -3,7 +3,7 @@
 # parts: what needs no browser. browser: the page in Chromium, on laboratories of the command ARMLET. pictures: those of docs/images, made again. measure: how fast the page is.
 # Says why and ends with 77 where Node, npm or Chromium cannot be had.
 set -euo pipefail
-what=$1 modules=$2 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+what=$1 modules=$(realpath -m "$2") here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 skip() { printf 'skipped: %s\n' "$*"; exit 77; }
 
 [[ $what != browser || -n ${ARMLET_TRY_BROWSER:-} ]] || skip 'the page is tried in a browser by ./dev test page'
@@ -25,7 +25,7 @@ export ARMLET_PAGE_MODULES=$modules
 [[ $what != parts ]] || exec node --test "$here"/*.test.mjs
 ARMLET_CHROMIUM=${ARMLET_CHROMIUM:-$(command -v chromium || true)}
 [[ -x $ARMLET_CHROMIUM ]] || skip "chromium is not installed"
-export ARMLET_CHROMIUM ARMLET_COMMAND=$3
+export ARMLET_CHROMIUM ARMLET_COMMAND=$(realpath "$3")
 case $what in
   browser) exec node --test "$here"/browser/*.test.mjs ;;
   pictures | measure) exec node "$here/$what.mjs" "${@:4}" ;;

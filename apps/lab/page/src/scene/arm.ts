@@ -1,6 +1,6 @@
 // An arm made of the shapes of its description, and how it stands.
 import {
-  BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DoubleSide, Group, LatheGeometry, Matrix4, Mesh, Vector2, Vector3,
+  BufferAttribute, BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DoubleSide, Group, Matrix4, Mesh, Vector3,
 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import type { RobotChange, RobotInfo, Shape } from "../protocol/messages.ts";
@@ -16,31 +16,44 @@ const ROUND = 48; // faces of a full circle
 function turned(round: number, radius: number, length: number, inner = 0): BufferGeometry {
   const bevel = Math.min(0.12 * radius, 0.12 * length, 0.004, inner ? 0.4 * (radius - inner) : Infinity);
   const h = length / 2;
-  const profile = [
-    new Vector2(inner, -h), new Vector2(radius - bevel, -h), new Vector2(radius - 0.3 * bevel, -h + 0.3 * bevel), new Vector2(radius, -h + bevel),
-    new Vector2(radius, h - bevel), new Vector2(radius - 0.3 * bevel, h - 0.3 * bevel), new Vector2(radius - bevel, h), new Vector2(inner, h),
+  const profile: [number, number][] = [
+    [inner, -h], [radius - bevel, -h], [radius - 0.3 * bevel, -h + 0.3 * bevel], [radius, -h + bevel],
+    [radius, h - bevel], [radius - 0.3 * bevel, h - 0.3 * bevel], [radius - bevel, h], [inner, h],
   ];
-  if (inner) profile.push(new Vector2(inner, -h));
-  const geometry = new LatheGeometry(profile, round);
-  geometry.rotateX(Math.PI / 2);
-  return sharpened(geometry);
+  if (inner) profile.push([inner, -h]);
+  return aroundZ(profile, round);
 }
 
-// Normals of a lathe are smooth across its edges; without shared corners each face keeps its own.
-function sharpened(geometry: BufferGeometry): BufferGeometry {
-  const separate = geometry.toNonIndexed();
-  separate.computeVertexNormals();
-  const position = separate.getAttribute("position");
-  const normal = separate.getAttribute("normal");
-  for (let i = 0; i < position.count; i++) {
-    const n = new Vector3().fromBufferAttribute(normal, i);
-    const out = new Vector3(position.getX(i), position.getY(i), 0).normalize();
-    const across = Math.hypot(n.x, n.y);
-    if (across < 1e-6 || out.lengthSq() === 0) continue;
-    const sign = out.x * n.x + out.y * n.y < 0 ? -1 : 1;
-    normal.setXYZ(i, sign * out.x * across, sign * out.y * across, n.z);
+// What a profile of distances from z and heights becomes when it goes around z: smooth around, with an edge at each of its points.
+function aroundZ(profile: readonly [number, number][], round: number): BufferGeometry {
+  const stretches = profile.length - 1;
+  const rows = 2 * stretches * (round + 1);
+  const position = new Float32Array(3 * rows);
+  const normal = new Float32Array(3 * rows);
+  const index = new Uint16Array(6 * stretches * round);
+  let at = 0;
+  let corner = 0;
+  for (let s = 0; s < stretches; s++) {
+    const [from, to] = [profile[s]!, profile[s + 1]!];
+    const long = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
+    const [out, up] = [(to[1] - from[1]) / long, (from[0] - to[0]) / long];
+    for (let k = 0; k <= round; k++) {
+      const angle = (2 * Math.PI * k) / round;
+      const [x, y] = [Math.cos(angle), Math.sin(angle)];
+      for (const [distance, height] of [from, to]) {
+        position.set([x * distance, y * distance, height], 3 * at);
+        normal.set([x * out, y * out, up], 3 * at++);
+      }
+      if (k === round) continue;
+      index.set([at - 2, at, at - 1, at, at + 1, at - 1], corner);
+      corner += 6;
+    }
   }
-  return separate;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(position, 3));
+  geometry.setAttribute("normal", new BufferAttribute(normal, 3));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  return geometry;
 }
 
 function geometryOf(shape: Shape, round: number): BufferGeometry {

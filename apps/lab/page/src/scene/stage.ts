@@ -1,6 +1,6 @@
 // Renderer, camera, light and floor. Draws when something has changed, not otherwise.
 import {
-  Box3, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
+  Box3, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, type Object3D, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
   Scene, ShaderMaterial, ShadowMaterial, Sphere, Vector3, WebGLRenderer, Color, NeutralToneMapping,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -47,17 +47,37 @@ const DIRECTIONS: Record<Exclude<Preset, "hand">, [number, number, number]> = {
   bottom: [0, -0.3, -1],
 };
 
-// Without a graphics processor each picture takes the time of the processor that runs everything else: its edges are not smoothed.
-// Starting is slow there too, so what was started to find out is used.
+// What three asks a browser for and this view has no use for. Each question waits until what was asked to be drawn has been.
+const UNUSED = new Set(["EXT_color_buffer_float", "EXT_color_buffer_half_float", "OES_texture_float_linear", "WEBGL_clip_cull_distance", "WEBGL_render_shared_exponent"]);
+const SHARPENED = new Set(["EXT_texture_filter_anisotropic"]);
+
+function contextOf(canvas: HTMLCanvasElement, antialias: boolean): WebGL2RenderingContext | null {
+  const context = canvas.getContext("webgl2", { antialias });
+  if (context) withhold(context, UNUSED);
+  return context;
+}
+
+function withhold(context: WebGL2RenderingContext, names: ReadonlySet<string>): void {
+  const ask = context.getExtension.bind(context) as (name: string) => unknown;
+  Object.assign(context, { getExtension: (name: string) => (names.has(name) ? null : ask(name)) });
+}
+
+// Without a graphics processor each picture takes the time of the processor that runs everything else: edges are not smoothed and
+// pictures on surfaces not sharpened. Starting is slow there too, so what was started to find out is used.
 function startDrawing(): { renderer: WebGLRenderer; software: boolean } {
   const canvas = document.createElement("canvas");
-  const context = canvas.getContext("webgl2", { alpha: true, antialias: false });
+  const context = contextOf(canvas, false);
   const names = context?.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(context?.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
   const software = /swiftshader|llvmpipe|software|basic render/i.test(name);
-  if (context && software) return { renderer: new WebGLRenderer({ canvas, context }), software };
+  if (context && software) {
+    withhold(context, SHARPENED);
+    return { renderer: new WebGLRenderer({ canvas, context }), software };
+  }
   context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return { renderer: new WebGLRenderer({ antialias: true }), software: false };
+  const smooth = document.createElement("canvas");
+  const smoothing = contextOf(smooth, true);
+  return { renderer: new WebGLRenderer({ canvas: smooth, ...(smoothing ? { context: smoothing } : {}) }), software: false };
 }
 
 export class Stage {
@@ -75,6 +95,8 @@ export class Stage {
   private readonly floor: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly shade: Mesh<PlaneGeometry, ShadowMaterial>;
   private dirty = false;
+  private begun = false;
+  private size = { width: 0, height: 0 };
   // Whether the processor draws.
   readonly software: boolean;
 
@@ -82,6 +104,8 @@ export class Stage {
     const { renderer, software } = startDrawing();
     this.renderer = renderer;
     this.software = software;
+    // A browser tells of a program that it refuses; asking each time waits until it is made.
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.autoUpdate = false; // only what stands elsewhere throws another shadow
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -119,6 +143,20 @@ export class Stage {
     this.resize(host);
   }
 
+  // Lets programs for surfaces like those of `samples`, and of what is in the scene, be made beside what the page does until begin().
+  prepare(samples: readonly Object3D[]): void {
+    this.scene.add(...samples);
+    this.renderer.compile(this.scene, this.camera);
+    this.scene.remove(...samples);
+    this.renderer.getContext().flush();
+  }
+
+  // Draws from now on.
+  begin(): void {
+    this.begun = true;
+    this.draw();
+  }
+
   theme(palette: Palette): void {
     this.scene.background = new Color(palette.ground);
     (this.floor.material.uniforms["minor"]!.value as Color).set(palette.grid);
@@ -131,12 +169,9 @@ export class Stage {
   }
 
   invalidate(): void {
-    if (this.dirty) return;
+    if (this.dirty || !this.begun) return;
     this.dirty = true;
-    requestAnimationFrame(() => {
-      this.dirty = false;
-      this.draw();
-    });
+    requestAnimationFrame(() => this.dirty && this.draw());
   }
 
   // Arms or objects stand elsewhere.
@@ -147,6 +182,7 @@ export class Stage {
 
   // Draws now, so that the picture can be read.
   draw(): void {
+    this.dirty = false;
     this.before();
     this.renderer.render(this.scene, this.camera);
     this.after();
@@ -187,12 +223,15 @@ export class Stage {
 
   private resize(host: HTMLElement): void {
     const { clientWidth: width, clientHeight: height } = host;
-    if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
-    this.renderer.setSize(width, height);
+    const { width: oldWidth, height: oldHeight } = this.size;
+    if (!width || !height || (width === oldWidth && height === oldHeight)) return;
+    this.size = { width, height };
+    this.renderer.setDrawingBufferSize(width, height, Math.min(2, devicePixelRatio));
+    this.renderer.domElement.style.width = `${width}px`;
+    this.renderer.domElement.style.height = `${height}px`;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    this.draw();
+    if (this.begun) this.draw();
   }
 }
 
