@@ -9,7 +9,7 @@ namespace armlet {
 
 // A name of CSS, in whatever case, or "#rrggbb".
 //
-// source  W3C, CSS Color Module Level 4, section 6.1.
+// source  W3C, CSS Color Module Level 4, 2022, section 6.1.
 bool is_color(std::string_view text);
 // The name most like a mistyped one; nothing if none is similar.
 std::optional<std::string_view> similar_color(std::string_view text);
@@ -17,7 +17,7 @@ std::optional<std::string_view> similar_color(std::string_view text);
 // Why bytes are no PNG or JPEG that can be shown, as a sentence without an end; empty if they are one.
 // Only their beginning and sizes are looked at: a picture has at most 8192 x 8192 pixels.
 //
-// source  ISO/IEC 15948 (PNG), sections 5.2 and 11.2.2; ISO/IEC 10918-1 (JPEG), annex B.
+// source  ISO/IEC 15948 (PNG), 2004, sections 5.2 and 11.2.2; ISO/IEC 10918-1 (JPEG), annex B.
 std::string picture_fault(std::string_view bytes);
 
 }  // namespace armlet
