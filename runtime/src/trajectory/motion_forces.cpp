@@ -216,7 +216,8 @@ MotionForces motion_forces(const Robot& robot, const Trajectory& motion) {
   return search.result();
 }
 
-MotionForces command_forces(const Robot& robot, const Trajectory& motion, double until) {
+MotionForces command_forces(const Robot& robot, const Trajectory& motion, double from,
+                            double until) {
   constexpr double kStep = 5e-3;  // s
   constexpr double kMost = 10'000;
   check_size("paths of the motion", motion.n(), robot.n());
@@ -225,11 +226,12 @@ MotionForces command_forces(const Robot& robot, const Trajectory& motion, double
   const auto look = [&](double t) {
     if (!search.measure(t)) search.look_at(t);
   };
-  const double steps = std::clamp(std::ceil(held / kStep), 1.0, kMost);
-  for (int k = 0; k <= static_cast<int>(steps); ++k) look(held * k / steps);
+  const double length = std::max(held - from, 0.0);
+  const double steps = std::clamp(std::ceil(length / kStep), 1.0, kMost);
+  for (int k = 0; k <= static_cast<int>(steps); ++k) look(from + length * k / steps);
   for (int i = 0; i < motion.n(); ++i) {
     for (const Segment& piece : motion.joint(i).segments) {
-      if (piece.start <= kBeside || piece.start > held) continue;
+      if (piece.start <= from + kBeside || piece.start > held) continue;
       look(piece.start - kBeside);
       look(std::min(piece.start + kBeside, held));
     }

@@ -134,8 +134,11 @@ Started drive(Vm& vm, const MoveCall& call, VelocityPlan plan, std::int64_t duri
   if (!check_time_left(vm, "a motion", plan.motion->duration(), kMarkCallee)) return Failed{};
   if (!check_velocity_torques(vm, call, *plan.motion, during_ns)) return Failed{};
   Host& host = Host::of(vm);
+  report_rest(vm, call.robot);
+  Trajectory path = *plan.motion;
   const int motion =
       host.cell().drive(call.robot, *std::move(plan.motion), host.now_ns() + during_ns);
+  remember_rest(vm, call, std::move(path), motion);
   return std::unique_ptr<Waiting>(std::make_unique<VelocityWaiting>(host, call, motion));
 }
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "armlet/core/format.hpp"
 #include "armlet/trajectory/motion_forces.hpp"
@@ -112,7 +115,7 @@ Answer<void> check_velocity_torques(Vm& vm, const MoveCall& call, const Trajecto
   if (wanted == TorqueCheck::kIgnore || !has_force_limits(robot)) return {};
   if (!is_looked_at(Host::of(vm), call.robot, during_ns)) return {};
   try {
-    const MotionForces forces = command_forces(robot, motion, to_seconds(during_ns));
+    const MotionForces forces = command_forces(robot, motion, 0.0, to_seconds(during_ns));
     if (!is_beyond(forces)) return {};
     const bool refused = wanted != TorqueCheck::kReport;
     Failure f =
@@ -127,6 +130,41 @@ Answer<void> check_velocity_torques(Vm& vm, const MoveCall& call, const Trajecto
     if (!beyond_numbers(vm, call, wanted, error)) return Failed{};
     return {};
   }
+}
+
+void remember_rest(Vm& vm, const MoveCall& call, Trajectory path, int motion) {
+  Host& host = Host::of(vm);
+  if (settings_of(vm).torques == TorqueCheck::kIgnore) return;
+  if (!has_force_limits(*host.cell().robot(call.robot).loaded)) return;
+  host.remember_rest(call.robot,
+                     {motion, std::move(path), std::string(call.function), place_of_call(vm)});
+}
+
+void report_rest(Vm& vm, int index) {
+  Host& host = Host::of(vm);
+  const std::optional<LastRest> last = host.take_rest(index);
+  if (!last) return;
+  const MotionReport& report = host.cell().report(last->motion);
+  const std::int64_t until = std::min(report.end_ns, host.now_ns());
+  if (report.halted || report.state == MotionState::kStopped || until <= *report.held_ns) return;
+  const Robot& robot = *host.cell().robot(index).loaded;
+  const MoveCall call{.function = last->function, .robot = index, .place = last->place};
+  try {
+    const MotionForces forces =
+        command_forces(robot, last->path, to_seconds(*report.held_ns - report.start_ns),
+                       to_seconds(until - report.start_ns));
+    if (!is_beyond(forces)) return;
+    Failure f = too_strong(call, robot, forces,
+                           "slow down in smaller steps before the last of them ends", false);
+    f.why = "that is on the way to rest, which the robot takes where no other command follows";
+    vm.advise(f);
+  } catch (const ArgumentError& error) {
+    static_cast<void>(beyond_numbers(vm, call, TorqueCheck::kReport, error));
+  }
+}
+
+void report_rests(Vm& vm) {
+  for (int i = 0; i < Host::of(vm).cell().robot_count(); ++i) report_rest(vm, i);
 }
 
 std::string torques_text(const Robot& robot, const Trajectory& motion) try {

@@ -19,6 +19,13 @@ Answer<double> check_torques(Vm& vm, const MoveCall& call, const Trajectory& mot
 Answer<void> check_velocity_torques(Vm& vm, const MoveCall& call, const Trajectory& motion,
                                     std::int64_t during_ns);
 
+// The way to rest behind a velocity command, which is taken unless another one follows at once:
+// kept when the command begins, and compared as far as it was taken when the robot is told to move
+// again, or when the program has ended. What motors cannot do then is advice.
+void remember_rest(Vm& vm, const MoveCall& call, Trajectory path, int motion);
+void report_rest(Vm& vm, int robot);
+void report_rests(Vm& vm);
+
 // "120 Nm" or "30 N".
 [[nodiscard]] std::string force_text(const Robot& robot, int joint, double force);
 

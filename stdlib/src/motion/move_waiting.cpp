@@ -137,6 +137,7 @@ Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double
                      MotionNotes notes) {
   Host& host = Host::of(vm);
   if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
+  report_rest(vm, call.robot);
   const auto slower = check_torques(vm, call, trajectory);
   if (!slower) return Failed{};
   if (*slower > 1.0) {

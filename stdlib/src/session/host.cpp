@@ -85,6 +85,18 @@ const LastVelocity* Host::last_velocity(int robot) const {
   return moves && cell_.robot(robot).motion_id == last.motion ? &last : nullptr;
 }
 
+void Host::remember_rest(int robot, LastRest rest) {
+  const auto index = static_cast<std::size_t>(robot);
+  if (index >= last_rests_.size()) last_rests_.resize(index + 1);
+  last_rests_[index] = std::move(rest);
+}
+
+std::optional<LastRest> Host::take_rest(int robot) {
+  const auto index = static_cast<std::size_t>(robot);
+  if (index >= last_rests_.size()) return {};
+  return std::exchange(last_rests_[index], std::nullopt);
+}
+
 void Host::note_way(PlannedWay way) {
   if (ways_.size() < kMostWays) ways_.push_back(std::move(way));
 }

@@ -9,6 +9,7 @@
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/interpreter/host/tasks.hpp"
+#include "motion/motion_torques.hpp"
 #include "replay/call_by_name.hpp"
 #include "session/run.hpp"
 
@@ -259,6 +260,7 @@ Progress Session::finish_slice(const Budget& budget) {
   RunResult& result = run_->result;
   result = run_->vm->result();
   if (result.status == Progress::kDone && !come_to_rest(budget)) result.status = Progress::kPaused;
+  if (result.status == Progress::kDone) bind::report_rests(*run_->vm);
   note_progress();
   return result.status;
 }

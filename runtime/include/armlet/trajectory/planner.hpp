@@ -29,9 +29,9 @@ class Robot;
 // via             points between q0 and q1, in order. Planners that know only two points stop at
 //                 each.
 // durations       s, one per leg; not together with time or speed. Empty: the planner divides.
-// motors          the arm, with what it carries, whose motors limit Fastest in the place of the
-//                 accelerations of joints whose Joint::max_effort is finite; null: none. Other
-//                 planners do not read it.
+// motors          the arm, with what it carries, whose motors limit Fastest and SCurve in the place
+//                 of the accelerations of joints whose Joint::max_effort is finite; null: none.
+//                 Other planners do not read it.
 struct MoveRequest {
   Eigen::VectorXd q0{};
   Eigen::VectorXd q1{};

@@ -8,6 +8,12 @@
 // that include nothing else; the bits are the same.
 namespace armlet {
 
+// Times the sign of a joint, which is 1 or -1: the same bits without a multiplication.
+template <class V>
+[[gnu::always_inline]] inline V signed_by(const PlanLink& link, V value) {
+  return link.sign < 0.0 ? -value : value;
+}
+
 // The motions of a block, with the signs of the plan.
 template <class V>
 struct BlockMotion {
@@ -18,7 +24,7 @@ struct BlockMotion {
     return load_lanes<V>(values + static_cast<std::size_t>(i) * batch.count + k);
   }
   [[gnu::always_inline]] V of(const double* values, int i) const {
-    return all_lanes<V>(batch.plan.links[i].sign) * plain(values, i);
+    return signed_by<V>(batch.plan.links[i], plain(values, i));
   }
   [[gnu::always_inline]] V q(int i) const { return of(batch.q, i); }
   [[gnu::always_inline]] V qd(int i) const { return of(batch.qd, i); }
@@ -40,20 +46,25 @@ template <class V>
   return all_lanes<V>(link.friction.viscous) * qd + dry;
 }
 
+// Whether all forces are finite. Their sums by lane are, unless one is not, or unless so large ones
+// are added that each has to be asked.
 template <class V>
-[[gnu::always_inline]] inline bool is_zero(V v) {
-  double sum = 0.0;
-  for (std::size_t lane = 0; lane < kLanesOf<V>; ++lane) sum += v[lane];
-  return sum == 0.0;
+[[gnu::always_inline]] inline bool are_finite(const MotionBatch& batch, V sums, const double* tau) {
+  double doubt = 0.0;
+  for (std::size_t lane = 0; lane < kLanesOf<V>; ++lane) doubt += sums[lane] - sums[lane];
+  if (doubt == 0.0) return true;
+  doubt = 0.0;
+#pragma GCC unroll 1
+  for (std::size_t at = 0; at < batch.plan.n * batch.count; ++at) doubt += tau[at] - tau[at];
+  return doubt == 0.0;
 }
 
-// doubt  stays zero in every lane while all forces are finite: what is not, leaves NaN in its
-//        difference with itself.
+// sums  of all forces, by lane.
 template <class V, bool kSlides>
 struct InverseBlock {
   const MotionBatch& batch;
   double* tau;
-  V& doubt;
+  V& sums;
 
   template <class Block>
   [[gnu::always_inline]] void operator()(const Block& block, std::size_t k) const {
@@ -63,31 +74,31 @@ struct InverseBlock {
         plan, BlockSinesByNumber<V, Block>{block}, motion,
         plan.base_acceleration, [&](int i, V force) __attribute__((always_inline)) {
           const PlanLink& link = plan.links[i];
-          V sum = all_lanes<V>(link.sign) * force +
+          V sum = signed_by<V>(link, force) +
                   all_lanes<V>(link.motor_inertia) * motion.plain(batch.qdd, i);
           if (plan.friction == FrictionKind::kCoulomb) {
             sum = sum + lane_friction(link, motion.plain(batch.qd, i));
           }
           store_lanes(tau + static_cast<std::size_t>(i) * batch.count + k, sum);
-          doubt = doubt + (sum - sum);
+          sums = sums + sum;
         });
   }
 };
 
 template <class V, bool kSlides>
 [[gnu::noinline]] static bool inverse_few(const MotionBatch& batch, double* tau) {
-  V doubt{};
+  V sums{};
   few_configurations<V>(batch.arm, batch.q, batch.count,
-                        InverseBlock<V, kSlides>{batch, tau, doubt});
-  return is_zero(doubt);
+                        InverseBlock<V, kSlides>{batch, tau, sums});
+  return are_finite<V>(batch, sums, tau);
 }
 
 template <class V, bool kSlides>
 [[gnu::noinline]] static bool inverse_many(const MotionBatch& batch, double* tau) {
-  V doubt{};
+  V sums{};
   all_configurations<V>(batch.arm, batch.q, batch.count,
-                        InverseBlock<V, kSlides>{batch, tau, doubt});
-  return is_zero(doubt);
+                        InverseBlock<V, kSlides>{batch, tau, sums});
+  return are_finite<V>(batch, sums, tau);
 }
 
 template <class V>

@@ -262,7 +262,8 @@ constexpr PlannerRow kPlanners[] = {
      .smooth = 2},
     {.name = "SCurve",
      .does = "limited jerk: every joint as fast as its limits on speed, acceleration and jerk "
-             "allow, then slowed down to the duration of the slowest",
+             "allow, then slowed down to the duration of the slowest; inside `with (torques: "
+             "\"limit\")` what motors give counts in the place of accelerations",
      .plan = plan_limited_jerk,
      .smooth = 2},
     {.name = "Fastest",

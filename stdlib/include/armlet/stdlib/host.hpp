@@ -78,6 +78,14 @@ struct LastVelocity {
   ToolTakeUp take_up{};
 };
 
+// A velocity command behind which its robot comes to rest unless another one follows at once.
+struct LastRest {
+  int motion = -1;
+  Trajectory path;
+  std::string function;  // as called: "speedJ"
+  CallPlace place{};
+};
+
 // A goal of the tool that a robot could not reach, and what comes nearest.
 //
 // q_nearest  empty: nothing does.
@@ -225,6 +233,10 @@ class Host : public Timeline {
   // Null unless the robot still moves after it.
   [[nodiscard]] const LastVelocity* last_velocity(int robot) const;
 
+  void remember_rest(int robot, LastRest rest);
+  // That of the last velocity command, once.
+  [[nodiscard]] std::optional<LastRest> take_rest(int robot);
+
   // The last goal that was out of reach; null: all were reached. It is for whoever shows the run.
   void note_unreached(UnreachedGoal goal) { unreached_ = std::move(goal); }
   [[nodiscard]] const UnreachedGoal* unreached() const {
@@ -263,6 +275,7 @@ class Host : public Timeline {
   PlannerSet planners_;
   std::vector<std::optional<LastMotion>> last_motions_;
   std::vector<std::optional<LastVelocity>> last_velocities_;
+  std::vector<std::optional<LastRest>> last_rests_;
   std::optional<UnreachedGoal> unreached_;
   std::vector<PlannedWay> ways_;
   int default_robot_ = -1;

@@ -93,7 +93,7 @@ TEST_CASE("what a velocity command asks for while it holds is found") {
         0.3 * random_values(random, n));
     if (!plan.motion) continue;
     const MotionForces all = motion_forces(robot, *plan.motion);
-    const MotionForces held = command_forces(robot, *plan.motion, kHolds);
+    const MotionForces held = command_forces(robot, *plan.motion, 0.0, kHolds);
     for (std::size_t i = 0; i < all.peaks.size(); ++i) {
       const double most = std::abs(all.peaks[i].force);
       CHECK(std::abs(held.peaks[i].force) <= most * (1.0 + 1e-6));
