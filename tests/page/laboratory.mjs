@@ -8,7 +8,7 @@ import { createInterface } from "node:readline";
 import { axeSource, chromium, root } from "./modules.mjs";
 
 export const PATIENCE = Number(process.env.ARMLET_PATIENCE ?? 60_000); // ms: pictures are drawn by the processor, beside other tests
-const FLAGS = ["--no-sandbox", "--use-gl=angle", `--use-angle=${process.env.ANG ?? "swiftshader"}`, "--enable-unsafe-swiftshader", "--disable-background-networking",
+const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking",
   ...(process.env.ARMLET_PAGE ? ["--disable-features=LocalNetworkAccessChecks"] : [])];
 const built = join(root, "apps/lab/page/dist/index.html");
 

@@ -1,5 +1,6 @@
 import { createHash } from "node:crypto";
 import { defineConfig, type Plugin } from "vite";
+import { leanThree } from "./lean_three.ts";
 
 // KaTeX names each font in three formats; every browser that runs this page reads the first. Letters of
 // \mathfrak, \mathscr and bold or slanted \mathsf, which lessons on robots do not write, are those of the system.
@@ -64,7 +65,7 @@ const alone = (name: string) => ({
 
 export default defineConfig(({ mode }) => (mode === "boot" || mode === "worker" ? alone(mode) : {
   base: "./",
-  plugins: [onlyWoff2(), oneFile()],
+  plugins: [leanThree(), onlyWoff2(), oneFile()],
   build: {
     target: "es2022",
     assetsInlineLimit: 100_000_000,

@@ -76,7 +76,7 @@ test("one file has everything: it runs, is edited, steps, completes, takes input
       for (let k = 0; k < 8; k++) await page.keyboard.press("Backspace");
       await untilStatus(page, /5 moves, 6\.50 s/);
       const { x, y } = await placeOf(page, "let lag", "lag");
-      await page.mouse.move(x, y, { steps: 4 });
+      await page.mouse.move(x, y); // at once: on the way it would come to rest on another word, whose text then lies over this one
       await page.locator(".tip-code", { hasText: "lag" }).waitFor();
       await page.mouse.move(5, 5);
       await page.getByRole("button", { name: "Go", exact: true }).click();

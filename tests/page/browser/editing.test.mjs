@@ -85,7 +85,7 @@ test("the editor completes, says what stands under the pointer, helps with calls
     await untilStatus(page, /3\.00 s/);
     await (await lineOf(page, "-20deg")).hover();
     const { x, y } = await placeOf(page, "let lag", "lag");
-    await page.mouse.move(x, y, { steps: 4 });
+    await page.mouse.move(x, y);
     await page.locator(".tip-code", { hasText: "lag" }).waitFor();
     await page.mouse.move(5, 5);
     await page.locator(".cm-content").focus();
@@ -100,6 +100,18 @@ test("the editor completes, says what stands under the pointer, helps with calls
     await page.keyboard.press("Escape");
     await page.keyboard.press("Shift+Alt+f");
     await lineOf(page, "posJ(0deg, 0deg, 10mm, 0deg), time: 1s").waitFor();
+  }));
+
+test("what is scrolled under a resting pointer is told", () =>
+  withLab(`robot arm = robots.scara()\n${Array.from({ length: 200 }, (_, k) => `let lag${k} = ${k} * 1mm\n`).join("")}wait(1s)\n`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /1\.00 s/);
+    const { x, y } = await placeOf(page, "let lag9 =", "lag9");
+    await page.mouse.move(x, y);
+    await page.locator(".tip-code", { hasText: /lag9\b/ }).waitFor();
+    const height = await lineOf(page, "let lag9 =").evaluate((line) => line.getBoundingClientRect().height);
+    await page.locator(".cm-scroller").evaluate((box, by) => box.scrollBy(0, by), 50 * height);
+    await page.locator(".tip-code", { hasText: /lag\d\d+/ }).waitFor();
   }));
 
 test("a run that fails says where and why, in the text, on the bar and in space", () =>

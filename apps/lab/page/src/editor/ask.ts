@@ -1,7 +1,7 @@
 // Completion, what stands under the pointer, and the call that is being written: questions to the laboratory.
 import { autocompletion, type Completion, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
 import { StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
-import { EditorView, hoverTooltip, showTooltip, ViewPlugin, type Tooltip, type ViewUpdate } from "@codemirror/view";
+import { closeHoverTooltips, EditorView, hoverTooltip, showTooltip, ViewPlugin, type Tooltip, type ViewUpdate } from "@codemirror/view";
 import type { IncomingOf, Position, Span } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 
@@ -77,6 +77,53 @@ function hovering(intents: Intents): Extension {
   }, { hoverTime: 250 });
 }
 
+// Text that comes to lie under a resting pointer, because it was scrolled or written again, counts as pointed at: browsers tell of
+// no move then.
+const resting = ViewPlugin.fromClass(
+  class {
+    private readonly view: EditorView;
+    private last: MouseEvent | null = null;
+    private under: Element | null = null;
+    private timer: ReturnType<typeof setTimeout> | undefined;
+    constructor(view: EditorView) {
+      this.view = view;
+    }
+    rests(event: MouseEvent | null): void {
+      if (event && !event.isTrusted) return;
+      this.last = event?.buttons === 0 ? event : null;
+      this.under = event?.target instanceof Element ? event.target : null;
+    }
+    update(): void {
+      this.look();
+    }
+    look(): void {
+      clearTimeout(this.timer);
+      if (this.last) this.timer = setTimeout(() => this.tell(), 100);
+    }
+    destroy(): void {
+      clearTimeout(this.timer);
+    }
+    private tell(): void {
+      if (!this.last) return;
+      const { clientX, clientY } = this.last;
+      const now = document.elementFromPoint(clientX, clientY);
+      if (!now || now === this.under || !this.view.contentDOM.contains(now)) return;
+      this.under = now;
+      this.view.dispatch({ effects: closeHoverTooltips });
+      now.dispatchEvent(new MouseEvent("mousemove", { bubbles: true, clientX, clientY }));
+    }
+  },
+  {
+    eventHandlers: {
+      mousemove(event) { this.rests(event); },
+      mousedown() { this.rests(null); },
+      mouseleave() { this.rests(null); },
+      keydown() { this.rests(null); },
+      scroll() { this.look(); },
+    },
+  },
+);
+
 const setCall = StateEffect.define<Tooltip | null>();
 const call = StateField.define<Tooltip | null>({
   create: () => null,
@@ -129,6 +176,7 @@ export function asking(intents: Intents): Extension {
   return [
     autocompletion({ override: [(context) => complete(intents, context)], activateOnTypingDelay: 80 }),
     hovering(intents),
+    resting,
     signatures(intents),
     EditorView.domEventHandlers({ keydown: (event, view) => event.key === "Escape" && view.state.field(call) !== null && (view.dispatch({ effects: setCall.of(null) }), true) }),
   ];

@@ -47,15 +47,12 @@ const DIRECTIONS: Record<Exclude<Preset, "hand">, [number, number, number]> = {
   bottom: [0, -0.3, -1],
 };
 
-// What three asks a browser for and this view has no use for. Each question waits until what was asked to be drawn has been.
-const UNUSED = new Set(["EXT_color_buffer_float", "EXT_color_buffer_half_float", "OES_texture_float_linear", "WEBGL_clip_cull_distance", "WEBGL_render_shared_exponent"]);
-const SHARPENED = new Set(["EXT_texture_filter_anisotropic"]);
-
-function contextOf(canvas: HTMLCanvasElement, antialias: boolean): WebGL2RenderingContext | null {
-  const context = canvas.getContext("webgl2", { antialias });
-  if (context) withhold(context, UNUSED);
-  return context;
-}
+// What three asks a browser for and this view can do without. Each question waits until everything asked for has been drawn, which
+// takes long without a graphics processor.
+const SPARED = new Set([
+  "EXT_color_buffer_float", "EXT_color_buffer_half_float", "EXT_texture_filter_anisotropic", "OES_texture_float_linear",
+  "WEBGL_clip_cull_distance", "WEBGL_render_shared_exponent",
+]);
 
 function withhold(context: WebGL2RenderingContext, names: ReadonlySet<string>): void {
   const ask = context.getExtension.bind(context) as (name: string) => unknown;
@@ -66,18 +63,16 @@ function withhold(context: WebGL2RenderingContext, names: ReadonlySet<string>): 
 // pictures on surfaces not sharpened. Starting is slow there too, so what was started to find out is used.
 function startDrawing(): { renderer: WebGLRenderer; software: boolean } {
   const canvas = document.createElement("canvas");
-  const context = contextOf(canvas, false);
+  const context = canvas.getContext("webgl2", { alpha: true, antialias: false });
   const names = context?.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(context?.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
   const software = /swiftshader|llvmpipe|software|basic render/i.test(name);
   if (context && software) {
-    withhold(context, SHARPENED);
+    withhold(context, SPARED);
     return { renderer: new WebGLRenderer({ canvas, context }), software };
   }
   context?.getExtension("WEBGL_lose_context")?.loseContext();
-  const smooth = document.createElement("canvas");
-  const smoothing = contextOf(smooth, true);
-  return { renderer: new WebGLRenderer({ canvas: smooth, ...(smoothing ? { context: smoothing } : {}) }), software: false };
+  return { renderer: new WebGLRenderer({ antialias: true }), software: false };
 }
 
 export class Stage {
