@@ -24,15 +24,17 @@ std::vector<double> row_of(double t, const Eigen::VectorXd& forces) {
 }
 
 // Forces that are no numbers, of masses or speeds near the end of their range, have no row.
-std::vector<double> forces_row(double t, const CellRobot& arm, std::span<const double> q,
+std::vector<double> forces_row(double t, const Cell& cell, int robot, std::span<const double> q,
                                std::span<const double> qd, std::span<const double> qdd) {
+  const CellRobot& arm = cell.robot(robot);
   const auto joints = [](std::span<const double> values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(),
                                              static_cast<Eigen::Index>(values.size()));
   };
   if (arm.forces.size() != 0) return row_of(t, arm.forces);
   try {
-    return row_of(t, inverse_dynamics(*arm.loaded, joints(q), joints(qd), joints(qdd)));
+    return row_of(t, inverse_dynamics(*arm.loaded, joints(q), joints(qd), joints(qdd)) -
+                         cell.contact_forces(robot));
   } catch (const ArgumentError&) {
     return {};
   }
@@ -49,7 +51,9 @@ void Recording::take_forces(const JointSample& sample) {
   const bool has_begun = known.loaded != nullptr;
   known.loaded = sample.motion < 0 ? arm.loaded : nullptr;
   add_forces(sample.robot,
-             forces_row(to_seconds(sample.t_ns), arm, sample.q, sample.qd, sample.qdd), has_begun);
+             forces_row(to_seconds(sample.t_ns), host->cell(), sample.robot, sample.q, sample.qd,
+                        sample.qdd),
+             has_begun);
 }
 
 // Of robots that stand, if they moved or carried something else before.
@@ -63,7 +67,7 @@ void Recording::take_forces_at_rest(double t) {
     known.loaded = arm.loaded;
     const std::vector<double> q(arm.q.begin(), arm.q.end());
     const std::vector<double> zero(q.size());
-    add_forces(i, forces_row(t, arm, q, zero, zero), true);
+    add_forces(i, forces_row(t, host->cell(), i, q, zero, zero), true);
   }
 }
 

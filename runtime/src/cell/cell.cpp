@@ -8,6 +8,7 @@
 #include "armlet/collision/resting.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/check_finite.hpp"
 #include "cell/carried_load.hpp"
 #include "cell/descriptions.hpp"
@@ -167,13 +168,48 @@ Eigen::Isometry3d Cell::T_world_tool(int index) const {
 Vector6d Cell::contact_wrench(int index) const {
   const CellRobot& arm = robot(index);
   if (arm.on >= 0) return finger_wrench(*this, index);
-  Vector6d wrench = contacts_.wrench(robots_, world_, index, now_ns());
+  Vector6d wrench = Vector6d::Zero();
+  const std::vector<Press> presses = contacts_.presses(robots_, world_, index, now_ns());
+  if (!presses.empty()) {
+    const Eigen::Vector3d p_tool = T_world_tool(index).translation();
+    for (const Press& each : presses) {
+      wrench.head<3>() += each.force;
+      wrench.tail<3>() += (each.p - p_tool).cross(each.force);
+    }
+  }
   if (arm.model->tool().kind == ToolKind::kFingers)
     wrench += finger_wrench(*this, hand_on(index), arm.held);
   return wrench;
 }
 
-void Cell::settle_contacts() { contacts_.settle(robots_, world_, now_ns()); }
+std::vector<Press> Cell::presses(int index) const {
+  (void)robot(index);
+  return contacts_.presses(robots_, world_, index, now_ns());
+}
+
+Eigen::VectorXd Cell::contact_forces(int index) const {
+  const CellRobot& arm = robot(index);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(arm.model->n());
+  if (arm.on >= 0) return forces;
+  const std::vector<Press> presses = this->presses(index);
+  const bool has_fingers = arm.model->tool().kind == ToolKind::kFingers;
+  if (presses.empty() && !has_fingers) return forces;
+  Jacobian J(6, arm.model->n());
+  const Eigen::Isometry3d T_world_tool = forward_and_jacobian(*arm.model, arm.q, J);
+  for (const Press& each : presses) {
+    Vector6d wrench;
+    wrench << each.force, (each.p - T_world_tool.translation()).cross(each.force);
+    // Joints farther out do not move that body.
+    forces.head(each.frame) += J.leftCols(each.frame).transpose() * wrench;
+  }
+  if (has_fingers) forces += J.transpose() * finger_wrench(*this, hand_on(index), arm.held);
+  return forces;
+}
+
+void Cell::settle_contacts() {
+  contacts_.settle(robots_, world_, now_ns());
+  forget_ahead();
+}
 
 Vector6d Cell::held_wrench(int index) const {
   const CellRobot& arm = robot(index);
@@ -297,6 +333,7 @@ Drop Cell::let_go(int index) {
   }
   const std::vector<std::string> above = world_.stacked_on(name);
   const Drop drop = world_.drop(name);
+  contacts_.look_again();
   weigh_loads();
   publish_object(name);
   for (const std::string& each : above) {
@@ -308,8 +345,8 @@ Drop Cell::let_go(int index) {
 void Cell::weigh_loads() {
   for (int i = 0; i < robot_count(); ++i) {
     CellRobot& arm = state(i);
-    arm.loaded = arm.held.empty() && !world_.has_mounted(i) ? arm.model
-                                                            : loaded_arm(arm.model, world_, i);
+    arm.loaded =
+        arm.held.empty() && !world_.has_mounted(i) ? arm.model : loaded_arm(arm.model, world_, i);
   }
 }
 

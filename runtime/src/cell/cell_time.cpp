@@ -118,6 +118,7 @@ void Cell::stop(int index) {
     return;
   }
   arm.motion->stop(now_ns(), arm.model->max_accel(), arm.model->max_jerk());
+  forget_ahead();
   reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
   end_due_motions();  // it may have stood
 }
@@ -159,30 +160,32 @@ void Cell::advance_to(std::int64_t t_ns) {
   while (now_ns() < t_ns) {
     const auto event = next_event();
     std::int64_t next = std::min(t_ns, event.value_or(t_ns));
+    next = std::min(next, look_ahead().value_or(t_ns));
     const std::int64_t sample = next_multiple(options_.sample_period_ns);
     const bool moves =
         std::ranges::any_of(robots_, [](const CellRobot& each) { return each.motion.has_value(); });
     if (moves && listening()) next = std::min(next, sample);
     const bool due = next == sample;
     clock_.advance_to(next);
-    bring_to_now();
+    bring_to(next);
     for (int i = 0; due && i < robot_count(); ++i) {
       // A motion that ends at this instant is reported at rest, by end_motion.
       const CellRobot& arm = robot(i);
       const bool goes_on = arm.motion && (arm.motion->end_ns() > next || arm.forces.size() != 0);
       if (goes_on) publish(i, arm.motion_id);
     }
+    let_happen();
     end_due_motions();
   }
 }
 
 std::vector<CellEvent> Cell::take_events() { return std::exchange(events_, {}); }
 
-void Cell::bring_to_now() {
+void Cell::bring_to(std::int64_t t_ns) {
   for (int i = 0; i < robot_count(); ++i) {
     CellRobot& arm = state(i);
     if (!arm.motion) continue;
-    arm.motion->sample(now_ns(), arm.q, arm.qd, arm.qdd);
+    arm.motion->sample(t_ns, arm.q, arm.qd, arm.qdd);
     carry_along(i);
   }
   follow_hands();

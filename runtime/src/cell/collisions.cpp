@@ -8,6 +8,7 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "cell/arm_bodies.hpp"
+#include "cell/finger_collisions.hpp"
 
 namespace armlet {
 namespace {
@@ -304,10 +305,33 @@ std::vector<Solid> solids_now(const Cell& cell, const CellBody& thing) {
   return placed(cell, thing.robot, arm.solids);
 }
 
+// The first meeting of each pair of things, with the greatest depth of all.
+std::vector<CellCollision> each_once(const std::vector<CellCollision>& all) {
+  std::vector<CellCollision> found;
+  for (const CellCollision& each : all) {
+    const auto same = std::ranges::find_if(found, [&](const CellCollision& known) {
+      return is_same_thing(known.body, each.body) && is_same_thing(known.other, each.other);
+    });
+    if (same == found.end()) {
+      found.push_back(each);
+      continue;
+    }
+    same->at_end = same->at_end || each.at_end;
+    const bool unknown = same->higher < 0.0 || each.higher < 0.0;
+    same->higher = unknown ? -1.0 : std::max(same->higher, each.higher);
+    if (each.depth <= same->depth) continue;
+    same->depth = each.depth;
+    same->t_deepest = each.t_deepest;
+    same->p_world = each.p_world;
+  }
+  return found;
+}
+
 }  // namespace
 
 bool feels(const Cell& cell, const CellBody& body) {
   if (body.robot < 0) return false;
+  if (cell.robot(body.robot).hand >= 0) return true;  // a finger
   const Robot& arm = *cell.robot(body.robot).model;
   return body.object.empty() ? is_feeler(arm, body.frame, body.role) : body.frame == arm.n();
 }
@@ -327,36 +351,22 @@ std::string body_text(const Cell& cell, const CellBody& body) {
 }
 
 std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion) {
+  if (cell.robot(robot).on >= 0) return each_once(find_finger_collisions(cell, robot, motion));
   const CellScene scene(cell, robot, motion);
-  const MotionCheck check = check_motion(scene.scene());
-  std::vector<CellCollision> found;
-  for (const Meeting& each : check.meetings) {
+  std::vector<CellCollision> all;
+  for (const Meeting& each : check_motion(scene.scene()).meetings) {
     const CheckedPair& pair = scene.scene().pairs[each.pair];
-    const CellBody &body = scene.body(pair.a), &other = scene.body(pair.b);
-    const auto same = std::ranges::find_if(found, [&](const CellCollision& known) {
-      return is_same_thing(known.body, body) && is_same_thing(known.other, other);
-    });
-    if (same == found.end()) {
-      found.push_back({.body = body,
-                       .other = other,
-                       .t = each.t,
-                       .depth = each.depth,
-                       .t_deepest = each.t_deepest,
-                       .p_world = each.p_world,
-                       .higher = each.higher,
-                       .at_start = each.t <= 0.0,
-                       .at_end = each.at_end});
-      continue;
-    }
-    same->at_end = same->at_end || each.at_end;
-    const bool unknown = same->higher < 0.0 || each.higher < 0.0;
-    same->higher = unknown ? -1.0 : std::max(same->higher, each.higher);
-    if (each.depth <= same->depth) continue;
-    same->depth = each.depth;
-    same->t_deepest = each.t_deepest;
-    same->p_world = each.p_world;
+    all.push_back({.body = scene.body(pair.a),
+                   .other = scene.body(pair.b),
+                   .t = each.t,
+                   .depth = each.depth,
+                   .t_deepest = each.t_deepest,
+                   .p_world = each.p_world,
+                   .higher = each.higher,
+                   .at_start = each.t <= 0.0,
+                   .at_end = each.at_end});
   }
-  return found;
+  return each_once(all);
 }
 
 std::optional<ObjectOverlap> deepest_overlap(const World& world, const Object& object) {

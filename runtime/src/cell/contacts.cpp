@@ -1,6 +1,7 @@
 #include "armlet/cell/contacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "armlet/cell/cell.hpp"
@@ -15,8 +16,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-5;             // m, from where on bodies touch
-constexpr double kClear = 2e-5;            // m, less than this is not counted as room
+constexpr double kNear = 1e-5;    // m, from where on bodies touch
+constexpr double kClear = 2e-5;   // m, less than this is not counted as room
+constexpr double kFarOff = 0.25;  // m, room beyond this is not looked at closely
+constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kLook = 1'000'000;  // ns, how often it is looked whether they still do
 constexpr double kSlips = 1e-3;            // m/s, from where on friction is that of sliding
 
@@ -24,6 +27,55 @@ constexpr double kSlips = 1e-3;            // m/s, from where on friction is tha
 bool is_around(const Robot& arm, const Object& object, const Vector3d& approach) {
   return arm.derived<ArmSolids>().is_bare() && arm.tool().kind == ToolKind::kParallelGripper &&
          !object.fixed && grasp_width(object, approach) <= arm.tool().stroke;
+}
+
+// Upper bounds of how fast points are that a motion carries along: of joint i the speed, and how
+// far the origin of frame `frame` can be from its axis.
+class MotionSpeeds {
+ public:
+  explicit MotionSpeeds(const CellRobot& arm) : arm_(*arm.model) {
+    if (!arm.motion) return;
+    const Trajectory& motion = arm.motion->trajectory();
+    for (int i = 0; i < arm_.n(); ++i) {
+      const DhRow& row = arm_.joint(i).dh;
+      double d = std::abs(row.d);
+      if (!arm_.is_revolute(i)) {
+        const Trajectory::Range range = motion.range(i);
+        d = std::max(std::abs(row.d + range.lower), std::abs(row.d + range.upper));
+      }
+      peaks_.push_back(motion.peak(i, 1));
+      lengths_.push_back(std::sqrt(row.a * row.a + d * d));
+    }
+  }
+
+  // Of points up to `off` from the origin of the frame.
+  [[nodiscard]] double speed(int frame, double off) const {
+    if (peaks_.empty()) return 0.0;
+    const bool standard = arm_.spec().convention == DhConvention::kStandard;
+    double sum = 0.0, behind = off;
+    for (int i = frame - 1; i >= 0; --i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (!arm_.is_revolute(i)) {
+        sum += peaks_[k];
+      } else {
+        // The constants of a standard row stand behind its joint; d lies along the axis.
+        sum += peaks_[k] * (behind + (standard ? std::abs(arm_.joint(i).dh.a) : 0.0));
+      }
+      behind += lengths_[k];
+    }
+    return sum;
+  }
+
+ private:
+  const Robot& arm_;
+  std::vector<double> peaks_, lengths_;
+};
+
+std::vector<Isometry3d> frames_at(const Robot& model, const Eigen::VectorXd& q) {
+  std::vector<Isometry3d> frames(static_cast<std::size_t>(model.n()) + 1);
+  frames[0] = model.T_world_base();
+  (void)link_frames(model, q, std::span(frames).subspan(1));
+  return frames;
 }
 
 bool is_at_flange(const Robot& arm, const Attachment& carried) {
@@ -59,9 +111,6 @@ struct Contacts::Scene {
     const int on = arm(robot).on;
     return on < 0 ? T_link : T_world_link(on, kFlange, t_ns) * T_link;
   }
-  [[nodiscard]] Isometry3d T_world_flange(int robot, std::int64_t t_ns) const {
-    return T_world_link(robot, kFlange, t_ns);
-  }
 
   [[nodiscard]] Isometry3d T_world_obj(std::size_t index, std::int64_t t_ns) const {
     const auto& carried = world.attachment_of(index);
@@ -73,35 +122,52 @@ struct Contacts::Scene {
     std::vector<Feeler> all;
     const CellRobot& arm = this->arm(robot);
     if (arm.on >= 0) return all;  // fingers.hpp
+    const int n = arm.model->n();
     for (std::size_t i = 0; i < world.size(); ++i) {
       const auto& carried = world.attachment_of(i);
-      if (!carried || carried->carrier != robot || !is_at_flange(*arm.model, *carried)) continue;
-      Feeler feeler{.carried = world.object(i).name, .solid = solid_of(world.object(i).shape)};
+      if (!carried || carried->carrier != robot || carried->frame == 0) continue;
+      const bool at_flange = is_at_flange(*arm.model, *carried);
+      Feeler feeler{.carried = world.object(i).name,
+                    .frame = at_flange ? n : carried->frame,
+                    .of_hand = at_flange,
+                    .solid = solid_of(world.object(i).shape)};
       feeler.solid.T = carried->T_carrier_obj;
       all.push_back(std::move(feeler));
     }
     const ArmSolids& solids = arm.model->derived<ArmSolids>();
     const ToolKind kind = arm.model->tool().kind;
-    if (solids.is_bare() || kind == ToolKind::kPoint || kind == ToolKind::kNone) {
-      Feeler point;
+    const bool is_point = solids.is_bare() || kind == ToolKind::kPoint || kind == ToolKind::kNone;
+    if (is_point) {
+      Feeler point{.frame = n};
       point.solid.T = arm.model->T_flange_tool();
       all.push_back(std::move(point));
-      return all;
     }
     std::vector<ArmSolid> bodies = solids.solids();
     close_fingers(arm, world, bodies);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (!is_hand(bodies[i].role)) continue;
-      all.push_back({.part = static_cast<int>(i), .solid = bodies[i].solid});
+      const ArmSolid& body = bodies[i];
+      const bool of_hand = is_hand(body.role);
+      // The stick of a bare arm and the needle to a tool point feel at that point.
+      const bool is_stick = solids.is_bare() && body.frame > solids.neighbour_of_last();
+      if (body.still || is_stick || (of_hand && is_point)) continue;
+      all.push_back({.part = static_cast<int>(i),
+                     .frame = body.frame,
+                     .of_hand = of_hand,
+                     .solid = body.solid});
     }
+    const MotionSpeeds speeds(arm);
+    for (Feeler& each : all)
+      each.speed = speeds.speed(each.frame, each.solid.T.translation().norm() + each.solid.reach());
     return all;
   }
 
-  // What the hand holds, and what travels with that, it does not press against.
-  [[nodiscard]] bool is_own(int robot, std::size_t index) const {
+  // What the hand holds, and what travels with that, it does not press against; links, nothing that
+  // goes along with the robot.
+  [[nodiscard]] bool is_own(int robot, const Feeler& feeler, std::size_t index) const {
     const auto& carried = world.attachment_of(index);
-    const bool goes_along = carried && carried->carrier == robot &&
-                            (!carried->mounted || is_at_flange(*arm(robot).model, *carried));
+    const bool goes_along =
+        carried && carried->carrier == robot &&
+        (!carried->mounted || !feeler.of_hand || is_at_flange(*arm(robot).model, *carried));
     return goes_along || world.object(index).name == arm(robot).held;
   }
 
@@ -115,78 +181,103 @@ struct Contacts::Scene {
 
   [[nodiscard]] bool may_press(int robot, std::size_t index, const Feeler& feeler,
                                const Vector3d& approach) const {
-    return !feeler.carried.empty() || !is_around(*arm(robot).model, world.object(index), approach);
+    return !feeler.carried.empty() || !feeler.of_hand ||
+           !is_around(*arm(robot).model, world.object(index), approach);
   }
 };
 
-// No point of a feeler has moved farther than the tool point has, and by turning about it.
-bool Contacts::Clear::still_at(const Isometry3d& T) const {
-  const double moved = (T.translation() - T_world_tool.translation()).norm();
-  const double turned = (T.linear() - T_world_tool.linear()).norm();
-  return moved + turned * reach < gap - kClear;
+Contacts::Seen& Contacts::seen(const Scene& scene, int robot) {
+  seen_.resize(scene.robots.size());
+  Seen& known = seen_[static_cast<std::size_t>(robot)];
+  if (known.is_known) return known;
+  known = {.is_known = true, .feelers = scene.feelers(robot)};
+  known.free.resize(known.feelers.size());
+  return known;
 }
 
-// Calls visit(feeler, placed feeler, index of the object, placed object) for all that are near now.
-// Returns how much room there is if there are none, and the reach of the feelers.
+std::int64_t Contacts::clear_until(int robot) const {
+  const auto index = static_cast<std::size_t>(robot);
+  return index < seen_.size() ? seen_[index].all.until_ns : 0;
+}
+
+// Calls visit(feeler, placed feeler, index of the object, placed object) for all that are near now,
+// and finds out until when there are none.
 template <class Visit>
-Contacts::Clear Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_ns,
-                                           Visit&& visit) {
-  Clear clear{.gap = std::numeric_limits<double>::infinity()};
-  if (scene.world.size() == 0) return clear;
-  const std::vector<Feeler> feelers = scene.feelers(robot);
-  const Isometry3d T_world_flange = scene.T_world_flange(robot, now_ns);
-  const Vector3d& p_flange_tool = scene.arm(robot).model->T_flange_tool().translation();
-  const Vector3d approach =
-      T_world_flange.linear() * scene.arm(robot).model->T_flange_tool().linear().col(2);
-  std::vector<Solid> placed;
-  for (const Feeler& each : feelers) {
-    placed.push_back(each.solid);
-    placed.back().T = T_world_flange * each.solid.T;
-    clear.reach = std::max(
-        clear.reach, (each.solid.T.translation() - p_flange_tool).norm() + each.solid.reach());
-  }
-  for (std::size_t i = 0; i < scene.world.size(); ++i) {
-    if (scene.is_own(robot, i)) continue;
-    const Vector3d& centre = scene.world.object(i).T_world_obj.translation();
-    Solid solid = solid_of(scene.world.object(i).shape);
-    const double reach = solid.reach();
-    if (scene.is_on_its_way(i)) clear.gap = 0.0;
-    for (std::size_t k = 0; k < feelers.size(); ++k) {
-      const double most = reach + placed[k].reach() + kNear;
-      const double middles = (placed[k].T.translation() - centre).norm();
-      if (middles > most) {
-        clear.gap = std::min(clear.gap, middles - most);
-        continue;
-      }
-      solid.T = scene.T_world_obj(i, now_ns);
-      const bool apart = is_farther(placed[k], solid, kNear);
-      if (clear.gap > 0.0)
-        clear.gap = std::min(clear.gap, apart ? gap_between(placed[k], solid).distance : 0.0);
-      if (apart || !scene.may_press(robot, i, feelers[k], approach)) continue;
-      visit(feelers[k], placed[k], i, solid);
+void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_ns, Visit&& visit) {
+  Seen& known = seen(scene, robot);
+  if (known.all.at(now_ns)) return;
+  known.all = {.from_ns = now_ns, .until_ns = kForever};
+  Eigen::VectorXd q, qd;
+  scene.state(robot, now_ns, q, qd);
+  const Robot& model = *scene.arm(robot).model;
+  const std::vector<Isometry3d> frames = frames_at(model, q);
+  const Vector3d approach = frames.back().linear() * model.T_flange_tool().linear().col(2);
+  for (std::size_t k = 0; k < known.feelers.size(); ++k) {
+    const Feeler& feeler = known.feelers[k];
+    Free& free = known.free[k];
+    if (!free.at(now_ns)) {
+      Solid body = feeler.solid;
+      body.T = frames[static_cast<std::size_t>(feeler.frame)] * feeler.solid.T;
+      const double room = look_around(scene, robot, feeler, body, approach, now_ns, visit) - kClear;
+      constexpr double kLongest = 1e6;  // s
+      const double seconds = feeler.speed > 0.0 ? room / feeler.speed : kLongest;
+      free = {.from_ns = now_ns, .until_ns = now_ns};
+      if (room > 0.0) free.until_ns += static_cast<std::int64_t>(1e9 * std::min(seconds, kLongest));
     }
+    known.all.until_ns = std::min(known.all.until_ns, free.until_ns);
   }
-  return clear;
+}
+
+// The same for one feeler. Returns the room around it, m: its smallest gap, or a bound that is
+// less.
+template <class Visit>
+double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler, const Solid& body,
+                             const Vector3d& approach, std::int64_t now_ns, Visit&& visit) {
+  double room = std::numeric_limits<double>::infinity();
+  const double reach = body.reach() + kNear;
+  for (std::size_t i = reaches_.size(); i < scene.world.size(); ++i)
+    reaches_.push_back(solid_of(scene.world.object(i).shape).reach());
+  for (std::size_t i = 0; i < scene.world.size(); ++i) {
+    if (scene.is_own(robot, feeler, i)) continue;
+    const bool carried = scene.world.attachment_of(i).has_value();
+    if (carried && scene.is_on_its_way(i)) room = 0.0;
+    const Vector3d middle = carried ? Vector3d(scene.T_world_obj(i, now_ns).translation())
+                                    : scene.world.object(i).T_world_obj.translation();
+    const double balls = (body.T.translation() - middle).norm() - reach - reaches_[i];
+    if (balls > 0.0 && balls >= std::min(room, kFarOff)) {
+      room = std::min(room, balls);
+      continue;
+    }
+    Solid solid = solid_of(scene.world.object(i).shape);
+    solid.T = scene.T_world_obj(i, now_ns);
+    const bool apart = is_farther(body, solid, kNear);
+    if (room > 0.0) room = std::min(room, apart ? gap_between(body, solid).distance : 0.0);
+    if (apart || !scene.may_press(robot, i, feeler, approach)) continue;
+    visit(feeler, body, i, solid);
+  }
+  return room;
 }
 
 void Contacts::settle(const std::vector<CellRobot>& robots, const World& world,
                       std::int64_t now_ns) {
-  clear_.clear();
-  if (now_ns == begin_ns_) return;
-  const Scene scene{robots, world};
-  std::vector<Touch> lasting;
-  for (int robot = 0; robot < static_cast<int>(robots.size()); ++robot) {
-    for_each_contact(scene, robot, now_ns,
-                     [&](const Feeler& feeler, const Solid&, std::size_t index, const Solid&) {
-                       lasting.push_back(first_touch(scene, robot, feeler, index, now_ns));
-                       lasting.back().verified = 0;
-                     });
+  if (now_ns != begin_ns_) {
+    const Scene scene{robots, world};
+    std::vector<Touch> lasting;
+    for (int robot = 0; robot < static_cast<int>(robots.size()); ++robot) {
+      for_each_contact(scene, robot, now_ns,
+                       [&](const Feeler& feeler, const Solid&, std::size_t index, const Solid&) {
+                         lasting.push_back(first_touch(scene, robot, feeler, index, now_ns));
+                         lasting.back().verified = 0;
+                       });
+    }
+    touches_ = std::move(lasting);
+    begin_ns_ = now_ns;
   }
-  touches_ = std::move(lasting);
-  begin_ns_ = now_ns;
+  seen_.clear();
 }
 
 void Contacts::forget_object(std::string_view name) {
+  reaches_.clear();
   std::erase_if(touches_,
                 [&](const Touch& each) { return each.object == name || each.carried == name; });
 }
@@ -200,7 +291,7 @@ Contacts::Touch& Contacts::first_touch(const Scene& scene, int robot, const Feel
   const Object& object = scene.world.object(index);
   const auto place = [&](std::int64_t t_ns, Solid& a, Solid& b) {
     a = feeler.solid;
-    a.T = scene.T_world_flange(robot, t_ns) * feeler.solid.T;
+    a.T = scene.T_world_link(robot, feeler.frame, t_ns) * feeler.solid.T;
     b = solid_of(object.shape);
     b.T = scene.T_world_obj(index, t_ns);
   };
@@ -242,18 +333,15 @@ Contacts::Touch& Contacts::first_touch(const Scene& scene, int robot, const Feel
   return *known;
 }
 
-Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& world, int robot,
-                          std::int64_t now_ns) {
+std::vector<Press> Contacts::presses(const std::vector<CellRobot>& robots, const World& world,
+                                     int robot, std::int64_t t_ns) {
+  std::vector<Press> all;
+  if (world.size() == 0) return all;
   const Scene scene{robots, world};
-  Vector6d sum = Vector6d::Zero();
-  const Isometry3d T_world_tool = forward(*scene.arm(robot).model, scene.arm(robot).q);
-  clear_.resize(robots.size());
-  Clear& clear = clear_[static_cast<std::size_t>(robot)];
-  if (clear.still_at(T_world_tool)) return sum;
   // Of a point of what joint `frame` moves.
   const auto velocity_of = [&](int of, int frame, const Vector3d& p) -> Vector3d {
     Eigen::VectorXd q, qd;
-    scene.state(of, now_ns, q, qd);
+    scene.state(of, t_ns, q, qd);
     const Robot& model = *scene.arm(of).model;
     if (frame != kFlange) qd.tail(model.n() - frame).setZero();
     Jacobian J(6, model.n());
@@ -261,28 +349,31 @@ Vector6d Contacts::wrench(const std::vector<CellRobot>& robots, const World& wor
     const Vector6d twist = J * qd;
     return twist.head<3>() + twist.tail<3>().cross(p - T.translation());
   };
-  const Vector3d p_tool = T_world_tool.translation();
-  clear = for_each_contact(
-      scene, robot, now_ns,
+  for_each_contact(
+      scene, robot, t_ns,
       [&](const Feeler& feeler, const Solid& a, std::size_t index, const Solid& b) {
         const Object& object = world.object(index);
-        const Vector3d n =
-            b.T.linear() * first_touch(scene, robot, feeler, index, now_ns).normal_obj;
-        const double press = object.stiffness * depth_along(a, b, n);
-        if (!(press > 0.0)) return;
+        const Vector3d n = b.T.linear() * first_touch(scene, robot, feeler, index, t_ns).normal_obj;
+        const double normal = object.stiffness * depth_along(a, b, n);
+        if (!(normal > 0.0)) return;
         const Vector3d p = pressure_point(a, b, n);
-        Vector3d v = velocity_of(robot, kFlange, p);
+        Vector3d v = velocity_of(robot, feeler.frame, p);
         if (const auto& carried = world.attachment_of(index))
           v -= velocity_of(carried->carrier, carried->frame, p);
         v -= v.dot(n) * n;
         double mu = object.friction;
         if (!feeler.carried.empty()) mu = std::min(mu, world.at(feeler.carried).friction);
-        const Vector3d force = press * n - mu * press / std::max(v.norm(), kSlips) * v;
-        sum.head<3>() += force;
-        sum.tail<3>() += (p - p_tool).cross(force);
+        all.push_back({.carried = feeler.carried,
+                       .part = feeler.part,
+                       .frame = feeler.frame,
+                       .of_hand = feeler.of_hand,
+                       .object = object.name,
+                       .p = p,
+                       .force = normal * n - mu * normal / std::max(v.norm(), kSlips) * v,
+                       .normal = normal,
+                       .friction = mu});
       });
-  clear.T_world_tool = T_world_tool;
-  return sum;
+  return all;
 }
 
 }  // namespace armlet

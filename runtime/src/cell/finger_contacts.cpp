@@ -47,10 +47,27 @@ bool may_meet(const Solid& a, const Solid& b, double within) {
   return (a.T.translation() - b.T.translation()).norm() <= a.reach() + b.reach() + within;
 }
 
+// Those that a ball around all links comes to.
+std::vector<std::size_t> objects_near(const World& world, const std::vector<Solid>& links) {
+  std::vector<std::size_t> near;
+  if (links.empty()) return near;
+  const Vector3d middle = links.front().T.translation();
+  double reach = kTouching;
+  for (const Solid& each : links)
+    reach = std::max(reach, (each.T.translation() - middle).norm() + each.reach() + kTouching);
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const Object& object = world.object(i);
+    const double most = reach + solid_of(object.shape).reach();
+    if ((object.T_world_obj.translation() - middle).squaredNorm() <= most * most) near.push_back(i);
+  }
+  return near;
+}
+
 void look(const Cell& cell, int finger, const std::vector<Solid>& links,
           std::vector<FingerContact>& found) {
+  const std::vector<std::size_t> near = objects_near(cell.world(), links);
   for (const Solid& link : links) {
-    for (std::size_t i = 0; i < cell.world().size(); ++i) {
+    for (const std::size_t i : near) {
       const Object& object = cell.world().object(i);
       const Solid body = solid_at(object);
       if (!may_meet(link, body, kTouching) || is_farther(link, body, kTouching)) continue;

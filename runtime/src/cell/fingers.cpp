@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "armlet/core/error.hpp"
 #include "cell/descriptions.hpp"
@@ -51,6 +52,46 @@ double carried_part(const Cell& cell, int arm, std::span<const FingerContact> co
   load.head<3>() = std::max(mass, kLightest) * cell.robot(arm).model->gravity();
   return load_factor(contacts_on(contacts, name), presses, p_world_com(object),
                      largest_radius(object), load);
+}
+
+double carried_in_motion(const Cell& cell, int arm) {
+  constexpr double kLightest = 1e-3;  // kg
+  const std::string& name = cell.robot(arm).held;
+  if (name.empty()) return 1.0;
+  const std::vector<FingerContact> contacts = finger_contacts(cell, cell.hand_on(arm));
+  const Object& object = cell.world().at(name);
+  if (object.mass < kLightest) return std::min(carried_part(cell, arm, contacts, name), 1.0);
+  std::vector<double> presses;
+  for (const FingerContact& each : contacts) {
+    if (each.object == name) presses.push_back(each.force);
+  }
+  Vector6d load = cell.held_wrench(arm);
+  const Vector3d off = cell.T_world_tool(arm).translation() - p_world_com(object);
+  load.tail<3>() += off.cross(Vector3d(load.head<3>()));
+  const auto factor_of = [&](double share) {
+    return load_factor(contacts_on(contacts, name), presses, p_world_com(object),
+                       largest_radius(object), share * load);
+  };
+  // Its answer ends at 1000, and that is what it looks at first.
+  if (factor_of(1e-3) >= 1000.0) return 1.0;
+  return std::min(factor_of(1.0), std::nextafter(1.0, 0.0));
+}
+
+HardestFinger hardest_finger(const Cell& cell, int hand) {
+  HardestFinger hardest;
+  std::vector<double> sums(cell.robot(hand).fingers.size(), 0.0);
+  std::vector<std::pair<double, std::string>> most(sums.size());
+  for (FingerContact& each : finger_contacts(cell, hand)) {
+    if (each.finger < 0) continue;
+    const auto i = static_cast<std::size_t>(each.finger);
+    sums[i] += each.force;
+    if (each.force > most[i].first) most[i] = {each.force, std::move(each.object)};
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (sums[i] > hardest.force)
+      hardest = {.finger = static_cast<int>(i), .force = sums[i], .object = most[i].second};
+  }
+  return hardest;
 }
 
 int Cell::add_hand(int index, FingeredHand hand) {
@@ -117,13 +158,7 @@ void Cell::review_grip(int index) {
   if (const std::string held = robot(index).held; !held.empty()) {
     const double part = carried_part(*this, index, contacts, held);
     if (part >= 1.0) return;
-    const Drop drop = let_go(index);
-    events_.push_back({.t_ns = now_ns(),
-                       .kind = CellEventKind::kSlipped,
-                       .robot = index,
-                       .object = held,
-                       .support = drop.support,
-                       .carried = part});
+    slip(index, part, false);
     return;
   }
   std::string best;

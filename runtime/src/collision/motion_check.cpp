@@ -18,8 +18,10 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Check {
  public:
-  explicit Check(const MotionScene& scene)
+  // certifies  whether the heights that would do are looked at again.
+  explicit Check(const MotionScene& scene, bool certifies)
       : scene_(scene),
+        certifies_(certifies),
         pose_(scene),
         cells_(scene),
         q_(static_cast<std::size_t>(cells_.joints())),
@@ -37,6 +39,7 @@ class Check {
     for (std::size_t i = 0; i < before_.size(); ++i) {
       bring_forward(result_.meetings[i], before_[i]);
       measure(result_.meetings[i]);
+      if (certifies_) certify_height(result_.meetings[i]);
     }
     std::ranges::stable_sort(result_.meetings, {}, &Meeting::t);
     return std::move(result_);
@@ -165,15 +168,34 @@ class Check {
     if (t < meeting.t) meeting.t = t;
   }
 
+  // So many that the first body moves a few millimetres between two.
+  int samples_from(double t0, const CheckedPair& pair) {
+    constexpr double kStep = 0.005;  // m
+    constexpr int kMostSamples = 1000;
+    double way = 0.0;
+    Eigen::Isometry3d T;
+    for (int k = 0; k <= kSamples; ++k) {
+      place_at(t0 + (scene_.duration - t0) * k / kSamples);
+      const Eigen::Isometry3d& now = pose_.body(pair.a).T;
+      if (k > 0) {
+        way += (now.translation() - T.translation()).norm() +
+               (now.linear() - T.linear()).norm() * pose_.reach(pair.a);
+      }
+      T = now;
+    }
+    return static_cast<int>(std::clamp(way / kStep, double{kSamples}, double{kMostSamples}));
+  }
+
   // From where the two meet on: how deep, and how much higher would do.
   void measure(Meeting& meeting) {
     const CheckedPair& pair = scene_.pairs[meeting.pair];
-    for (int k = 0; k <= kSamples; ++k) {
-      const double t = meeting.t + (scene_.duration - meeting.t) * k / kSamples;
+    const int samples = samples_from(meeting.t, pair);
+    for (int k = 0; k <= samples; ++k) {
+      const double t = meeting.t + (scene_.duration - meeting.t) * k / samples;
       place_at(t);
       const Gap gap = gap_of(pair);
       if (gap.distance >= -kSoft) continue;
-      meeting.at_end = k == kSamples;
+      meeting.at_end = k == samples;
       if (meeting.higher >= 0.0) raise(meeting, pair);
       if (-gap.distance <= meeting.depth) continue;
       meeting.depth = -gap.distance;
@@ -209,7 +231,30 @@ class Check {
     meeting.higher = high;
   }
 
+  // The height was found at samples. To pass so much higher is to pass the other body where it
+  // stands so much lower: what is still met there adds to it.
+  void certify_height(Meeting& meeting) const {
+    constexpr int kRounds = 20;
+    constexpr double kLeast = 1e-4;  // m
+    const CheckedPair& pair = scene_.pairs[meeting.pair];
+    if (meeting.higher <= 0.0 || pair.b.arm != BodyRef::kFixed) return;
+    MotionScene lower{.arms = scene_.arms,
+                      .fixed = {scene_.fixed[static_cast<std::size_t>(pair.b.index)]},
+                      .pairs = {{.a = pair.a, .b = {BodyRef::kFixed, 0}, .leaving = pair.leaving}},
+                      .duration = scene_.duration};
+    const double z = lower.fixed[0].T.translation().z();
+    for (int round = 0; round < kRounds && meeting.higher >= 0.0; ++round) {
+      lower.fixed[0].T.translation().z() = z - meeting.higher;
+      const MotionCheck check = Check(lower, false).run();
+      if (check.meetings.empty()) return;
+      const double more = check.meetings[0].higher;
+      meeting.higher = more < 0.0 ? -1.0 : meeting.higher + std::max(more, kLeast);
+    }
+    meeting.higher = -1.0;  // nothing that is certain
+  }
+
   const MotionScene& scene_;
+  bool certifies_;
   ScenePose pose_;
   MotionCells cells_;
   std::vector<double> q_, travel_;
@@ -223,6 +268,6 @@ class Check {
 
 }  // namespace
 
-MotionCheck check_motion(const MotionScene& scene) { return Check(scene).run(); }
+MotionCheck check_motion(const MotionScene& scene) { return Check(scene, true).run(); }
 
 }  // namespace armlet

@@ -125,8 +125,11 @@ Answer<JointVector> gravity_now(Vm& vm, const RobotRef& r) {
 Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
   const CellRobot& state = state_of(vm, r);
   if (state.forces.size() != 0) return JointVector(state.forces);
-  return dynamics_of<JointVector>(
-      vm, [&] { return inverse_dynamics(*state.loaded, state.q, state.qd, state.qdd); });
+  const Cell& cell = Host::of(vm).cell();
+  return dynamics_of<JointVector>(vm, [&]() -> Eigen::VectorXd {
+    return inverse_dynamics(*state.loaded, state.q, state.qd, state.qdd) -
+           cell.contact_forces(r.id);
+  });
 }
 
 // As exchange_model, also of an arm that moves under torques.
@@ -232,7 +235,7 @@ constexpr NativeFunction kDynamicsFunctions[] = {
                      "gravity()"),
     def<torques>("torques(r: robot) -> double[]",
                  "What the motors give now, N m and N: the motion with the payload and with the "
-                 "object in the hand.",
+                 "object in the hand, against what the hand and the links press on.",
                  "torques()"),
     def<set_payload>(
         "setPayload(r: robot, m: mass, at: posC?)",

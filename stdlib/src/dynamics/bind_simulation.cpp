@@ -8,6 +8,7 @@
 #include "dynamics/torque_law.hpp"
 #include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
+#include "robot/grips.hpp"
 #include "session/time_left.hpp"
 #include "values/give.hpp"
 
@@ -199,7 +200,7 @@ class TorqueWaiting : public Waiting {
   }
 
   [[nodiscard]] std::int64_t due_ns() const override {
-    return is_pushed() ? next_ns_ : report().end_ns;
+    return is_pushed() ? next_ns_ : host_.cell().known_until(motion_);
   }
   [[nodiscard]] bool is_over() const override { return report().state != MotionState::kRunning; }
   [[nodiscard]] bool has_work() const override { return is_pushed() && host_.now_ns() >= next_ns_; }
@@ -224,6 +225,7 @@ class TorqueWaiting : public Waiting {
       f.moved = done.end_ns > done.start_ns;
       return fail(vm, std::move(f));
     }
+    if (!check_overload(vm, {.function = "torqueJ", .robot = robot_}, done)) return Signal::kFail;
     tell_of_stops(vm, arm_);
     RecordObj* record = new_record(vm, vm.program().library_record("TorqueRun"));
     ListObj* events = record != nullptr ? joint_events(vm, arm_) : nullptr;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "armlet/core/format.hpp"
@@ -10,6 +11,7 @@
 #include "messages/library_messages.hpp"
 #include "motion/motion_torques.hpp"
 #include "motion/moves.hpp"
+#include "robot/grips.hpp"
 #include "session/bind.hpp"
 #include "session/time_left.hpp"
 #include "values/values.hpp"
@@ -27,7 +29,8 @@ class VelocityWaiting : public Waiting {
       : host_(host), function_(call.function), robot_(call.robot), motion_(motion) {}
 
   [[nodiscard]] std::int64_t due_ns() const override {
-    return slows_down() ? report().end_ns : *report().held_ns;
+    const std::int64_t known = host_.cell().known_until(motion_);
+    return slows_down() ? known : std::min(known, *report().held_ns);
   }
   [[nodiscard]] bool is_over() const override {
     if (report().state != MotionState::kRunning) return true;
@@ -39,7 +42,10 @@ class VelocityWaiting : public Waiting {
     host_.cell().stop(robot_);
   }
   Signal finish(Vm& vm, Slot&) override {
-    if (!report().halted) return Signal::kDone;
+    if (!report().halted) {
+      const MoveCall call{.function = function_, .robot = robot_};
+      return check_overload(vm, call, report()) ? Signal::kDone : Signal::kFail;
+    }
     Failure f;
     f.headline = Headline(row("R0618"));
     f.resource = resource();
@@ -55,7 +61,7 @@ class VelocityWaiting : public Waiting {
 
  private:
   [[nodiscard]] const MotionReport& report() const { return host_.cell().report(motion_); }
-  [[nodiscard]] bool slows_down() const { return stopped_ || report().halted; }
+  [[nodiscard]] bool slows_down() const { return stopped_ || report().halted || report().overload; }
 
   Host& host_;
   std::string function_;

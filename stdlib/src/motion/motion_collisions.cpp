@@ -98,9 +98,10 @@ Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& 
   if (wanted == CollisionCheck::kIgnore || motion.duration() <= 0.0)
     return std::vector<PossibleCollision>{};
   Host& host = Host::of(vm);
-  // Fingers are there to touch; what they press with is judged where they stand (R0637).
-  if (host.cell().robot(call.robot).on >= 0) return std::vector<PossibleCollision>{};
   auto met = find_collisions(host.cell(), call.robot, motion);
+  // Fingers that close are there to touch; what they press with is judged by its force (R0637).
+  if (call.function == kCloseHand)
+    std::erase_if(met, [](const CellCollision& each) { return !each.other.object.empty(); });
   const bool guarded = is_guarded(vm);
   if (guarded && wanted == CollisionCheck::kError)
     std::erase_if(met, [&](const CellCollision& each) { return is_felt(host.cell(), each); });

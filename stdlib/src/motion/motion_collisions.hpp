@@ -1,6 +1,7 @@
 #pragma once
 // What motions run into.
 
+#include <string_view>
 #include <vector>
 
 #include "armlet/cell/collisions.hpp"
@@ -18,6 +19,9 @@ struct PossibleCollision {
   bool guarded = false;
   int last = -1;
 };
+
+// Fingers that close: objects are what they look for.
+inline constexpr std::string_view kCloseHand = "closeHand";
 
 // Says, as `with (collisions:)` wants it, what the robot of the call would meet on this motion: as
 // advice, one for each pair and place of the program, or as R0614; inside with (avoid: true) always

@@ -25,7 +25,7 @@ class MoveWaiting : public Waiting {
         from_(tool_point()),
         possible_(std::move(possible)) {}
 
-  [[nodiscard]] std::int64_t due_ns() const override { return report().end_ns; }
+  [[nodiscard]] std::int64_t due_ns() const override { return host_.cell().known_until(motion_); }
   [[nodiscard]] bool is_over() const override { return report().state != MotionState::kRunning; }
   void stop() override {
     if (!is_over()) host_.cell().stop(call_.robot);
@@ -44,7 +44,7 @@ class MoveWaiting : public Waiting {
     report_events(vm);
     report_collisions(vm, call_, motion_, possible_);
     if (done.halted) return fail_halted(vm);
-    if (!check_presses(vm, call_)) return Signal::kFail;
+    if (!check_presses(vm, call_, done)) return Signal::kFail;
     RecordObj* move = new_record(vm, vm.program().library_record("Move"));
     if (move == nullptr) return Signal::kFail;
     move->fields()[0] = slot_of(reached);

@@ -12,6 +12,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/joint_move.hpp"
 #include "messages/library_messages.hpp"
+#include "motion/motion_collisions.hpp"
 #include "motion/moves.hpp"
 #include "robot/grips.hpp"
 #include "robot/models.hpp"
@@ -124,25 +125,33 @@ void advise_touching(Vm& vm, int hand) {
   }
 }
 
+// A motion of a finger, and what it may turn out to have met.
+struct FingerMotion {
+  MoveCall call{};
+  int motion = -1;
+  std::vector<PossibleCollision> possible{};
+};
+
 // Until all fingers that move have come to rest.
 class HandWaiting : public Waiting {
  public:
-  HandWaiting(Host& host, int robot, std::vector<int> motions, bool closes)
+  HandWaiting(Host& host, int robot, std::vector<FingerMotion> motions, bool closes)
       : host_(host), robot_(robot), motions_(std::move(motions)), closes_(closes) {}
 
   [[nodiscard]] std::int64_t due_ns() const override {
     std::int64_t due = 0;
-    for (const int each : motions_) due = std::max(due, host_.cell().report(each).end_ns);
+    for (const FingerMotion& each : motions_)
+      due = std::max(due, host_.cell().known_until(each.motion));
     return due;
   }
   [[nodiscard]] bool is_over() const override {
-    return std::ranges::all_of(motions_, [&](int each) {
-      return host_.cell().report(each).state != MotionState::kRunning;
+    return std::ranges::all_of(motions_, [&](const FingerMotion& each) {
+      return host_.cell().report(each.motion).state != MotionState::kRunning;
     });
   }
   void stop() override {
-    for (const int each : motions_) {
-      const MotionReport& report = host_.cell().report(each);
+    for (const FingerMotion& each : motions_) {
+      const MotionReport& report = host_.cell().report(each.motion);
       if (report.state == MotionState::kRunning) host_.cell().stop(report.robot);
     }
   }
@@ -157,6 +166,10 @@ class HandWaiting : public Waiting {
     for (const CellEvent& event : host_.take_events()) {
       if (event.kind == CellEventKind::kSlipped) advise_slip(vm, event);
     }
+    for (const FingerMotion& each : motions_) {
+      report_collisions(vm, each.call, each.motion, each.possible);
+      if (!check_overload(vm, each.call, host_.cell().report(each.motion))) return Signal::kFail;
+    }
     if (closes_ && !motions_.empty()) advise_touching(vm, robot_);
     return Signal::kDone;
   }
@@ -164,11 +177,11 @@ class HandWaiting : public Waiting {
  private:
   Host& host_;
   int robot_;
-  std::vector<int> motions_;
+  std::vector<FingerMotion> motions_;
   bool closes_;
 };
 
-Started waiting_for(Vm& vm, int robot, std::vector<int> motions, bool closes) {
+Started waiting_for(Vm& vm, int robot, std::vector<FingerMotion> motions, bool closes) {
   std::unique_ptr<Waiting> waiting =
       std::make_unique<HandWaiting>(Host::of(vm), robot, std::move(motions), closes);
   return waiting;
@@ -178,7 +191,8 @@ Started waiting_for(Vm& vm, int robot, std::vector<int> motions, bool closes) {
 Started move_fingers(Vm& vm, int hand, const std::vector<double>& bends, bool closes) {
   Host& host = Host::of(vm);
   Cell& cell = host.cell();
-  std::vector<int> motions;
+  std::vector<FingerMotion> motions;
+  std::vector<Trajectory> planned;
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const FingerRef f{cell.robot(hand).fingers[i], hand, static_cast<int>(i) + 1};
     const CellRobot& state = cell.robot(f.id);
@@ -187,8 +201,14 @@ Started move_fingers(Vm& vm, int hand, const std::vector<double>& bends, bool cl
     MotionPlan plan =
         plan_joint_move(host.planners(), *state.model,
                         {.q0 = state.q, .q1 = q, .planner = "Syn", .speed = settings_of(vm).speed});
-    motions.push_back(cell.start(f.id, *std::move(plan.trajectory)));
+    const MoveCall call{.function = closes ? kCloseHand : "openHand", .robot = f.id};
+    auto possible = check_collisions(vm, call, *plan.trajectory);
+    if (!possible) return Failed{};
+    motions.push_back({.call = call, .possible = *std::move(possible)});
+    planned.push_back(*std::move(plan.trajectory));
   }
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    motions[i].motion = cell.start(motions[i].call.robot, std::move(planned[i]));
   return waiting_for(vm, hand, std::move(motions), closes);
 }
 

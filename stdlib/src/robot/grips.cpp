@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "armlet/cell/collisions.hpp"
 #include "armlet/core/format.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
@@ -12,26 +14,52 @@ namespace armlet::bind {
 namespace {
 
 Failed fail_overload(Vm& vm, const MoveCall& call, const std::string& what, double force,
-                     double most, std::string fix) {
+                     double most, std::string why, std::string fix) {
   Failure f;
   f.headline = {row("R0637"),
                 {what, format_number(force, 3) + " N", format_number(most, 3) + " N"}};
   f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
   f.mark_parameter = kMarkCallee;
   f.place = call.place;
+  f.why = std::move(why);
   f.fix = std::move(fix);
   f.moved = true;
   return fail(vm, std::move(f));
 }
 
-// The finger that presses hardest, from 0, and what with.
-std::pair<std::size_t, double> hardest(const Cell& cell, const CellRobot& hand) {
-  std::pair<std::size_t, double> most{0, 0.0};
-  for (std::size_t i = 0; i < hand.fingers.size(); ++i) {
-    const double force = finger_force(cell, hand.fingers[i]);
-    if (force > most.second) most = {i, force};
+constexpr const char* kGuardFinger =
+    "guard the move, `until f.force() > 3N`, or say closeHand(hand, force: 5N)";
+constexpr const char* kGuardTool = "guard the move: `until arm.force().z > 10N`";
+
+// The hand with fingers that a robot is, belongs to or carries; -1: none.
+int fingered_hand(const Cell& cell, int robot) {
+  const CellRobot& state = cell.robot(robot);
+  if (state.on >= 0) return state.hand < 0 ? robot : state.hand;
+  return cell.hand_on(robot);
+}
+
+std::string part_text(const Cell& cell, int robot, const Press& by) {
+  CellBody body{.robot = robot, .object = by.carried, .frame = by.frame};
+  body.role = LinkShapeRole::kTool;
+  if (by.carried.empty() && by.part >= 0) {
+    const auto& solids = cell.robot(robot).model->derived<ArmSolids>().solids();
+    body.role = solids[static_cast<std::size_t>(by.part)].role;
   }
-  return most;
+  return by.carried.empty()
+             ? body_text(cell, body)
+             : fmt::format("{} in the hand of `{}`", body_text(cell, body), cell.robot(robot).name);
+}
+
+std::string finger_text(const Cell& cell, int hand, int finger) {
+  return fmt::format("finger {} of `{}`", finger + 1, cell.robot(hand).name);
+}
+
+double force_on_hand(const Cell& cell, int robot) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Press& each : cell.presses(robot)) {
+    if (each.of_hand) sum += each.force;
+  }
+  return sum.norm();
 }
 
 }  // namespace
@@ -40,30 +68,58 @@ void advise_slip(Vm& vm, const CellEvent& event) {
   Failure advice;
   advice.headline = {row("W0726"), {event.object}};
   advice.mark_parameter = kMarkCallee;
-  advice.why = fmt::format("friction at the fingers carries {:.0f} % of its weight",
-                           100.0 * std::min(event.carried, 0.99));
-  advice.fix = "close the fingers with more force, or take it nearer to its middle";
+  const double percent = 100.0 * std::min(event.carried, 0.99);
+  if (event.moving) {
+    advice.why = fmt::format(
+        "at t = {:.3f} s the arm accelerated, and friction at the fingers carried {:.0f} % of its "
+        "weight and inertia",
+        to_seconds(event.t_ns), percent);
+    advice.fix =
+        "move more slowly, close the fingers with more force, or take it nearer to its middle";
+  } else {
+    advice.why = fmt::format("friction at the fingers carries {:.0f} % of its weight", percent);
+    advice.fix = "close the fingers with more force, or take it nearer to its middle";
+  }
   vm.advise(advice);
 }
 
-Answer<void> check_presses(Vm& vm, const MoveCall& call) {
+Answer<void> check_overload(Vm& vm, const MoveCall& call, const MotionReport& report) {
+  if (!report.overload) return {};
+  const Cell& cell = Host::of(vm).cell();
+  const HandOverload& over = *report.overload;
+  const int hand = fingered_hand(cell, report.robot);
+  const bool is_finger = over.finger >= 0 && hand >= 0;
+  const double now =
+      is_finger ? hardest_finger(cell, hand).force : force_on_hand(cell, report.robot);
+  std::string why = fmt::format(
+      "on \"{}\" it came to {} N at t = {:.6g} s, {} s after the start of this motion, which began "
+      "to stop there",
+      over.by.object, format_number(over.force, 3), to_seconds(over.t_ns),
+      format_number(to_seconds(over.t_ns - report.start_ns), 3));
+  return fail_overload(
+      vm, call,
+      is_finger ? finger_text(cell, hand, over.finger) : part_text(cell, report.robot, over.by),
+      std::max(now, over.force), over.most, std::move(why), is_finger ? kGuardFinger : kGuardTool);
+}
+
+Answer<void> check_presses(Vm& vm, const MoveCall& call, const MotionReport& report) {
+  if (report.overload) return check_overload(vm, call, report);
   const Cell& cell = Host::of(vm).cell();
   const CellRobot& robot = cell.robot(call.robot);
   if (robot.on >= 0) {
-    const CellRobot& hand = robot.hand < 0 ? robot : cell.robot(robot.hand);
-    const auto [finger, force] = hardest(cell, hand);
-    if (force <= hand.force) return {};
-    return fail_overload(vm, call, fmt::format("finger {} of `{}`", finger + 1, hand.name), force,
-                         hand.force,
-                         "guard the move, `until f.force() > 3N`, or say closeHand(hand, force: "
-                         "5N)");
+    const int hand = fingered_hand(cell, call.robot);
+    const HardestFinger hardest = hardest_finger(cell, hand);
+    const double most = cell.robot(hand).force;
+    if (hardest.force <= most) return {};
+    return fail_overload(vm, call, finger_text(cell, hand, hardest.finger), hardest.force, most,
+                         fmt::format("on \"{}\"", hardest.object), kGuardFinger);
   }
   const double most = robot.model->tool().max_force;
   if (!std::isfinite(most)) return {};
-  const double force = cell.contact_wrench(call.robot).head<3>().norm();
+  const double force = force_on_hand(cell, call.robot);
   if (force <= most) return {};
-  return fail_overload(vm, call, fmt::format("the tool of `{}`", robot.name), force, most,
-                       "guard the move: `until arm.force().z > 10N`");
+  return fail_overload(vm, call, fmt::format("the tool of `{}`", robot.name), force, most, {},
+                       kGuardTool);
 }
 
 }  // namespace armlet::bind

@@ -4,9 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "armlet/cell/cell.hpp"
+#include "armlet/core/random.hpp"
+#include "armlet/kinematics/forward.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/catalog.hpp"
@@ -20,7 +24,7 @@ using Eigen::VectorXd;
 
 constexpr std::int64_t kMs = 1'000'000;
 
-Trajectory move_to(const Cell& cell, int robot, const VectorXd& q1, double time) {
+Trajectory probe_move(const Cell& cell, int robot, const VectorXd& q1, double time) {
   const CellRobot& arm = cell.robot(robot);
   MotionPlan plan = plan_joint_move(PlannerSet(), *arm.model,
                                     {.q0 = arm.q, .q1 = q1, .time = time, .enforce_limits = false});
@@ -52,7 +56,7 @@ struct Probe {
   int lower(double by, double time = 1.0) {
     VectorXd q = cell.robot(arm).q;
     q[2] += by;
-    return cell.start(arm, move_to(cell, arm, q, time));
+    return cell.start(arm, probe_move(cell, arm, q, time));
   }
   void wait(std::int64_t ms) { cell.advance_to(cell.now_ns() + ms * kMs); }
   [[nodiscard]] double below() const { return p.z() - cell.T_world_tool(arm).translation().z(); }
@@ -128,10 +132,10 @@ TEST_CASE("a ball on an inclined plane slides down it: normal force and friction
 
 TEST_CASE("a box that is dragged over a plane: Coulomb friction, of the smoother one") {
   Probe probe;
-  Object held{.name = "held", .shape = Box{{0.04, 0.06, 0.02}}, .friction = 0.2};
+  Object held{.name = "held", .shape = Box{{0.04, 0.06, 0.06}}, .friction = 0.2};
   held.T_world_obj = make_translation(probe.p);
   probe.cell.insert(held);
-  probe.put("sheet", Plane{{2.0, 2.0}}, {0.0, 0.0, -0.011});
+  probe.put("sheet", Plane{{2.0, 2.0}}, {0.0, 0.0, -0.031});
   probe.cell.take(probe.arm, "held");
   probe.lower(0.0015);
   probe.wait(1000);
@@ -141,15 +145,15 @@ TEST_CASE("a box that is dragged over a plane: Coulomb friction, of the smoother
   CHECK(probe.moment().norm() < 1e-6);
   VectorXd q = probe.cell.robot(probe.arm).q;
   q[0] += 0.5;
-  probe.cell.start(probe.arm, move_to(probe.cell, probe.arm, q, 2.0));
+  probe.cell.start(probe.arm, probe_move(probe.cell, probe.arm, q, 2.0));
   probe.wait(700);
   const CellRobot& arm = probe.cell.robot(probe.arm);
   const Vector3d v = (jacobian(*arm.model, arm.q) * arm.qd).head<3>();
   REQUIRE(v.norm() > 0.01);
-  // The middle of the face is 10 mm below the tool point and turns with it.
+  // The middle of the face is 30 mm below the tool point and turns with it.
   const Vector3d expected = press * Vector3d::UnitZ() - 0.2 * press * v.normalized();
   CHECK((probe.force() - expected).norm() < 1e-5 * press);
-  CHECK((probe.moment() - Vector3d(0.0, 0.0, -0.01).cross(expected)).norm() < 1e-6 * press);
+  CHECK((probe.moment() - Vector3d(0.0, 0.0, -0.03).cross(expected)).norm() < 1e-6 * press);
 }
 
 TEST_CASE("at the edge of a plate the normal stays that of the first touch") {
@@ -165,7 +169,7 @@ TEST_CASE("at the edge of a plate the normal stays that of the first touch") {
   // What begins to press stays so through the next motion, in another way than by its end.
   VectorXd q = probe.cell.robot(probe.arm).q;
   q[3] += 0.4;
-  probe.cell.start(probe.arm, move_to(probe.cell, probe.arm, q, 1.0));
+  probe.cell.start(probe.arm, probe_move(probe.cell, probe.arm, q, 1.0));
   probe.wait(1000);
   CHECK((probe.force() - Vector3d(0.0, 0.0, 5e4 * 0.005)).norm() < 1e-4);
   // Pulled out and pushed from the side it is the side that is felt.
@@ -195,7 +199,7 @@ TEST_CASE("the same force to the last bit for slices of any size and questions a
     VectorXd q = probe.cell.robot(probe.arm).q;
     q[0] += 0.05;
     q[2] -= 0.008;
-    probe.cell.start(probe.arm, move_to(probe.cell, probe.arm, q, 0.7));
+    probe.cell.start(probe.arm, probe_move(probe.cell, probe.arm, q, 0.7));
     until(1'234'567'890);
     probe.cell.stop(probe.arm);
     until(1'240'000'000);
@@ -234,3 +238,102 @@ TEST_CASE("a hand feels neither what it holds nor what it is open for") {
 }
 
 }  // namespace armlet
+
+TEST_CASE(
+    "a link that is pressed into a box: force, moment about the tool point, joint torques by "
+    "hand") {
+  // Two links of 0.5 m in a plane; the second one turns into a box beside its middle.
+  Cell cell;
+  const int arm = cell.add_robot(make_robot("planar2"));
+  const Robot& model = *cell.robot(arm).model;
+  VectorXd q(2);
+  q << 0.0, 0.0;
+  cell.set_joints(arm, q);
+  const ArmSolid* link = nullptr;
+  for (const ArmSolid& each : model.derived<ArmSolids>().solids()) {
+    if (each.frame == 1 && !each.still && each.role == LinkShapeRole::kLink) link = &each;
+  }
+  REQUIRE(link != nullptr);
+  // A ball beside the middle of the first link, which turns into it.
+  const Eigen::Isometry3d T = link_frame(model, q, 1) * link->solid.T;
+  const double r = 0.02;
+  const Vector3d along = T.linear().col(2), p_middle = T.translation();
+  const Vector3d up = model.T_world_base().linear().col(2);
+  const Vector3d side = up.cross(along).normalized();
+  const double thick = link->solid.core == Solid::Core::kBox ? link->solid.half.head<2>().maxCoeff()
+                       : link->solid.margin > 0.0            ? link->solid.margin
+                                                             : link->solid.half.x();
+  Object ball{.name = "ball", .shape = Sphere{r}, .friction = 0.0, .stiffness = 1e4};
+  ball.T_world_obj = make_translation(p_middle + (thick + r + 0.002) * side);
+  cell.insert(ball);
+  CHECK(cell.contact_wrench(arm).isZero(0.0));
+  CHECK(cell.contact_forces(arm).isZero(0.0));
+  const double sign =
+      (up.cross(p_middle - model.T_world_base().translation())).dot(side) > 0 ? 1 : -1;
+  VectorXd q1 = q;
+  q1[0] += sign * 0.02;
+  cell.start(arm, probe_move(cell, arm, q1, 1.0));
+  cell.advance_to(1000 * kMs);
+  const std::vector<Press> presses = cell.presses(arm);
+  REQUIRE(presses.size() == 1);
+  CHECK(presses[0].frame == 1);
+  CHECK_FALSE(presses[0].of_hand);
+  const Vector6d wrench = cell.contact_wrench(arm);
+  const Vector3d F = wrench.head<3>();
+  // About as deep as the arc is long beyond the gap of 2 mm, along the side.
+  const double lever = (p_middle - model.T_world_base().translation()).norm();
+  CHECK(F.norm() == doctest::Approx(1e4 * (lever * 0.02 - 0.002)).epsilon(0.02));
+  CHECK(F.normalized().dot(-side) > 0.999);
+  const Vector3d p_tool = cell.T_world_tool(arm).translation();
+  CHECK((Vector3d(wrench.tail<3>()) - (presses[0].p - p_tool).cross(F)).norm() < 1e-9);
+  // The second joint does not feel what presses on the first link; the first one by its lever.
+  const VectorXd tau = cell.contact_forces(arm);
+  CHECK(tau[1] == 0.0);
+  const Vector3d o = model.T_world_base().translation();
+  CHECK(tau[0] == doctest::Approx(up.dot((presses[0].p - o).cross(F))).epsilon(1e-9));
+  CHECK(std::abs(tau[0]) > 1.0);
+}
+
+TEST_CASE(
+    "what is felt does not depend on when it is asked for, of links and hands of random arms") {
+  Random random(20261127);
+  int felt = 0;
+  for (int k = 0; k < 40; ++k) {
+    const char* names[] = {"scara", "puma560", "ur5", "pa10"};
+    const Robot robot = make_robot(names[k % 4])->with_tool(parallel_gripper(0.06, 0.12));
+    const auto model = std::make_shared<const Robot>(robot);
+    VectorXd q0(robot.n()), q1(robot.n());
+    for (int i = 0; i < robot.n(); ++i) {
+      q0[i] = random.uniform(0.5 * robot.lower()[i], 0.5 * robot.upper()[i]);
+      q1[i] = random.uniform(0.5 * robot.lower()[i], 0.5 * robot.upper()[i]);
+    }
+    const auto make = [&] {
+      auto cell = std::make_unique<Cell>();
+      cell->add_robot(model);
+      cell->set_joints(0, q0);
+      return cell;
+    };
+    auto first = make(), second = make();
+    for (int b = 0; b < 6; ++b) {
+      Object object{.name = "o" + std::to_string(b),
+                    .shape = Box{{random.uniform(0.02, 0.2), random.uniform(0.02, 0.2), 0.1}}};
+      object.T_world_obj = pose_from_rpy(
+          {random.uniform(-0.7, 0.7), random.uniform(-0.7, 0.7), random.uniform(0.0, 0.8)},
+          {random.uniform(-3, 3), random.uniform(-1, 1), random.uniform(-3, 3)});
+      first->insert(object);
+      second->insert(object);
+    }
+    for (Cell* each : {first.get(), second.get()}) each->start(0, probe_move(*each, 0, q1, 2.0));
+    // One is asked all the time, the other one now and then.
+    for (int t = 1; t <= 2000; ++t) {
+      first->advance_to(t * kMs);
+      const Vector6d often = first->contact_wrench(0);
+      if (t % 97 != 0) continue;
+      second->advance_to(t * kMs);
+      const Vector6d rarely = second->contact_wrench(0);
+      CHECK(often == rarely);
+      if (!often.isZero(0.0)) ++felt;
+    }
+  }
+  CHECK(felt > 50);
+}

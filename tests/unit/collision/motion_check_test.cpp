@@ -209,6 +209,34 @@ TEST_CASE("depth, time and the height that would do, worked out by hand") {
   CHECK(slide_down(0.0203, 0.02, false).meetings.size() == 1);
 }
 
+TEST_CASE("the height that would do clears the whole motion, and a millimetre less does not") {
+  Random random(23);
+  const std::shared_ptr<const Robot> arms[] = {make_robot("scara"), make_robot("puma560"),
+                                               make_robot("ur5")};
+  int looked = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Robot& robot = *arms[round % 3];
+    const Trajectory motion =
+        move_between(robot, random_joints(robot, random), random_joints(robot, random), "Syn");
+    VectorXd q(robot.n());
+    for (int i = 0; i < robot.n(); ++i) q[i] = motion.value(i, 0.5 * motion.duration());
+    const Solid block = wall_at(forward(robot, q).translation(), {0.3, 0.2, 1.0},
+                                random.uniform(0.0, 3.0), {0.02, 0.05, random.uniform(0.01, 0.1)});
+    MotionScene scene = against(robot, motion, block);
+    for (const Meeting& each : check_motion(scene).meetings) {
+      if (each.higher < 0.0) continue;
+      ++looked;
+      MotionScene alone = scene;
+      alone.pairs = {scene.pairs[each.pair]};
+      alone.fixed[0].T.translation().z() -= each.higher;
+      CHECK(first_sampled(alone, 1000, kSoft + 5e-5) > motion.duration());
+      alone.fixed[0].T.translation().z() += 0.001;
+      CHECK(first_sampled(alone, 4000, 0.0) <= motion.duration());
+    }
+  }
+  CHECK(looked > 100);
+}
+
 TEST_CASE("what stands on a table leaves it, and is seen when it goes into it") {
   CHECK(slide_down(-0.03, 0.0, true).meetings.empty());
   CHECK(slide_down(-0.03, -0.001, true).meetings.empty());

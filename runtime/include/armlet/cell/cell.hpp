@@ -12,6 +12,7 @@
 #include "armlet/cell/clock.hpp"
 #include "armlet/cell/contacts.hpp"
 #include "armlet/cell/motion.hpp"
+#include "armlet/cell/reports.hpp"
 #include "armlet/cell/signals.hpp"
 #include "armlet/math/twist.hpp"
 #include "armlet/model/hands.hpp"
@@ -28,38 +29,6 @@ struct CellOptions {
   std::int64_t tick_ns = 1'000'000;
   std::int64_t sample_period_ns = 10'000'000;
   bool contact_picking = false;
-};
-
-// How a motion went; also while it is under way. One that was stopped before its end counts as
-// stopped, wherever it came to rest.
-//
-// halted   stopped because somebody asked the robot to halt, not for its own reason.
-// held_ns  of a velocity command: until when it holds; then the robot slows down, and another
-//          command may take over.
-enum class MotionState { kRunning, kReached, kStopped };
-struct MotionReport {
-  MotionState state = MotionState::kRunning;
-  int robot = 0;
-  std::int64_t start_ns = 0;
-  std::int64_t end_ns = 0;  // of a running motion: when it will end
-  bool halted = false;
-  std::optional<std::int64_t> held_ns{};
-};
-
-// What happened without being asked for.
-//
-// motion  the motion that ended.
-// object  for kPicked, kPutDown and kSlipped; `support` is what it was put on or fell onto.
-//         kSlipped: fingers that held it carry only the part `carried` of its weight.
-enum class CellEventKind { kMotionEnded, kPicked, kPutDown, kSlipped };
-struct CellEvent {
-  std::int64_t t_ns = 0;
-  CellEventKind kind = CellEventKind::kMotionEnded;
-  int robot = 0;
-  int motion = -1;
-  std::string object{};
-  std::string support{};
-  double carried = 0.0;
 };
 
 // Functions that take a robot throw ArgumentError for an index that does not exist, functions that
@@ -120,12 +89,17 @@ class Cell {
   [[nodiscard]] Eigen::Isometry3d T_world_flange(int robot) const;
   [[nodiscard]] Eigen::Isometry3d T_world_tool(int robot) const;
 
-  // Force and moment that the objects exert on the tool point which the robot presses its hand, or
-  // what it carries, into, in world axes; what the hand holds does not count. An object pushes back
-  // with its stiffness times the depth, along the normal at the point of first touch, and with
-  // friction against the sliding. The same for slices of time of any size. Of a hand with fingers
-  // or a finger: what its fingers press with, without friction.
+  // Force and moment about the tool point that the objects exert which the robot presses its hand,
+  // what that carries, or its links into, in world axes; what the hand holds does not count. An
+  // object pushes back with its stiffness times the depth, along the normal at the point of first
+  // touch, and with friction against the sliding. The same for slices of time of any size. Of a
+  // hand with fingers or a finger: what its fingers press with, without friction.
   [[nodiscard]] Vector6d contact_wrench(int robot) const;
+  // The parts of which it is made, but for those of a hand with fingers (finger_contacts).
+  [[nodiscard]] std::vector<Press> presses(int robot) const;
+  // What they exert on the joints: the sum of J' w over the bodies that are pressed, each with the
+  // joints that move it, N m or N. Motors have to give as much less.
+  [[nodiscard]] Eigen::VectorXd contact_forces(int robot) const;
   // The same of what the hand holds and what rests on it: its weight, and its inertia as it is
   // moved. Zero if it holds nothing.
   [[nodiscard]] Vector6d held_wrench(int robot) const;
@@ -168,6 +142,10 @@ class Cell {
   // The same from outside of the motion, and it is reported as such.
   void halt(int robot);
   [[nodiscard]] const MotionReport& report(int motion) const;
+  // Up to which instant it is known how a motion goes on, at most its end: time has to pass up to
+  // there before more is known. A hand that is pressed harder than it can stand stops the motion,
+  // under control, at the nanosecond at which that begins.
+  [[nodiscard]] std::int64_t known_until(int motion) const;
 
   // --- objects --------------------------------------------------------------------------------
   [[nodiscard]] const World& world() const { return world_; }
@@ -251,7 +229,20 @@ class Cell {
   void review_grip(int arm);
   // Before a motion of a finger, or of a whole hand, that would end holding nothing.
   void loosen_grip(int index, const Trajectory& motion);
-  void bring_to_now();
+  // Everything where it is at an instant, also ahead of now.
+  void bring_to(std::int64_t t_ns);
+  // What happens by itself (foresight.cpp). The next instant that is not known, or at which
+  // something is due; nothing: there is none.
+  std::optional<std::int64_t> look_ahead();
+  void foresee(int index);
+  [[nodiscard]] bool is_watched(int index) const;
+  [[nodiscard]] HandOverload pressed_at(int index, std::int64_t t_ns);
+  template <class IsSo>
+  std::optional<std::int64_t> first_instant(std::int64_t from, std::int64_t to, IsSo&& is_so);
+  void forget_ahead();
+  // What is due now.
+  void let_happen();
+  void slip(int index, double carried, bool moving);
   // What a robot holds, and what is mounted on it, goes with it.
   void carry_along(int index);
   // Brings `loaded` of all robots up to date after a change of what hands carry.
@@ -282,6 +273,9 @@ class Cell {
   std::vector<Figure> pending_figures_;
   std::vector<Eigen::Isometry3d> T_world_links_;  // of the last sample, if they are wanted
   mutable Contacts contacts_;                     // finds first touches when they are asked for
+  Contacts contacts_ahead_;                       // the same for instants ahead of now
+  std::vector<Foresight> ahead_;                  // of each robot; empty: nothing is known
+  std::vector<PressLimit> press_limits_;          // of each robot, for its last motion
   Backend* backend_ = nullptr;
   std::uint64_t told_ = 0;  // events that the backend was told
   bool begun_ = false;

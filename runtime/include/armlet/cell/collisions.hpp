@@ -55,7 +55,8 @@ struct CellCollision {
 // and the column on it, which stay where they are, and what stands around them. A gripper that
 // holds something is as far open as that is wide. Arms whose bases stand in one
 // another cannot both be there: they are taken for alternatives. A motion that takes no time is not
-// looked at.
+// looked at. Of fingers, and of a hand with fingers: fixed objects, what other robots carry, and
+// robots, all where they are now, as the arm is.
 //
 // throws  ArgumentError as check_motion.
 std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion);

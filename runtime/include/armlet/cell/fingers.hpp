@@ -49,6 +49,19 @@ GraspQuality hand_quality(const Cell& cell, int hand, std::string_view object);
 double carried_part(const Cell& cell, int arm, std::span<const FingerContact> contacts,
                     std::string_view object);
 
+// The same of what the fingers on an arm hold, for its weight and its inertia as the arm moves now,
+// and what lies on it; 1: all of it. Objects lighter than a gram count as at rest.
+double carried_in_motion(const Cell& cell, int arm);
+
+// The finger of a hand that presses hardest, from 0, -1 if none does, with what, N, and what on
+// most.
+struct HardestFinger {
+  int finger = -1;
+  double force = 0.0;
+  std::string object{};
+};
+HardestFinger hardest_finger(const Cell& cell, int hand);
+
 // Where a finger that closes first presses with `force`, or the end of its way.
 //
 // bend    of its first link, rad.

@@ -52,7 +52,7 @@ struct MotionScene {
 // depth      the deepest seen from there on, m, and when, s.
 // p_world    where that is.
 // higher     how far the first body would have to pass higher to stay clear of the second, m;
-//            negative: more than a metre.
+//            negative: more than a metre. Certain as the meetings are where the second one stands.
 // at_end     they still overlap when the motion ends.
 struct Meeting {
   std::size_t pair = 0;

@@ -1,0 +1,48 @@
+// What a cell tells of motions and of what happens by itself.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "armlet/cell/foresight.hpp"
+
+namespace armlet {
+
+// How a motion went; also while it is under way. One that was stopped before its end counts as
+// stopped, wherever it came to rest.
+//
+// halted    stopped because somebody asked the robot to halt, not for its own reason.
+// held_ns   of a velocity command: until when it holds; then the robot slows down, and another
+//           command may take over.
+// overload  the hand was pressed harder than it can stand: the motion began to stop there.
+enum class MotionState { kRunning, kReached, kStopped };
+struct MotionReport {
+  MotionState state = MotionState::kRunning;
+  int robot = 0;
+  std::int64_t start_ns = 0;
+  std::int64_t end_ns = 0;  // of a running motion: when it will end
+  bool halted = false;
+  std::optional<std::int64_t> held_ns{};
+  std::optional<HandOverload> overload{};
+};
+
+// What happened without being asked for.
+//
+// motion  the motion that ended.
+// object  for kPicked, kPutDown and kSlipped; `support` is what it was put on or fell onto.
+//         kSlipped: fingers that held it carry only the part `carried` of its weight, or of its
+//         weight and inertia while `moving`.
+enum class CellEventKind { kMotionEnded, kPicked, kPutDown, kSlipped };
+struct CellEvent {
+  std::int64_t t_ns = 0;
+  CellEventKind kind = CellEventKind::kMotionEnded;
+  int robot = 0;
+  int motion = -1;
+  std::string object{};
+  std::string support{};
+  double carried = 0.0;
+  bool moving = false;
+};
+
+}  // namespace armlet
