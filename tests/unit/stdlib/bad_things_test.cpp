@@ -29,7 +29,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // What a program printed, what it was advised, and how it failed: "R0631: this cannot be ...".
-struct Told {
+struct Ended {
   std::string printed{};
   std::vector<std::string> advice{};
   std::string failure{};
@@ -45,8 +45,8 @@ std::string text_of(const Diagnostic& d) {
   return d.code + ": " + d.message + " " + d.why + " " + (d.fix ? d.fix->text : "");
 }
 
-Told run(const std::string& program, const std::filesystem::path& folder = {}) {
-  Told told;
+Ended run(const std::string& program, const std::filesystem::path& folder = {}) {
+  Ended told;
   SessionOptions options = at_the_table();
   options.folder = folder;
   options.output = [&](std::string_view text) { told.printed += text; };
@@ -100,7 +100,7 @@ const char* kCube = "object cube { shape: box(40mm, 40mm, 40mm); at: xyz(400mm, 
 
 TEST_CASE(
     "objects inside of each other at the start are told, once for each place, with the depth") {
-  const Told told =
+  const Ended told =
       run(std::string(kCube) +
           "object other { shape: box(40mm, 40mm, 40mm); at: xyz(410mm, 0mm, 120mm) }\n"
           "print(distance(cube, other), touching(cube, other))\n");
@@ -116,7 +116,7 @@ TEST_CASE("objects at exactly the same pose have a depth that frees them, of eve
                           "cone(radius: 20mm, height: 40mm)", "plane(40mm, 40mm)"};
   for (const char* a : shapes) {
     for (const char* b : shapes) {
-      const Told told = run(std::string("object a { shape: ") + a +
+      const Ended told = run(std::string("object a { shape: ") + a +
                             "; at: xyz(400mm, 0mm, 300mm) }\nobject b { shape: " + b +
                             "; at: xyz(400mm, 0mm, 300mm) }\n"
                             "let d = distance(a, b) / 1mm\n"
@@ -161,7 +161,7 @@ TEST_CASE("sizes and positions that cannot be computed with are refused, and say
       {"sphere(1mm).spawn(\"cube\", at: p)", "cube"},
   };
   for (const Case& each : cases) {
-    const Told told = run(std::string(kCube) +
+    const Ended told = run(std::string(kCube) +
                           "fn same(x: double) -> double { return x }\nlet nan = same(0.0) / 0.0\n"
                           "let p = xyz(300mm, 0mm, 100mm)\n" +
                           each.what + "\n");
@@ -220,7 +220,7 @@ TEST_CASE("the embedding interface refuses poses that are none, and nothing chan
 }
 
 TEST_CASE("a robot inside of an object is told where it moves, and what it feels is a number") {
-  const Told told =
+  const Ended told =
       run("robot arm = robots.puma560(tool: parallelGripper(stroke: 60mm, length: 120mm))\n"
           "object block1 { shape: box(2m, 2m, 2m); at: xyz(0mm, 0mm, 0mm) * rotZ(30deg); fixed: "
           "true }\n"
@@ -240,7 +240,7 @@ TEST_CASE("a robot inside of an object is told where it moves, and what it feels
 
 TEST_CASE("10,000 objects: placed, asked, moved among, dropped, in bounded time and memory") {
   const double before = peak_megabytes();
-  const Told told =
+  const Ended told =
       run("robot arm = robots.puma560(tool: parallelGripper(stroke: 60mm, length: 120mm))\n"
           "for (i in range(10000)) {\n"
           "  let p = xyz(20mm * (i % 100) - 3000mm, 20mm * floor(double(i) / 100) - 3000mm, 5mm)\n"
@@ -273,7 +273,7 @@ TEST_CASE("a mesh of a million triangles is read, weighed and collides; one more
   const double before = peak_megabytes();
   // 2 n (2 n - 2) triangles: 998,000 and 1,002,000.
   write_mesh(folder.path() / "ball.glb", test::ball_mesh(0.05, 500));
-  const Told told =
+  const Ended told =
       run("let shape = mesh(\"ball.glb\", density: 1000kg/m^3)\n"
           "object ball { shape: shape; at: xyz(400mm, 0mm, 200mm) }\n"
           "object cube { shape: box(40mm, 40mm, 40mm); at: xyz(400mm, 0mm, 300mm) }\n"
@@ -298,7 +298,7 @@ TEST_CASE("a mesh of a million triangles is read, weighed and collides; one more
   scene.materials.push_back({.name = "gray"});
   scene.nodes.push_back(std::move(node));
   std::ofstream(folder.path() / "many.glb", std::ios::binary) << write_glb(scene);
-  const Told refused = run("let shape = mesh(\"many.glb\")\n", folder.path());
+  const Ended refused = run("let shape = mesh(\"many.glb\")\n", folder.path());
   CHECK(has(refused.failure, "R0656"));
   CHECK(has(refused.failure, "1000000"));
   CHECK(refused.seconds < 30.0);
@@ -310,10 +310,10 @@ TEST_CASE(
   const TriangleMesh box = test::box_mesh({0.1, 0.2, 0.3});
   write_mesh(folder.path() / "open.glb", box, false, 1);
   write_mesh(folder.path() / "turned.glb", box, true);
-  const Told open = run("let s = mesh(\"open.glb\", density: 1000kg/m^3)\n", folder.path());
+  const Ended open = run("let s = mesh(\"open.glb\", density: 1000kg/m^3)\n", folder.path());
   CHECK(has(open.failure, "R0656"));
   CHECK(has(open.failure, "3 edges belong to one triangle alone"));
-  const Told turned =
+  const Ended turned =
       run("object part { shape: mesh(\"turned.glb\", density: 1000kg/m^3); at: xyz(400mm, 0mm, "
           "500mm) }\n"
           "object ball { shape: sphere(10mm); at: xyz(400mm, 0mm, 500mm) }\n"
