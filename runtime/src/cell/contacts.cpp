@@ -1,6 +1,7 @@
 #include "armlet/cell/contacts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,7 @@ using Eigen::Vector3d;
 
 constexpr double kNear = 1e-5;    // m, from where on bodies touch
 constexpr double kClear = 2e-5;   // m, less than this is not counted as room
+constexpr double kWorthIt = 0.2;  // of the room: with less left it is measured again
 constexpr double kFarOff = 0.25;  // m, room beyond this is not looked at closely
 constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kLook = 1'000'000;  // ns, how often it is looked whether they still do
@@ -27,6 +29,42 @@ constexpr double kSlips = 1e-3;            // m/s, from where on friction is tha
 bool is_around(const Robot& arm, const Object& object, const Vector3d& approach) {
   return arm.derived<ArmSolids>().is_bare() && arm.tool().kind == ToolKind::kParallelGripper &&
          !object.fixed && grasp_width(object, approach) <= arm.tool().stroke;
+}
+
+// No value of a derivative of a polynomial piece is larger than its Bernstein coefficients.
+double bound_of(const Segment& piece, int order) {
+  std::array<double, Segment::kMaxDegree + 1> b{};
+  const int m = std::max(piece.degree - order, 0);
+  double scale = 1.0, binomial = 1.0;  // duration^k, m over k
+  for (int k = 0; k <= m; ++k) {
+    const auto at = static_cast<std::size_t>(k + order);
+    if (k + order <= piece.degree)
+      b[static_cast<std::size_t>(k)] =
+          (order == 1 ? k + 1.0 : 1.0) * piece.c[at] * scale / binomial;
+    scale *= piece.duration;
+    binomial = binomial * (m - k) / (k + 1);
+  }
+  for (int round = 1; round <= m; ++round) {
+    for (int k = m; k >= round; --k)
+      b[static_cast<std::size_t>(k)] += b[static_cast<std::size_t>(k - 1)];
+  }
+  double most = 0.0;
+  for (int k = 0; k <= m; ++k) most = std::max(most, std::abs(b[static_cast<std::size_t>(k)]));
+  return most;
+}
+
+// The largest |q|, or |dq/dt|, of a joint: exactly for a few pieces, a bound for many short ones.
+double largest(const Trajectory& motion, int joint, int order) {
+  constexpr std::size_t kFew = 6;
+  const JointPath& path = motion.joint(joint);
+  if (path.segments.size() <= kFew) {
+    if (order == 1) return motion.peak(joint, 1);
+    const Trajectory::Range range = motion.range(joint);
+    return std::max(std::abs(range.lower), std::abs(range.upper));
+  }
+  double most = order == 0 ? std::abs(path.q_end) : 0.0;
+  for (const Segment& each : path.segments) most = std::max(most, bound_of(each, order));
+  return most;
 }
 
 // Upper bounds of how fast points are that a motion carries along: of joint i the speed, and how
@@ -39,11 +77,8 @@ class MotionSpeeds {
     for (int i = 0; i < arm_.n(); ++i) {
       const DhRow& row = arm_.joint(i).dh;
       double d = std::abs(row.d);
-      if (!arm_.is_revolute(i)) {
-        const Trajectory::Range range = motion.range(i);
-        d = std::max(std::abs(row.d + range.lower), std::abs(row.d + range.upper));
-      }
-      peaks_.push_back(motion.peak(i, 1));
+      if (!arm_.is_revolute(i)) d += largest(motion, i, 0);
+      peaks_.push_back(largest(motion, i, 1));
       lengths_.push_back(std::sqrt(row.a * row.a + d * d));
     }
   }
@@ -191,7 +226,7 @@ Contacts::Seen& Contacts::seen(const Scene& scene, int robot) {
   Seen& known = seen_[static_cast<std::size_t>(robot)];
   if (known.is_known) return known;
   known = {.is_known = true, .feelers = scene.feelers(robot)};
-  known.free.resize(known.feelers.size());
+  known.rooms.resize(known.feelers.size());
   return known;
 }
 
@@ -214,11 +249,21 @@ void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_
   const Vector3d approach = frames.back().linear() * model.T_flange_tool().linear().col(2);
   for (std::size_t k = 0; k < known.feelers.size(); ++k) {
     const Feeler& feeler = known.feelers[k];
-    Free& free = known.free[k];
+    Room& known_room = known.rooms[k];
+    Free& free = known_room.free;
     if (!free.at(now_ns)) {
       Solid body = feeler.solid;
       body.T = frames[static_cast<std::size_t>(feeler.frame)] * feeler.solid.T;
-      const double room = look_around(scene, robot, feeler, body, approach, now_ns, visit) - kClear;
+      // What is left of the room that was measured last, or what is measured now.
+      const double moved =
+          (body.T.translation() - known_room.T_world_feeler.translation()).norm() +
+          (body.T.linear() - known_room.T_world_feeler.linear()).norm() * body.reach();
+      double room = known_room.room - moved;
+      if (now_ns < free.from_ns || room < kWorthIt * known_room.room) {
+        room = look_around(scene, robot, feeler, body, approach, now_ns, visit) - kClear;
+        known_room.room = room;
+        known_room.T_world_feeler = body.T;
+      }
       constexpr double kLongest = 1e6;  // s
       const double seconds = feeler.speed > 0.0 ? room / feeler.speed : kLongest;
       free = {.from_ns = now_ns, .until_ns = now_ns};

@@ -97,11 +97,12 @@ class FingerScene {
     }
   }
 
-  // Where its bodies are now. Of the arm that carries the fingers those that are not next to them.
+  // Where its bodies are now. Of the arm that carries the fingers those that are not next to them,
+  // half as thick, as it is compared with itself.
   void add_robot(int other) {
     const CellRobot& state = cell_.robot(other);
     const ArmSolids& own = state.model->derived<ArmSolids>();
-    std::vector<ArmSolid> solids = own.solids();
+    std::vector<ArmSolid> solids = other == arm_ ? own.slim() : own.solids();
     close_fingers(state, cell_.world(), solids);
     const std::vector<Isometry3d> frames = link_frames(*state.model, state.q);
     for (const ArmSolid& each : solids) {

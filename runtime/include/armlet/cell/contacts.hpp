@@ -99,11 +99,17 @@ class Contacts {
     std::int64_t until_ns = 0;
     [[nodiscard]] bool at(std::int64_t t_ns) const { return t_ns >= from_ns && t_ns < until_ns; }
   };
+  // When a feeler is free, and what follows from: the room that it had at T_world_feeler, m.
+  struct Room {
+    Free free{};
+    double room = -1.0;
+    Eigen::Isometry3d T_world_feeler = Eigen::Isometry3d::Identity();
+  };
   // What of a robot feels, and when each part of it, and all, is free.
   struct Seen {
     bool is_known = false;
     std::vector<Feeler> feelers{};
-    std::vector<Free> free{};
+    std::vector<Room> rooms{};
     Free all{};
   };
   struct Scene;  // robots and world
