@@ -95,7 +95,8 @@ Plan plan_fastest(const MoveRequest& request) {
   if (!strongest) limits = request.limits;
   const Trajectory fastest =
       strongest ? *std::move(strongest) : *run_fastest(request, points, limits, false);
-  const Duration chosen = choose_duration(request, tightest_joint(request, limits, fastest, Jerk::kFree));
+  const Duration chosen =
+      choose_duration(request, tightest_joint(request, limits, fastest, Jerk::kFree));
   if (!chosen.possible) return {.too_fast = chosen.too_fast};
   return {.trajectory = fastest.stretched(chosen.T / fastest.duration()),
           .too_fast = chosen.too_fast};

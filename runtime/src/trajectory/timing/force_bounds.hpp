@@ -42,8 +42,8 @@ struct SpeedStrips {
   }
 };
 
-// At a point of a path q(s) the forces of the joints are a u + b x + d sqrt(x) + g and dry friction,
-// u being the acceleration along the path and x the squared speed.
+// At a point of a path q(s) the forces of the joints are a u + b x + d sqrt(x) + g and dry
+// friction, u being the acceleration along the path and x the squared speed.
 struct ForceTerms {
   Eigen::VectorXd a, b, d, g;
 };

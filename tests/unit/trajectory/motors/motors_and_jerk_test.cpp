@@ -228,7 +228,8 @@ TEST_CASE("paths of the tool with motors keep all limits and are never longer th
       CHECK(motion.duration() <= plain.motion.trajectory->duration() * slower * (1.0 + 1e-9));
       most = std::max(most, 1.0 - motion.duration() / plain.motion.trajectory->duration());
       std::vector<AxisLimits> limits = axis_limits(robot);
-      for (AxisLimits& l : limits) l = {speed * l.speed, kUnlimited, speed * speed * speed * l.jerk};
+      for (AxisLimits& l : limits)
+        l = {speed * l.speed, kUnlimited, speed * speed * speed * l.jerk};
       check_rates(motion, limits);
       CHECK(largest_share(robot, motion) <= 1.0 + 1e-4);
       CHECK(plan.times.back() == doctest::Approx(motion.duration()));
