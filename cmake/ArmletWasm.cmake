@@ -39,15 +39,22 @@ target_compile_options(antlr4_static PRIVATE -w)
 target_compile_features(antlr4_static PRIVATE cxx_std_17)
 target_include_directories(antlr4_static SYSTEM PUBLIC ${ANTLR4_INCLUDE_DIR} ${ARMLET_WASM_SOURCES}/include)
 
-# (emscripten says -fno-inline-functions with -Os, which makes C++ larger; the preset says otherwise.) A page waits for the module to arrive, so all is compiled for size but what programs spend their time in: the layers that
-# compute, and the machine's instructions and heap.
+# A page waits for the module to arrive, so what is not said here is compiled to be as small as can be: texts, checks and bindings, which
+# call much and compute little. (emscripten says -fno-inline-functions with -Oz, which makes C++ larger; the preset says otherwise.) The
+# layers that compute are small where calls are worth it, and quick where programs spend their time: kinematics, dynamics, the
+# machine's instructions and its heap, and the search for habits of other languages in a text that is wrong.
 function(armlet_hurry_hot_code)
+  set(calls_are_worth_it "SHELL:-mllvm -inline-threshold=250")
   # Nested loops that are written to be unrolled would be 60 to 140 kB of code for each kernel of any number of joints.
   foreach(layer math chain kinematics dynamics)
-    target_compile_options(armlet_layer_${layer} PRIVATE -O2 "SHELL:-mllvm -pragma-unroll-threshold=150")
+    target_compile_options(armlet_layer_${layer} PRIVATE -O2 ${calls_are_worth_it} "SHELL:-mllvm -pragma-unroll-threshold=150")
+  endforeach()
+  foreach(layer model trajectory world collision planning grasp backend cell)
+    target_compile_options(armlet_layer_${layer} PRIVATE -Os ${calls_are_worth_it})
   endforeach()
   set(machine ${PROJECT_SOURCE_DIR}/interpreter/src/vm)
-  file(GLOB hot ${machine}/heap/*.cpp ${machine}/instructions/*.cpp ${machine}/host/natives.cpp ${machine}/host/host_calls.cpp)
+  file(GLOB hot ${machine}/heap/*.cpp ${machine}/instructions/*.cpp ${machine}/host/natives.cpp ${machine}/host/host_calls.cpp
+    ${PROJECT_SOURCE_DIR}/interpreter/src/habits/pattern.cpp)
   set_source_files_properties(${hot} TARGET_DIRECTORY armlet_interpreter PROPERTIES
     COMPILE_OPTIONS -O2 SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
