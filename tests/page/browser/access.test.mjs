@@ -47,6 +47,12 @@ test("everything is reached and worked from the keyboard", () =>
     await page.keyboard.press("?");
     await page.getByRole("dialog", { name: "Keys" }).waitFor();
     await page.keyboard.press("Escape");
+    await page.getByRole("dialog", { name: "Keys" }).waitFor({ state: "hidden" });
+    await page.keyboard.press("/");
+    await page.getByRole("dialog", { name: "Keys" }).waitFor();
+    await page.keyboard.type("next break");
+    assert.deepEqual(await page.locator(".help dt:visible").allInnerTexts(), ["F5"]);
+    await page.keyboard.press("Escape");
     await page.getByRole("spinbutton", { name: "q1 in deg" }).focus();
     await page.keyboard.press("Control+a");
     await page.keyboard.type("25");

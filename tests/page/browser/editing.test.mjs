@@ -16,6 +16,8 @@ test("a program is loaded with its run: moves beside their lines, sliders of its
     const page = await open();
     await untilStatus(page, /2 moves, 3\.00 s/);
     assert.match(await page.locator(".gutter-margin").innerText(), /2\.00 s\s+1\.00 s/);
+    assert.match(await page.locator(".gutter-margin span").first().getAttribute("title"), /moveJ.*, to -?\d+\.\d, -?\d+\.\d, -?\d+\.\d mm$/);
+    assert.match(await page.locator(".file").innerText(), /^program\.rbt · arm$/);
     assert.equal(await page.getByRole("slider", { name: /^q\d, / }).count(), 4);
     assert.match(await clock(page).innerText(), /3\.00 \/ 3\.00 s/);
   }));

@@ -60,6 +60,19 @@ test("a mesh is drawn with its picture, and is asked for with the token and once
     }
   }, { "sign.glb": boxGlb(SIZE, { picture }) }));
 
+test("surfaces have gloss and pictures are sharpened as with a graphics processor", () =>
+  withLab(PROGRAM, async (open) => {
+    const page = await open({ before: (opened) => opened.addInitScript(() => {
+      const ask = WebGL2RenderingContext.prototype.getParameter;
+      WebGL2RenderingContext.prototype.getParameter = function (name) {
+        return name === 0x9246 ? "A graphics processor" : ask.call(this, name); // the unmasked name of what draws
+      };
+    }) });
+    await untilStatus(page, /1\.00 s/);
+    await shows(page, "red", RED, 300);
+    await shows(page, "green", GREEN, 300);
+  }, { "sign.glb": boxGlb(SIZE, { picture }) }));
+
 test("a mesh without materials has the colour of its object; links are drawn as their meshes", () =>
   withLab(`robot arm {
     joint revolute(a: 300mm, mesh: "link.glb")

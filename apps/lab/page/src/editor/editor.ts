@@ -168,17 +168,22 @@ function hoveredLine(state: State): number | null {
   return state.hover && state.hover.from !== "text" ? state.hover.line : null;
 }
 
-// For each line with moves how long they take together.
+// For each line with moves how long they take together; with where the last of them ends.
 export function marginOf(run: Run): [number, string, string][] {
-  const lines = new Map<number, { time: number; number: number; text: string }>();
+  const lines = new Map<number, { time: number; number: number; text: string; end: string }>();
   for (const move of run.moves) {
     if (!move.span) continue;
     const line = move.span[0];
-    const entry = lines.get(line) ?? { time: 0, number: 0, text: "" };
-    lines.set(line, { time: entry.time + move.t1 - move.t0, number: entry.number + 1, text: move.text });
+    const entry = lines.get(line) ?? { time: 0, number: 0 };
+    lines.set(line, { time: entry.time + move.t1 - move.t0, number: entry.number + 1, text: move.text, end: endOf(run, move.robot, move.t1) });
   }
-  return [...lines].map(([line, { time, number, text }]) => {
+  return [...lines].map(([line, { time, number, text, end }]) => {
     const seconds = `${time.toFixed(2)} s`;
-    return [line, number > 1 ? `${number}× ${seconds}` : seconds, number > 1 ? `${number} moves, ${seconds} together` : text];
+    return [line, number > 1 ? `${number}× ${seconds}` : seconds, `${number > 1 ? `${number} moves, ${seconds} together` : text}${end}`];
   });
+}
+
+function endOf(run: Run, robot: number, t: number): string {
+  const pose = run.toolAt(robot, t);
+  return pose ? `, to ${pose.slice(0, 3).map((v) => (1000 * v).toFixed(1)).join(", ")} mm` : "";
 }

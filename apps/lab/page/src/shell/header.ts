@@ -41,9 +41,10 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles),
     el("button", { class: "icon desk", "aria-label": "Keys and help", onclick: actions.help }, "?"),
   );
-  store.watch((s) => [s.welcome, shownRun(s)?.title], (s) => {
+  store.watch((s) => [s.welcome, shownRun(s)?.title, shownRun(s)?.robots], (s) => {
     setText(title, shownRun(s)?.title || s.welcome?.title || "Laboratory");
-    setText(file, s.welcome?.file.split("/").at(-1) ?? "");
+    const robots = shownRun(s)?.robots.map((robot) => robot.name).join(", ");
+    setText(file, [s.welcome?.file.split("/").at(-1), robots].filter(Boolean).join(" · "));
   });
   store.watch((s) => [s.connection, shownRun(s), shownRun(s)?.version, isStale(s), s.diagnostics], (s) => {
     const [text, kind] = statusOf(s, intents.live);

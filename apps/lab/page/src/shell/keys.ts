@@ -18,7 +18,7 @@ export const KEYS: [string, string][] = [
   ["Ctrl Space", "what can be written here"],
   ["1 to 6 in the 3D view", "iso, front, side, top, hand, fit"],
   ["Escape, then Tab", "leave the editor"],
-  ["?", "this help"],
+  ["? or /", "this help, and a search in it"],
 ];
 
 function isWriting(target: EventTarget | null): boolean {
@@ -60,11 +60,22 @@ export function globalKeys(intents: Intents, help: () => void): void {
   });
 }
 
+// Shows what of the help has the words that are searched.
 export function helpDialog(): HTMLDialogElement {
+  const rows = KEYS.map(([key, what]) => el("div", {}, el("dt", {}, key), el("dd", {}, what)));
+  const none = el("p", { class: "quiet", role: "status" });
+  const search: HTMLInputElement = el("input", { type: "text", "aria-label": "Search the help", placeholder: "Search", oninput: () => find() });
+  const find = () => {
+    const words = search.value.toLowerCase().split(/\s+/);
+    rows.forEach((row, i) => (row.hidden = !words.every((word) => KEYS[i]!.join(" ").toLowerCase().includes(word))));
+    none.textContent = rows.every((row) => row.hidden) ? "Nothing in the help has these words." : "";
+  };
   const dialog: HTMLDialogElement = el(
-    "dialog", { class: "help", "aria-label": "Keys" },
+    "dialog", { class: "help", "aria-label": "Keys", onclose: () => ((search.value = ""), find()) },
     el("h2", {}, "Keys and gestures"),
-    el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)])),
+    search,
+    el("dl", {}, ...rows),
+    none,
     el("button", { onclick: () => dialog.close() }, "Close"),
   );
   return dialog;
