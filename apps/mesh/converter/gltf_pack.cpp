@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "armlet/core/error.hpp"
+#include "armlet/mesh/pictures.hpp"
 #include "converter/importers.hpp"
 
 namespace armlet::mesh {

@@ -90,12 +90,6 @@ int json_depth(std::string_view text) {
   return deepest;
 }
 
-std::string_view image_kind(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return "image/png";
-  if (bytes.starts_with("\xff\xd8\xff")) return "image/jpeg";
-  return {};
-}
-
 std::string_view mesh_format(std::string_view name) {
   constexpr std::array<std::string_view, 8> kEndings = {"obj", "3ds", "wrl",  "stl",
                                                         "dae", "ply", "gltf", "glb"};

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "armlet/core/error.hpp"
+#include "armlet/mesh/pictures.hpp"
 #include "armlet/mesh/glb.hpp"
 #include "mesh/glb_format.hpp"
 

@@ -53,17 +53,16 @@ Result<std::string> Host::read(const std::string& name, std::size_t most) const 
 }
 
 Result<std::string> Host::read_mesh(const std::string& name, double unit) const {
-  constexpr std::size_t kMostBytes = 128 << 20;
   if (is_glb_name(name)) {
     if (unit != 0.0 && unit != 1.0) return refuse("GLB is in metres; it takes no other unit");
-    return read(name, kMostBytes);
+    return read(name, kMostGlbBytes);
   }
   // By another name it may be a GLB all the same; read_glb says if not.
-  if (mesh_format(name).empty()) return read(name, kMostBytes);
+  if (mesh_format(name).empty()) return read(name, kMostGlbBytes);
   if (folder_of_files().empty()) return refuse("this host lets programs read no files");
   if (!options_.convert_mesh) {
     // What a laboratory took along is a GLB by the name that the program says.
-    Result<std::string> bytes = read(name, kMostBytes);
+    Result<std::string> bytes = read(name, kMostGlbBytes);
     if (!bytes.ok() || bytes->starts_with("glTF")) return bytes;
     return Error{"converter", "this host reads GLB alone; make one of it with armlet mesh convert"};
   }

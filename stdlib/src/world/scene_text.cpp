@@ -9,11 +9,13 @@
 #include <set>
 
 #include "armlet/core/files.hpp"
+#include "armlet/interpreter/reference.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/mesh/glb.hpp"
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/load_world.hpp"
 #include "armlet/world/object.hpp"
+#include "session/bind.hpp"
 
 namespace armlet {
 namespace {
@@ -22,7 +24,6 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kMostText = 16 << 20;
-constexpr std::size_t kMostMesh = 128 << 20;
 constexpr std::size_t kMostObjects = kMostThings;
 
 Error broken(std::string why) { return Error{"world", std::move(why)}; }
@@ -76,18 +77,16 @@ class Names {
   }
 
  private:
-  // Words of the language and names that the text itself needs.
+  // Words of the language and what the library calls functions, which the text itself needs.
   static bool is_taken(const std::string& name) {
-    static const std::set<std::string> kWords = {
-        "and",    "as",      "assert", "bool",   "boolean", "box",    "break",   "case",   "catch",
-        "cone",   "const",   "continue", "cylinder", "default", "do", "double",  "else",   "enum",
-        "every",  "false",   "final",  "finally", "float",  "fn",     "for",     "frame",  "function",
-        "if",     "import",  "in",     "int",    "let",     "long",   "mesh",    "new",    "not",
-        "null",   "object",  "or",     "parallel", "path",  "pi",     "plane",   "record", "retry",
-        "return", "robot",   "rotX",   "rotY",   "rotZ",    "sphere", "string",  "struct", "switch",
-        "test",   "throw",   "true",   "try",    "until",   "var",    "void",    "wait",   "when",
-        "while",  "with",    "xyz",    "joint",  "camera",  "lab",    "plot",    "print",  "time"};
-    return kWords.contains(name);
+    static const std::set<std::string, std::less<>> taken = [] {
+      std::set<std::string, std::less<>> names;
+      for (const LanguageWord& word : reserved_and_soft_words()) names.emplace(word.text);
+      for (const bind::Chapter& chapter : bind::chapters())
+        for (const NativeFunction& function : chapter.functions) names.emplace(function.name);
+      return names;
+    }();
+    return taken.contains(name);
   }
   std::set<std::string> used_;
 };
@@ -253,7 +252,7 @@ class UrdfText {
     if (!is_glb_name(name) && !mesh_format(name).empty() && convert_)
       return convert_(folder_, name, 0.0);
     const Result<Folder> folder = Folder::open(folder_);
-    return folder.ok() ? folder->read(name, kMostMesh) : folder.error();
+    return folder.ok() ? folder->read(name, kMostGlbBytes) : folder.error();
   }
 
   const std::vector<UrdfLink>& links_;
@@ -280,7 +279,7 @@ Result<WorldText> load_world(const std::string& path, const MeshConverter& conve
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const bool is_glb = ending == ".glb", is_urdf = ending == ".urdf" || ending == ".xml";
-  Result<std::string> text = read_file(path, is_glb ? kMostMesh : kMostText);
+  Result<std::string> text = read_file(path, is_glb ? kMostGlbBytes : kMostText);
   if (!text.ok()) return text.error();
   if (is_glb) text = text_of_glb(*text, file.filename().string());
   if (is_urdf) text = text_of_urdf(*text, folder, convert);

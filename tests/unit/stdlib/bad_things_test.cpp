@@ -73,6 +73,17 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+// A file of one body.
+void write_part(const std::filesystem::path& file, GlbPart part) {
+  GlbNode node;
+  node.name = "body";
+  node.parts.push_back(std::move(part));
+  GlbScene scene;
+  scene.materials.push_back({.name = "gray"});
+  scene.nodes.push_back(std::move(node));
+  std::ofstream(file, std::ios::binary) << write_glb(scene);
+}
+
 // A surface of bands from pole to pole, as a file.
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh,
                 bool inside_out = false, std::size_t left_out = 0) {
@@ -85,13 +96,7 @@ void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh,
     const Corners& c = mesh.triangles()[i];
     part.corners.insert(part.corners.end(), {c[0], c[inside_out ? 2 : 1], c[inside_out ? 1 : 2]});
   }
-  GlbNode node;
-  node.name = "body";
-  node.parts.push_back(std::move(part));
-  GlbScene scene;
-  scene.materials.push_back({.name = "gray"});
-  scene.nodes.push_back(std::move(node));
-  std::ofstream(file, std::ios::binary) << write_glb(scene);
+  write_part(file, std::move(part));
 }
 
 const char* kCube = "object cube { shape: box(40mm, 40mm, 40mm); at: xyz(400mm, 0mm, 120mm) }\n";
@@ -291,13 +296,7 @@ TEST_CASE("a mesh of a million triangles is read, weighed and collides; one more
   part.normals.assign(3, Eigen::Vector3f::UnitZ());
   for (std::size_t i = 0; i <= kMostTriangles; ++i)
     part.corners.insert(part.corners.end(), {0U, 1U, 2U});
-  GlbNode node;
-  node.name = "too many";
-  node.parts.push_back(std::move(part));
-  GlbScene scene;
-  scene.materials.push_back({.name = "gray"});
-  scene.nodes.push_back(std::move(node));
-  std::ofstream(folder.path() / "many.glb", std::ios::binary) << write_glb(scene);
+  write_part(folder.path() / "many.glb", std::move(part));
   const Ended refused = run("let shape = mesh(\"many.glb\")\n", folder.path());
   CHECK(has(refused.failure, "R0656"));
   CHECK(has(refused.failure, "1000000"));

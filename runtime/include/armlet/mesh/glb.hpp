@@ -100,6 +100,7 @@ void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_node_mes
 //          needs, and what TriangleMesh refuses.
 // source   as write_glb.
 Result<TriangleMesh> read_glb(std::string_view bytes);
+inline constexpr std::size_t kMostGlbBytes = std::size_t{128} << 20;  // of a file that a program names
 
 // A GLB of a description and its binary part, with notes as GlbScene has them.
 //
@@ -112,9 +113,6 @@ std::vector<std::string> glb_notes(std::string_view bytes);
 
 // How many lists and objects of a JSON text lie in one another at most, whether it is whole or not.
 int json_depth(std::string_view text);
-
-// "image/png" or "image/jpeg" by the first bytes; empty for other kinds.
-std::string_view image_kind(std::string_view bytes);
 
 // The format of a mesh by the ending of its name, in lower case without the dot ("obj"), if armlet
 // or its converter reads it; otherwise empty.

@@ -14,10 +14,8 @@ bool is_color(std::string_view text);
 // The name most like a mistyped one; nothing if none is similar.
 std::optional<std::string_view> similar_color(std::string_view text);
 
-// Why bytes are no PNG or JPEG that can be shown, as a sentence without an end; empty if they are one.
-// Only their beginning and sizes are looked at: a picture has at most 8192 x 8192 pixels.
-//
-// source  ISO/IEC 15948 (PNG), 2004, sections 5.2 and 11.2.2; ISO/IEC 10918-1 (JPEG), annex B.
+// Why bytes are no PNG or JPEG that can be shown (mesh/pictures.hpp), as a sentence without an end;
+// empty if they are one.
 std::string picture_fault(std::string_view bytes);
 
 }  // namespace armlet

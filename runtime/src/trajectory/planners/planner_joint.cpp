@@ -119,32 +119,38 @@ Plan plan_limited_jerk(const MoveRequest& request) {
   if (request.motors != nullptr) {
     if (auto plan = plan_with_motors(request)) return *std::move(plan);
   }
-  const std::size_t n = request.limits.size();
-  std::vector<AxisState> from(n);
-  std::vector<double> to(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const int joint = static_cast<int>(i);
-    to[i] = request.q1[joint];
-    from[i].q = travel_of(request, joint) == 0.0 ? to[i] : request.q0[joint];
-  }
-  std::vector<JerkProfile> profiles(n);
-  const double T = plan_jerk_limited(from, to, request.limits, profiles);
-  TooFast limiting = slowest_of_limited_jerk(request, from, to);
-  limiting.least_time = T;
+  PhasedMove move = phased_move(request, request.limits);
+  TooFast limiting = slowest_of_limited_jerk(request, move.from, move.to);
+  limiting.least_time = move.T;
   const Duration chosen = choose_duration(request, limiting);
   if (!chosen.possible) return {.too_fast = chosen.too_fast};
-  const bool slower = request.time && !chosen.too_fast && chosen.T > T;
+  const bool slower = request.time && !chosen.too_fast && chosen.T > move.T;
   if (!slower) {
-    return {.trajectory = jerk_trajectory(from, to, profiles, T).stretched(chosen.T / T),
+    return {.trajectory = move.trajectory().stretched(chosen.T / move.T),
             .too_fast = chosen.too_fast};
   }
   // More time lowers the speeds; accelerations and jerks stay what they are.
-  for (std::size_t i = 0; i < n; ++i) {
-    const JerkProfile fastest = fastest_jerk_limited(from[i], to[i], request.limits[i]);
-    profiles[i] = jerk_limited_in_time(from[i], to[i], request.limits[i], chosen.T, fastest)
-                      .value_or(fastest);
+  move.T = chosen.T;
+  for (std::size_t i = 0; i < move.to.size(); ++i) {
+    const AxisLimits& limits = request.limits[i];
+    const JerkProfile fastest = fastest_jerk_limited(move.from[i], move.to[i], limits);
+    move.profiles[i] =
+        jerk_limited_in_time(move.from[i], move.to[i], limits, move.T, fastest).value_or(fastest);
   }
-  return {.trajectory = jerk_trajectory(from, to, profiles, chosen.T)};
+  return {.trajectory = move.trajectory()};
+}
+
+PhasedMove phased_move(const MoveRequest& request, std::span<const AxisLimits> limits) {
+  const std::size_t n = limits.size();
+  PhasedMove move{.from = std::vector<AxisState>(n), .to = std::vector<double>(n),
+                  .profiles = std::vector<JerkProfile>(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const int joint = static_cast<int>(i);
+    move.to[i] = request.q1[joint];
+    move.from[i].q = travel_of(request, joint) == 0.0 ? move.to[i] : request.q0[joint];
+  }
+  move.T = plan_jerk_limited(move.from, move.to, limits, move.profiles);
+  return move;
 }
 
 }  // namespace armlet

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "armlet/trajectory/jerk_limited.hpp"
 #include "armlet/trajectory/motion_forces.hpp"
 #include "armlet/trajectory/time_optimal.hpp"
 #include "trajectory/planners/planning.hpp"
@@ -18,20 +17,6 @@ namespace {
 constexpr int kCells = 64;          // of the speed along a path
 constexpr int kIntervals = 100;     // where it is known without limits on jerk
 constexpr double kRounding = 1e-9;  // relative
-
-// All joints by their phases, with these limits.
-Trajectory by_phases(const MoveRequest& request, std::span<const AxisLimits> limits) {
-  std::vector<AxisState> from(limits.size());
-  std::vector<double> to(limits.size());
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    const int joint = static_cast<int>(i);
-    to[i] = request.q1[joint];
-    from[i].q = travel_of(request, joint) == 0.0 ? to[i] : request.q0[joint];
-  }
-  std::vector<JerkProfile> profiles(limits.size());
-  const double T = plan_jerk_limited(from, to, limits, profiles);
-  return jerk_trajectory(from, to, profiles, T);
-}
 
 // Slowed down as a whole until motors can do it; nothing if none is slow enough.
 std::optional<Trajectory> slowed(const Robot& motors, Trajectory motion) {
@@ -48,7 +33,7 @@ class MotorRuns {
       : request_(request), motors_(*request.motors), limits_(limits_beside_motors(request)) {}
 
   std::optional<Trajectory> shortest() {
-    const Trajectory by_acceleration = by_phases(request_, request_.limits);
+    const Trajectory by_acceleration = phased_move(request_, request_.limits).trajectory();
     const Trajectory free = without_accelerations();
     std::optional<Trajectory> best = slowed(motors_, free);
     // No motion is faster than one that speeds and jerks alone limit.
@@ -70,7 +55,7 @@ class MotorRuns {
     for (AxisLimits& l : limits) {
       if (!std::isfinite(l.acceleration)) l.acceleration = std::sqrt(l.speed * l.jerk);
     }
-    return by_phases(request_, limits);
+    return phased_move(request_, limits).trajectory();
   }
 
   // The path of a motion, run as it is.

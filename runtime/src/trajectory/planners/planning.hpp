@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "armlet/trajectory/jerk_limited.hpp"
 #include "armlet/trajectory/planner.hpp"
 #include "armlet/trajectory/verify.hpp"
 
@@ -52,6 +53,17 @@ Plan plan_five_cubics(const MoveRequest& request);
 Plan plan_one_by_one(const MoveRequest& request);     // Seq
 Plan plan_without_ramps(const MoveRequest& request);  // Lin0
 Plan plan_limited_jerk(const MoveRequest& request);   // SCurve
+
+// All joints from rest to rest by their phases of constant jerk, the fastest within these limits.
+struct PhasedMove {
+  std::vector<AxisState> from{};
+  std::vector<double> to{};
+  std::vector<JerkProfile> profiles{};
+  double T = 0.0;
+
+  [[nodiscard]] Trajectory trajectory() const { return jerk_trajectory(from, to, profiles, T); }
+};
+PhasedMove phased_move(const MoveRequest& request, std::span<const AxisLimits> limits);
 
 // Of planner_motors.cpp: the shortest motion that was found within the limits on speed and jerk and
 // what request.motors give, which count in the place of the accelerations of their joints; never

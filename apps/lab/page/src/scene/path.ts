@@ -44,11 +44,6 @@ function lineOf(positions: number[], colors: number[] | null, options: { color?:
   return line;
 }
 
-// A line of its own colours at `opacity`; on top: seen through what lies before it.
-export function coloredLine(positions: number[], colors: number[], opacity: number, top = false): Line2 {
-  return lineOf(positions, colors, { width: 3, opacity, top });
-}
-
 export class PathView {
   readonly group = new Group();
   // Rows of the track that are points of the line.
@@ -81,8 +76,8 @@ export class PathView {
     if (kind === "shown") {
       const color = new Color();
       const colors = kept.flatMap((k) => speedColor(palette, speeds[k]! / top, color).toArray());
-      this.add(coloredLine(positions, colors, 1));
-      this.add(coloredLine(positions, colors, 0.22, true));
+      this.add(lineOf(positions, colors, { width: 3, opacity: 1 }));
+      this.add(lineOf(positions, colors, { width: 3, opacity: 0.22, top: true }));
     } else {
       this.add(lineOf(positions, null, { color: palette.gridMajor, width: kind === "ghost" ? 2 : 3, opacity: kind === "ghost" ? 0.75 : 0.5 }));
     }

@@ -1,5 +1,5 @@
 // The 3D view of the shown run at the instant that is looked at.
-import { BoxGeometry, DoubleSide, FrontSide, Group, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
+import { Group, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
 import type { Intents } from "../store/intents.ts";
 import type { NearBody, Span } from "../protocol/messages.ts";
 import { multiply, poseMatrix, toolFrame } from "../store/kinematics.ts";
@@ -13,10 +13,9 @@ import { extent, grasped } from "./fingers.ts";
 import { MeshLibrary } from "./meshes.ts";
 import { ObjectsView } from "./objects.ts";
 import { dark, light, type Palette } from "./palette.ts";
-import { coloredLine, PathView } from "./path.ts";
+import { PathView } from "./path.ts";
 import { ScenePointer } from "./pointer.ts";
 import { boundsOf, Stage, type Preset } from "./stage.ts";
-import { surface } from "./surface.ts";
 import { Clearances, Forces, overlaps, pixelSize, type Force } from "./things.ts";
 import { TorqueBars, type Bar } from "./torque_bars.ts";
 import { Labels, Triads, type Label } from "./triad.ts";
@@ -97,7 +96,6 @@ export class SceneView {
     };
     scheme.addEventListener("change", theme);
     theme();
-    this.stage.prepare(this.samples());
     this.pointer = new ScenePointer(store, intents, this.stage, this.handle, {
       canvas: this.canvas,
       paths: () => this.paths,
@@ -105,27 +103,10 @@ export class SceneView {
       reach: () => this.reach,
       pickObject: host.pickObject.bind(host),
     });
-  }
-
-  // Shows what there is, and whatever changes.
-  begin(): void {
-    this.store.watch(
+    store.watch(
       (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.hover, s.pull, s.nearest, s.instant, isStale(s)],
       (s) => this.render(s),
     );
-    this.store.renderNow();
-    this.stage.begin();
-  }
-
-  // Of what there is in nearly every picture.
-  private samples(): Mesh[] {
-    const box = new BoxGeometry(0.01, 0.01, 0.01);
-    const surfaces = [FrontSide, DoubleSide].map((side) => {
-      const mesh = new Mesh(box, surface(this.palette.plain, this.palette.link, 0.5, 0, { side }));
-      mesh.castShadow = mesh.receiveShadow = true;
-      return mesh;
-    });
-    return [...surfaces, coloredLine([0, 0, 0, 0.01, 0, 0], [0, 0, 0, 0, 0, 0], 1)];
   }
 
   look(preset: Preset): void {

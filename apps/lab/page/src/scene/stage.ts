@@ -1,6 +1,6 @@
 // Renderer, camera, light and floor. Draws when something has changed, not otherwise.
 import {
-  Box3, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, type Object3D, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
+  Box3, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
   Scene, ShaderMaterial, ShadowMaterial, Sphere, Vector3, WebGLRenderer, Color, NeutralToneMapping,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -47,30 +47,15 @@ const DIRECTIONS: Record<Exclude<Preset, "hand">, [number, number, number]> = {
   bottom: [0, -0.3, -1],
 };
 
-// What three asks a browser for and this view can do without. Each question waits until everything asked for has been drawn, which
-// takes long without a graphics processor.
-const SPARED = new Set([
-  "EXT_color_buffer_float", "EXT_color_buffer_half_float", "EXT_texture_filter_anisotropic", "OES_texture_float_linear",
-  "WEBGL_clip_cull_distance", "WEBGL_render_shared_exponent",
-]);
-
-function withhold(context: WebGL2RenderingContext, names: ReadonlySet<string>): void {
-  const ask = context.getExtension.bind(context) as (name: string) => unknown;
-  Object.assign(context, { getExtension: (name: string) => (names.has(name) ? null : ask(name)) });
-}
-
-// Without a graphics processor each picture takes the time of the processor that runs everything else: edges are not smoothed and
-// pictures on surfaces not sharpened. Starting is slow there too, so what was started to find out is used.
+// Without a graphics processor each picture takes the time of the processor that runs everything else: its edges are not smoothed.
+// Starting is slow there too, so what was started to find out is used.
 function startDrawing(): { renderer: WebGLRenderer; software: boolean } {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("webgl2", { alpha: true, antialias: false });
   const names = context?.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(context?.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
   const software = /swiftshader|llvmpipe|software|basic render/i.test(name);
-  if (context && software) {
-    withhold(context, SPARED);
-    return { renderer: new WebGLRenderer({ canvas, context }), software };
-  }
+  if (context && software) return { renderer: new WebGLRenderer({ canvas, context }), software };
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return { renderer: new WebGLRenderer({ antialias: true }), software: false };
 }
@@ -90,8 +75,6 @@ export class Stage {
   private readonly floor: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly shade: Mesh<PlaneGeometry, ShadowMaterial>;
   private dirty = false;
-  private begun = false;
-  private size = { width: 0, height: 0 };
   // Whether the processor draws.
   readonly software: boolean;
 
@@ -99,8 +82,6 @@ export class Stage {
     const { renderer, software } = startDrawing();
     this.renderer = renderer;
     this.software = software;
-    // A browser tells of a program that it refuses; asking each time waits until it is made.
-    this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.autoUpdate = false; // only what stands elsewhere throws another shadow
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -138,20 +119,6 @@ export class Stage {
     this.resize(host);
   }
 
-  // Lets programs for surfaces like those of `samples`, and of what is in the scene, be made beside what the page does until begin().
-  prepare(samples: readonly Object3D[]): void {
-    this.scene.add(...samples);
-    this.renderer.compile(this.scene, this.camera);
-    this.scene.remove(...samples);
-    this.renderer.getContext().flush();
-  }
-
-  // Draws from now on.
-  begin(): void {
-    this.begun = true;
-    this.draw();
-  }
-
   theme(palette: Palette): void {
     this.scene.background = new Color(palette.ground);
     (this.floor.material.uniforms["minor"]!.value as Color).set(palette.grid);
@@ -164,9 +131,12 @@ export class Stage {
   }
 
   invalidate(): void {
-    if (this.dirty || !this.begun) return;
+    if (this.dirty) return;
     this.dirty = true;
-    requestAnimationFrame(() => this.dirty && this.draw());
+    requestAnimationFrame(() => {
+      this.dirty = false;
+      this.draw();
+    });
   }
 
   // Arms or objects stand elsewhere.
@@ -177,7 +147,6 @@ export class Stage {
 
   // Draws now, so that the picture can be read.
   draw(): void {
-    this.dirty = false;
     this.before();
     this.renderer.render(this.scene, this.camera);
     this.after();
@@ -218,15 +187,12 @@ export class Stage {
 
   private resize(host: HTMLElement): void {
     const { clientWidth: width, clientHeight: height } = host;
-    const { width: oldWidth, height: oldHeight } = this.size;
-    if (!width || !height || (width === oldWidth && height === oldHeight)) return;
-    this.size = { width, height };
-    this.renderer.setDrawingBufferSize(width, height, Math.min(2, devicePixelRatio));
-    this.renderer.domElement.style.width = `${width}px`;
-    this.renderer.domElement.style.height = `${height}px`;
+    if (!width || !height) return;
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.begun) this.draw();
+    this.draw();
   }
 }
 

@@ -40,22 +40,27 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
 
   const open = () => help.open || help.showModal();
   header(top, store, intents, { source, alone, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
-  const legend = el("div", { class: "legend", hidden: true });
-  const version = () => shownRun(store.state)?.textVersion ?? null;
   const editor = new Editor(editorHost, store, intents);
   editorPanels(below, store, intents, editor);
-  const startView = viewInSpace(columns.view, () => new SceneView(store, intents, {
-    stage,
-    labels,
-    pickObject: (name, span) => editor.find(name, undefined, span, version()),
-    topSpeed: (v) => drawLegend(legend, v),
-    file: (name) => intents.file(name),
-  }), (scene) => {
-    sceneTools(columns.view, scene, store, intents, editor);
-    droppedFiles(stage, scene, store, intents, editor);
+  const legend = el("div", { class: "legend", hidden: true });
+  const version = () => shownRun(store.state)?.textVersion ?? null;
+  const startView = () => {
+    try {
+      const scene = new SceneView(store, intents, {
+        stage,
+        labels,
+        pickObject: (name, span) => editor.find(name, undefined, span, version()),
+        topSpeed: (v) => drawLegend(legend, v),
+        file: (name) => intents.file(name),
+      });
+      sceneTools(columns.view, scene, store, intents, editor);
+      droppedFiles(stage, scene, store, intents, editor);
+    } catch (error) {
+      // Everything else works without it.
+      columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
+    }
     columns.view.append(legend);
-    scene.begin();
-  });
+  };
   elementPanel(elements, store, intents, ({ name, kind, span }) => editor.find(name, kind, span, version()));
   transport(bottom, store, intents);
   new TimeBar(bottom, store, intents);
@@ -63,7 +68,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   hints(columns, store);
   for (const name of COLUMNS) if (remembered(`closed.${name}`) === "yes") columns[name].classList.add("closed");
   watchMessage(message, store);
-  withFirstRun(store, startView);
+  whenPainted(store, startView);
   store.watch((s) => [shownRun(s)?.layout, shownRun(s)?.title, isStale(s), inControl(s)], (s) => {
     const run = shownRun(s);
     root.dataset["layout"] = run?.layout || s.welcome?.layout || "columns";
@@ -73,30 +78,16 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   });
 }
 
-// Makes the view in space, whose programs are made while the rest of the page is. Gives what begins it. Where there cannot be one,
-// everything else works.
-function viewInSpace(host: HTMLElement, make: () => SceneView, begin: (scene: SceneView) => void): () => void {
-  const trying = (work: () => void) => {
-    try {
-      work();
-    } catch (error) {
-      host.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
-    }
-  };
-  let scene: SceneView | null = null;
-  trying(() => (scene = make()));
-  return () => scene && trying(() => begin(scene!));
-}
-
-// The view in space begins with the first run, or two seconds later: it is painted together with what the page shows of that run,
-// because without a graphics processor every further picture of the page is waited for.
-function withFirstRun(store: Store, begin: () => void): void {
+// Starting to draw in space takes as long as all the rest: it begins when the rest has been painted, with the first run in it or
+// two seconds later.
+function whenPainted(store: Store, start: () => void): void {
   let done = false;
   const once = () => {
-    if (!done) begin();
+    if (done) return;
     done = true;
+    requestAnimationFrame(() => setTimeout(start));
   };
-  store.watch((s) => [shownRun(s)?.described], (s) => shownRun(s)?.described && queueMicrotask(once));
+  store.watch((s) => [shownRun(s)?.described], (s) => shownRun(s)?.described && once());
   setTimeout(once, 2000);
 }
 

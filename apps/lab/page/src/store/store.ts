@@ -24,14 +24,10 @@ export class Store {
     edit(this.state);
     if (this.scheduled) return;
     this.scheduled = true;
-    this.schedule(() => this.renderNow());
-  }
-
-  // Shows what has changed, without waiting until it would be.
-  renderNow(): void {
-    if (!this.scheduled) return;
-    this.scheduled = false;
-    this.render();
+    this.schedule(() => {
+      this.scheduled = false;
+      this.render();
+    });
   }
 
   // Calls `render` after changes of any of the values that `select` gives, and once at the start.
