@@ -169,7 +169,7 @@ struct TypePool::Earlier {
   }
 };
 
-TypePool::TypePool() : library_records_(std::make_shared<std::vector<const Type*>>()) {
+TypePool::TypePool() : library_records_(std::make_shared<RecordsByName>()) {
   name_basic_types();
 }
 
@@ -324,14 +324,13 @@ const Type* TypePool::made_record(std::string_view name, const Type* of) const {
 }
 
 const Type* TypePool::library_record(std::string_view name) const {
-  const auto found = std::ranges::find_if(
-      *library_records_, [name](const Type* type) { return type->record->name == name; });
-  return found == library_records_->end() ? nullptr : *found;
+  const auto found = library_records_->find(name);
+  return found == library_records_->end() ? nullptr : found->second;
 }
 
 void TypePool::register_library_record(const Type* record) {
-  auto longer = std::make_shared<std::vector<const Type*>>(*library_records_);
-  longer->push_back(record);
+  auto longer = std::make_shared<RecordsByName>(*library_records_);
+  longer->emplace(record->record->name, record);
   library_records_ = std::move(longer);
 }
 

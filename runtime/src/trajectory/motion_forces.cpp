@@ -52,7 +52,12 @@ double slower_for(double moving, double viscous, double room) {
 class ForceSearch {
  public:
   ForceSearch(const Robot& robot, const Trajectory& motion)
-      : robot_(robot), motion_(motion), q_(robot.n()), qd_(robot.n()), qdd_(robot.n()) {
+      : robot_(robot),
+        motion_(motion),
+        q_(robot.n()),
+        qd_(robot.n()),
+        qdd_(robot.n()),
+        shares_(VectorXd::Zero(robot.n())) {
     for (int i = 0; i < robot.n(); ++i)
       found_.peaks.push_back({.limit = robot.joint(i).max_effort});
   }
@@ -62,21 +67,25 @@ class ForceSearch {
     return std::abs(qd_[i]) < kAtRest && std::abs(qdd_[i]) > kStands;
   }
 
-  // What the motion asks then. Whether no joint is beyond its limit.
-  bool measure(double t) {
+  // What the motion asks then: the largest share of what a motor gives.
+  double measure(double t) {
     motion_.sample(t, q_, qd_, qdd_);
     tau_ = inverse_dynamics(robot_, q_, qd_, qdd_);
-    bool within = true;
+    double largest = 0.0;
     for (int i = 0; i < robot_.n(); ++i) {
       PeakForce& peak = found_.peaks[static_cast<std::size_t>(i)];
       if (turns_back(i)) continue;
-      within = within && std::abs(tau_[i]) <= peak.limit;
+      shares_[i] = std::abs(tau_[i]) / peak.limit;
+      largest = std::max(largest, shares_[i]);
       if (std::abs(tau_[i]) <= std::abs(peak.force)) continue;
       peak.force = tau_[i];
       peak.t = t;
     }
-    return within;
+    return largest;
   }
+
+  // What each motor gave of what it can when `measure` looked last.
+  [[nodiscard]] const VectorXd& shares() const { return shares_; }
 
   // How much slower the motion has to be for what it asks then.
   double look_at(double t) {
@@ -98,6 +107,12 @@ class ForceSearch {
     return slower;
   }
 
+  // Whether no peak so far is beyond its limit.
+  [[nodiscard]] bool is_within() const {
+    return std::ranges::all_of(found_.peaks,
+                               [](const PeakForce& peak) { return peak.share() <= 1.0; });
+  }
+
   MotionForces result() {
     double most = 0.0;
     for (int i = 0; i < robot_.n(); ++i) {
@@ -106,63 +121,66 @@ class ForceSearch {
       most = share;
       found_.nearest = i;
     }
-    if (most <= 1.0) found_.slower = std::min(found_.slower, 1.0);  // it may need its swing
+    // It may need its swing.
+    if (most <= 1.0) found_.slower = found_.nearest < 0 ? 0.0 : 1.0;
     return std::move(found_);
   }
 
  private:
   const Robot& robot_;
   const Trajectory& motion_;
-  VectorXd q_, qd_, qdd_;
+  VectorXd q_, qd_, qdd_, shares_;
   JointVector tau_;
   MotionForces found_;
 };
 
 struct Instant {
-  double t = 0.0, slower = 0.0;
+  double t = 0.0, load = 0.0;
 };
 
-// The highest between two instants, to a thousandth of their distance.
-void climb(ForceSearch& search, double from, double to) {
+// The highest load between two instants, to a thousandth of their distance.
+template <typename Look>
+void climb(const Look& look, double from, double to) {
   constexpr double kGolden = 0.6180339887498949;
   double a = from, b = to;
   double low = b - kGolden * (b - a), high = a + kGolden * (b - a);
-  double at_low = search.look_at(low), at_high = search.look_at(high);
+  double at_low = look(low), at_high = look(high);
   for (int k = 0; k < 12; ++k) {
     if (at_low > at_high) {
       b = high;
       high = low;
       at_high = at_low;
       low = b - kGolden * (b - a);
-      at_low = search.look_at(low);
+      at_low = look(low);
     } else {
       a = low;
       low = high;
       at_low = at_high;
       high = a + kGolden * (b - a);
-      at_high = search.look_at(high);
+      at_high = look(high);
     }
   }
 }
 
 // Looks closer where instants ask for most, between both neighbours.
-void look_closer(ForceSearch& search, const std::vector<Instant>& seen) {
+template <typename Look>
+void look_closer(const std::vector<Instant>& seen, const Look& look) {
   constexpr std::size_t kMostPeaks = 300;
   constexpr double kNearly = 0.98;  // of the highest; lower peaks do not come up to it
   double highest = 0.0;
-  for (const Instant& at : seen) highest = std::max(highest, at.slower);
+  for (const Instant& at : seen) highest = std::max(highest, at.load);
   if (!(highest > 0.0) || !std::isfinite(highest)) return;
   std::vector<std::size_t> peaks;
   for (std::size_t k = 0; k < seen.size(); ++k) {
-    const bool rises = k == 0 || seen[k - 1].slower <= seen[k].slower;
-    const bool falls = k + 1 == seen.size() || seen[k + 1].slower <= seen[k].slower;
-    if (rises && falls && seen[k].slower >= kNearly * highest) peaks.push_back(k);
+    const bool rises = k == 0 || seen[k - 1].load <= seen[k].load;
+    const bool falls = k + 1 == seen.size() || seen[k + 1].load <= seen[k].load;
+    if (rises && falls && seen[k].load >= kNearly * highest) peaks.push_back(k);
   }
   std::ranges::stable_sort(
-      peaks, [&](std::size_t a, std::size_t b) { return seen[a].slower > seen[b].slower; });
+      peaks, [&](std::size_t a, std::size_t b) { return seen[a].load > seen[b].load; });
   if (peaks.size() > kMostPeaks) peaks.resize(kMostPeaks);
   for (const std::size_t k : peaks) {
-    climb(search, seen[k == 0 ? 0 : k - 1].t, seen[std::min(k + 1, seen.size() - 1)].t);
+    climb(look, seen[k == 0 ? 0 : k - 1].t, seen[std::min(k + 1, seen.size() - 1)].t);
   }
 }
 
@@ -198,6 +216,24 @@ std::vector<double> instants_of(const Trajectory& motion) {
   return t;
 }
 
+// Whether every joint stays within its limit by more than its share changes from one instant to the
+// next. Then nothing between them is beyond it, and how much slower the motion has to be need not
+// be worked out, which takes twice as long.
+bool is_clear(ForceSearch& search, const std::vector<double>& times) {
+  const auto measure = [&search](double t) { return search.measure(t); };
+  std::vector<Instant> seen;
+  VectorXd before;
+  for (const double t : times) {
+    seen.push_back({t, measure(t)});
+    const VectorXd& now = search.shares();
+    if (before.size() == 0) before = now;
+    if (!((now.cwiseMax(before) + (now - before).cwiseAbs()).maxCoeff() <= 1.0)) return false;
+    before = now;
+  }
+  look_closer(seen, measure);
+  return search.is_within();
+}
+
 }  // namespace
 
 bool has_force_limits(const Robot& robot) {
@@ -209,10 +245,14 @@ bool has_force_limits(const Robot& robot) {
 
 MotionForces motion_forces(const Robot& robot, const Trajectory& motion) {
   check_size("paths of the motion", motion.n(), robot.n());
+  const std::vector<double> times = instants_of(motion);
   ForceSearch search(robot, motion);
-  std::vector<Instant> seen;
-  for (const double t : instants_of(motion)) seen.push_back({t, search.look_at(t)});
-  look_closer(search, seen);
+  if (!is_clear(search, times)) {
+    const auto look = [&search](double t) { return search.look_at(t); };
+    std::vector<Instant> seen;
+    for (const double t : times) seen.push_back({t, look(t)});
+    look_closer(seen, look);
+  }
   return search.result();
 }
 
@@ -224,7 +264,7 @@ MotionForces command_forces(const Robot& robot, const Trajectory& motion, double
   const double held = std::min(until, motion.duration());
   ForceSearch search(robot, motion);
   const auto look = [&](double t) {
-    if (!search.measure(t)) search.look_at(t);
+    if (search.measure(t) > 1.0) search.look_at(t);
   };
   const double length = std::max(held - from, 0.0);
   const double steps = std::clamp(std::ceil(length / kStep), 1.0, kMost);

@@ -5,20 +5,40 @@
 namespace armlet {
 namespace {
 
-// Newton's method kept inside [lo, hi], where the derivative of this order changes sign and is
-// monotone; halving takes over where a step would leave the interval.
+// A derivative of a piece, with coefficients of its own: its numbers are those of Segment::value.
+struct Derivative {
+  int degree = 0;
+  std::array<double, Segment::kMaxDegree + 1> c{};
+
+  Derivative(const Segment& piece, int order) : degree(piece.degree - order) {
+    for (int k = order; k <= piece.degree; ++k) {
+      double factor = 1.0;
+      for (int j = 0; j < order; ++j) factor *= k - j;
+      c[static_cast<std::size_t>(k - order)] = factor * piece.c[static_cast<std::size_t>(k)];
+    }
+  }
+
+  [[nodiscard]] double value(double u) const {
+    double sum = 0.0;
+    for (int k = degree; k >= 0; --k) sum = sum * u + c[static_cast<std::size_t>(k)];
+    return sum;
+  }
+};
+
+// Newton's method kept inside [lo, hi], where the polynomial is monotone and rises from below zero
+// or falls from above it; halving takes over where a step would leave the interval.
 //
 // source  W. H. Press et al., Numerical Recipes, 3rd ed., 2007, section 9.4.
-double root_between(const Segment& piece, int order, double lo, double hi) {
-  const bool rising = piece.value(lo, order) < 0.0;
-  constexpr int kMostSteps = 200;  // far more than halving alone would take
+double root_between(const Derivative& polynomial, const Derivative& slope, double lo, double hi,
+                    bool rising, double duration) {
   double u = 0.5 * (lo + hi);
+  constexpr int kMostSteps = 200;  // far more than halving alone would take
   for (int k = 0; k < kMostSteps; ++k) {
-    const double value = piece.value(u, order);
+    const double value = polynomial.value(u);
     ((value < 0.0) == rising ? lo : hi) = u;
-    double next = u - value / piece.value(u, order + 1);
+    double next = u - value / slope.value(u);
     if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-    if (std::abs(next - u) <= 1e-15 * piece.duration) return next;
+    if (std::abs(next - u) <= 1e-15 * duration) return next;
     u = next;
   }
   return u;
@@ -26,21 +46,30 @@ double root_between(const Segment& piece, int order, double lo, double hi) {
 
 }  // namespace
 
-std::vector<double> sign_changes(const Segment& piece, int order) {
-  if (order > piece.degree) return {};
-  // Between neighbouring extremes a polynomial is monotone, so it has at most one root there.
-  std::vector<double> grid = sign_changes(piece, order + 1);
-  grid.insert(grid.begin(), 0.0);
-  grid.push_back(piece.duration);
-  std::vector<double> roots;
-  for (size_t k = 0; k + 1 < grid.size(); ++k) {
-    const double a = piece.value(grid[k], order);
-    const double b = piece.value(grid[k + 1], order);
-    if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) {
-      roots.push_back(root_between(piece, order, grid[k], grid[k + 1]));
-    } else if (a == 0.0 && grid[k] > 0.0) {
-      roots.push_back(grid[k]);
-    }
+Roots sign_changes(const Segment& piece, int order) {
+  // Between neighbouring extremes a polynomial is monotone, so it has at most one root there: from
+  // the constant derivative down, the roots of each are the extremes of the next.
+  Roots roots;
+  Derivative slope(piece, piece.degree + 1);
+  for (int k = piece.degree; k >= order; --k) {
+    const Derivative polynomial(piece, k);
+    Roots found;
+    double from = 0.0;
+    double a = polynomial.value(from);
+    const auto look_until = [&](double to) {
+      const double b = polynomial.value(to);
+      if ((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0)) {
+        found.push_back(root_between(polynomial, slope, from, to, a < 0.0, piece.duration));
+      } else if (a == 0.0 && from > 0.0) {
+        found.push_back(from);
+      }
+      from = to;
+      a = b;
+    };
+    for (const double extreme : roots) look_until(extreme);
+    look_until(piece.duration);
+    roots = found;
+    slope = polynomial;
   }
   return roots;
 }

@@ -3,13 +3,23 @@
 #include <doctest/doctest.h>
 
 #include <random>
+#include <vector>
 
 using namespace armlet;
+
+namespace {
+
+std::vector<double> roots_of(const Segment& piece, int order) {
+  const Roots roots = sign_changes(piece, order);
+  return {roots.begin(), roots.end()};
+}
+
+}  // namespace
 
 // (u - 0.1)(u - 0.25)(u - 0.5)(u - 0.9), expanded by hand.
 TEST_CASE("all roots of a quartic are found, in order") {
   const Segment quartic{.duration = 1.0, .degree = 4, .c = {0.01125, -0.1925, 0.965, -1.75, 1.0}};
-  const std::vector<double> roots = sign_changes(quartic, 0);
+  const auto roots = roots_of(quartic, 0);
   REQUIRE(roots.size() == 4);
   CHECK(roots[0] == doctest::Approx(0.1).epsilon(1e-12));
   CHECK(roots[1] == doctest::Approx(0.25).epsilon(1e-12));
@@ -27,7 +37,7 @@ TEST_CASE("roots of random polynomials are where they were put") {
     const double c = b + 0.05 + 0.3 * number();
     const Segment cubic{
         .duration = 1.0, .degree = 3, .c = {-a * b * c, a * b + a * c + b * c, -a - b - c, 1.0}};
-    const std::vector<double> roots = sign_changes(cubic, 0);
+    const auto roots = roots_of(cubic, 0);
     REQUIRE(roots.size() == 3);
     // Rounding of the coefficients moves a root by about 1e-16 over the gaps squared.
     CHECK(std::abs(roots[0] - a) < 1e-12);
@@ -37,8 +47,8 @@ TEST_CASE("roots of random polynomials are where they were put") {
 }
 
 TEST_CASE("constants, lines without a root and touching parabolas have no sign change") {
-  CHECK(sign_changes({.duration = 1.0, .degree = 0, .c = {2.0}}, 0).empty());
-  CHECK(sign_changes({.duration = 1.0, .degree = 1, .c = {2.0, 1.0}}, 0).empty());
-  CHECK(sign_changes({.duration = 1.0, .degree = 2, .c = {0.26, -1.0, 1.0}}, 0).empty());
-  CHECK(sign_changes({.duration = 1.0, .degree = 2, .c = {0.0, 0.0, 1.0}}, 3).empty());
+  CHECK(roots_of({.duration = 1.0, .degree = 0, .c = {2.0}}, 0).empty());
+  CHECK(roots_of({.duration = 1.0, .degree = 1, .c = {2.0, 1.0}}, 0).empty());
+  CHECK(roots_of({.duration = 1.0, .degree = 2, .c = {0.26, -1.0, 1.0}}, 0).empty());
+  CHECK(roots_of({.duration = 1.0, .degree = 2, .c = {0.0, 0.0, 1.0}}, 3).empty());
 }

@@ -132,6 +132,7 @@ class TypePool {
 
  private:
   using Columns = std::vector<std::pair<std::string, const Type*>>;
+  using RecordsByName = std::unordered_map<std::string_view, const Type*>;
   const Type* intern(Type type);
   [[nodiscard]] const Type* find(std::size_t hash, const Type& type) const;
   const Type* new_table(std::vector<RecordField> row);
@@ -145,7 +146,7 @@ class TypePool {
   std::unordered_map<const RecordInfo*, std::vector<Type*>> tables_of_;  // open ones, and joined
   std::list<RecordInfo> records_;
   std::list<EnumInfo> enums_;
-  std::shared_ptr<const std::vector<const Type*>> library_records_;
+  std::shared_ptr<const RecordsByName> library_records_;
   std::vector<const Type*> made_records_;  // by record_of
   const Type *any_, *void_, *bool_, *int_, *real_, *text_, *matrix_;
 };

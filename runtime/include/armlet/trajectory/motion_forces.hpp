@@ -25,8 +25,9 @@ struct PeakForce {
 struct MotionForces {
   std::vector<PeakForce> peaks;  // one for each joint
   int nearest = -1;              // the joint whose peak has the largest share; -1: none has a limit
-  // How many times slower the motion has to be for every joint to keep its limit: at most 1 if they
-  // do. Infinite: a joint cannot even hold the arm and move it slowly somewhere on the way.
+  // How many times slower the motion has to be for every joint to keep its limit: 1 if they do, 0
+  // if nothing is asked of those that have one. Infinite: a joint cannot even hold the arm and move
+  // it slowly somewhere on the way.
   double slower = 0.0;
 };
 
