@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+
+#include "armlet/mesh/glb.hpp"
 
 namespace armlet {
 
