@@ -77,6 +77,47 @@ TEST_CASE("a motion that is so many times slower keeps the limits, one a little 
   CHECK(tried > 30);
 }
 
+// Against instants 20 times closer, where limits are just above and just below what is asked for:
+// whether they are kept decides whether it is worked out how much slower the motion has to be.
+TEST_CASE("the largest share of a limit is found, and whether it is kept") {
+  const PlannerSet planners;
+  Random random(33);
+  int kept = 0, exceeded = 0;
+  for (int k = 0; k < 150; ++k) {
+    CAPTURE(k);
+    const int n = 2 + k % 5;
+    RobotSpec spec = random_heavy_arm(random, n).spec();
+    const VectorXd q0 = random_values(random, n), q1 = random_values(random, n);
+    const char* const laws[] = {"Syn", "434", "SCurve"};
+    const MotionPlan plan = plan_joint_move(planners, Robot(spec),
+                                            {.q0 = q0,
+                                             .q1 = q1,
+                                             .planner = laws[k % 3],
+                                             .time = random.uniform(0.3, 3.0),
+                                             .enforce_limits = false});
+    if (!plan.ok()) continue;
+    const Trajectory& motion = *plan.trajectory;
+    VectorXd q(n), qd(n), qdd(n), most = VectorXd::Zero(n);
+    constexpr double kClose = 2.5e-4;  // s
+    for (double t = 0.5 * kClose; t < motion.duration(); t += kClose) {
+      motion.sample(t, q, qd, qdd);
+      most = most.cwiseMax(VectorXd(inverse_dynamics(Robot(spec), q, qd, qdd)).cwiseAbs());
+    }
+    double share = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double limit = random.uniform(0.98, 1.3) * most[i];
+      spec.joints[static_cast<std::size_t>(i)].max_effort = limit;
+      share = std::max(share, most[i] / limit);
+    }
+    const MotionForces forces = motion_forces(Robot(spec), motion);
+    CHECK(forces.peaks[static_cast<std::size_t>(forces.nearest)].share() >= share * (1.0 - 1e-4));
+    if (share > 1.0) CHECK(forces.slower > 1.0);
+    ++(share > 1.0 ? exceeded : kept);
+  }
+  CHECK(kept > 20);
+  CHECK(exceeded > 20);
+}
+
 // Against motion_forces, which looks closer, of the same motion.
 TEST_CASE("what a velocity command asks for while it holds is found") {
   constexpr double kHolds = 0.7;  // s
