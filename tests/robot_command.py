@@ -87,6 +87,8 @@ def check_hands():
     check("a suction cup", "suction cup of radius 15 mm" in robot("suction_cup").stdout, True)
     check("no block of a hand", robot("barrett_hand", "--rbt").returncode, 64)
     check("no joints to describe", robot("suction_cup", "--urdf").returncode, 64)
+    for form in ("--urdf", "--rbt"):
+        check(f"{form} of no robot", robot(form).returncode, 64)
 
 
 def check_files(folder):

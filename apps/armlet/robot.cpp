@@ -185,6 +185,9 @@ int robot(const RobotOptions& options) {
   if (options.name.empty() && options.glb) {
     return refuse("the robot goes before the file: armlet robot puma560 --glb puma560.glb", kUsage);
   }
+  if (options.name.empty() && (options.urdf || options.block)) {
+    return refuse("of which robot? For example: armlet robot puma560 --urdf", kUsage);
+  }
   if (options.name.empty()) return list_robots(options.json);
   const Found found = find(options);
   if (found.exit != kDone) return found.exit;
