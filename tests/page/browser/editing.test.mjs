@@ -111,7 +111,8 @@ test("pointing at the path lights its line and its instant, a click goes there; 
     await page.getByRole("toolbar", { name: "3D view" }).getByRole("button", { name: "Top" }).click();
     const view = await page.locator(".stage canvas").boundingBox();
     const isThere = async () => (await page.locator(".cm-lineNumbers .cm-activeLineGutter").innerText()) === "5";
-    for (let s = 0; s < 100 && !(await isThere()); s++) await page.mouse.click(view.x + (0.05 + 0.09 * (s % 10)) * view.width, view.y + (0.2 + 0.007 * s) * view.height);
+    await page.waitForTimeout(500);
+    for (let s = 0; s < 30 && !(await isThere()); s++) await page.mouse.click(view.x + (0.06 + 0.03 * (s % 10)) * view.width, view.y + (0.45 + 0.01 * s) * view.height);
     assert.ok(await isThere(), "no click has selected the object");
   }));
 
