@@ -137,6 +137,49 @@ def check_door(lab):
     goes_on(address)
 
 
+def check_outside(armlet):
+    """A page reads what programs may read, below the folder of the program, and nothing else."""
+    secret = "47114711"
+    with tempfile.TemporaryDirectory() as around:
+        folder = Path(around, "lab")
+        folder.mkdir()
+        Path(around, "secret.rbt").write_text(f"let secret = {secret}\n")
+        Path(around, "secret.csv").write_text(f"a,b\n{secret},2\n")
+        for name in ("secret.rbt", "secret.csv"):
+            (folder / f"link-{name}").symlink_to(f"../{name}")
+        (folder / "program.rbt").write_text(PROGRAM)
+        with Lab(armlet, str(folder / "program.rbt")) as lab:
+            token = lab.address.split("=")[1]
+            for name in ("../secret.csv", "/etc/passwd", "program.rbt", "..%2fsecret.csv", "%2e%2e/secret.csv", "", "x" * 3000):
+                answered, body, _ = get(lab.address, f"/file?token={token}&name={name}")
+                assert answered == 404 and secret.encode() not in body, (name, answered)
+            page = greet(lab.address)
+            page.until(lambda m: is_message(m, "run") and m["state"] != "running")
+            reads = ['import "{}"\nprint(secret)\n', 'print(load("{}"))\n', 'object o {{ shape: mesh("{}"); at: xyz() }}\n']
+            paths = ["../secret.rbt", f"{around}/secret.rbt", "link-secret.rbt", "../secret.csv", f"{around}/secret.csv",
+                     "link-secret.csv", "/etc/passwd"]
+            for version, text in enumerate((read.format(path) for read in reads for path in paths), 200):
+                page.send(type="text", text=text, version=version)
+                told, seen = page.until(lambda m: is_message(m, "diagnostics", text_version=version) and not m["runs"]
+                                        or is_message(m, "run", text_version=version) and m["state"] != "running")
+                assert told["type"] == "diagnostics" or told["state"] == "failed", (text, told)
+                assert not any(secret in str(each) or "root:" in str(each) for each in seen), text
+            page.close()
+        assert sorted(os.listdir(folder)) == ["link-secret.csv", "link-secret.rbt", "program.rbt"]
+
+
+def check_half_open(armlet, program):
+    """A page that is in control and has gone without a word, as a machine without power, loses it."""
+    with Lab(armlet, program) as lab:
+        gone = greet(lab.address)
+        gone.until(lambda m: is_message(m, "run") and m["state"] != "running")
+        page = greet(lab.address)
+        page.send(type="take")
+        page.until(lambda m: is_message(m, "control", holder=page.number), seconds=60)
+        page.close()
+        gone.close()
+
+
 def check_large_frame(lab):
     """A frame that says it has a gigabyte, and comes: the connection ends when there is more than any message has."""
     before = lab.memory("VmHWM")
@@ -257,6 +300,58 @@ def check_flood(lab):
     goes_on(lab.address)
 
 
+def check_inputs(lab):
+    """Inputs without end, each of which would be a run of its own, keep nobody else waiting either."""
+    flood = greet(lab.address)
+    take_control(flood)
+    text = "lab cell {\n    field gap(20deg, range: [0deg, 60deg])\n}\nmoveJ(posJ(10deg, cell.gap, 10mm, 0deg), time: 1s)\nwait(2s)\n"
+    run_text(flood, text, 5000)
+    over = threading.Event()
+    sent, taken = [0], [0]
+
+    def send():
+        try:
+            while not over.is_set():
+                flood.send(type="input", set="gap", value=0.1 + 1e-4 * (sent[0] % 1000), t=0.5)
+                sent[0] += 1
+        except OSError:
+            pass
+
+    def receive():
+        try:
+            while not over.is_set():
+                taken[0] += is_message(flood.receive(5), "taken")
+        except (OSError, ConnectionError, TimeoutError):
+            pass
+
+    threads = [threading.Thread(target=each) for each in (send, receive)]
+    for each in threads:
+        each.start()
+    try:
+        page = greet(lab.address)
+        worst = 0.0
+        for _ in range(20):
+            begun = time.monotonic()
+            page.ask(type="hover", at=[1, 5])
+            worst = max(worst, time.monotonic() - begun)
+            time.sleep(0.1)
+        assert worst < 5.0 and sent[0] > 1000, (worst, sent)
+        assert lab.memory() < 500, lab.memory()
+    finally:
+        over.set()
+        try:
+            flood.socket.shutdown(socket.SHUT_RDWR)
+        except OSError:
+            pass  # it was sent away
+        for each in threads:
+            each.join()
+        flood.close()
+    take_control(page)
+    assert run_text(page, PROGRAM, 5001)["state"] == "done"
+    page.close()
+    goes_on(lab.address)
+
+
 def check_crowd(lab):
     """200 connections, most of which say nothing or half of something."""
     parts = urlsplit(lab.address)
@@ -344,7 +439,7 @@ def main():
         Path(program).write_text(PROGRAM)
         only = sys.argv[2:]
         with Lab(armlet, program) as lab:
-            for check in (check_start, check_door, check_frames, check_pages, check_programs, check_flood, check_crowd):
+            for check in (check_start, check_door, check_frames, check_pages, check_programs, check_flood, check_inputs, check_crowd):
                 if only and check.__name__ not in only:
                     continue
                 begun = time.monotonic()
@@ -352,6 +447,8 @@ def main():
                 print(f"{check.__name__}: {time.monotonic() - begun:.1f} s, {lab.memory():.0f} MB", flush=True)
         if not only:
             check_host_and_port(armlet, program)
+            check_half_open(armlet, program)
+            check_outside(armlet)
         assert os.listdir(folder) == ["program.rbt"]
 
 

@@ -6,6 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { axeSource, chromium, root } from "./modules.mjs";
+import { readPng } from "./small_png.mjs";
 
 export const PATIENCE = Number(process.env.ARMLET_PATIENCE ?? 60_000); // ms: pictures are drawn by the processor, beside other tests
 const FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-background-networking",
@@ -79,6 +80,13 @@ export async function closeBrowser() {
   browser = null;
 }
 
+// Where a download was put.
+export async function saved(download) {
+  const file = join(mkdtempSync(join(tmpdir(), "armlet-recording-")), "saved.html");
+  await download.saveAs(file);
+  return file;
+}
+
 // Runs `work` with pages on a laboratory; afterwards no page may have complained.
 export async function withLab(text, work, files = {}) {
   const lab = await serve(text, files);
@@ -97,24 +105,14 @@ export async function withLab(text, work, files = {}) {
 }
 
 // How many pixels of the 3D view have so much more of one colour than of the others: `is` is [0 red, 1 green, 2 blue; how much].
-export async function pixelsLike(page, is) {
-  const png = (await page.locator(".stage canvas").screenshot()).toString("base64");
-  return page.evaluate(async ([data, test]) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${data}`;
-    await image.decode();
-    const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
-    const context = canvas.getContext("2d");
-    context.drawImage(image, 0, 0);
-    const pixels = context.getImageData(0, 0, image.width, image.height).data;
-    const [channel, above] = test;
-    let count = 0;
-    for (let i = 0; i < pixels.length; i += 4) {
-      const others = [0, 1, 2].filter((k) => k !== channel).map((k) => pixels[i + k]);
-      if (pixels[i + channel] > above + Math.max(...others)) count++;
-    }
-    return count;
-  }, [png, is]);
+export async function pixelsLike(page, [channel, above]) {
+  const { data } = readPng(await page.locator(".stage canvas").screenshot());
+  const others = [0, 1, 2].filter((k) => k !== channel);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 3) {
+    if (data[i + channel] > above + Math.max(data[i + others[0]], data[i + others[1]])) count++;
+  }
+  return count;
 }
 export const RED = [0, 70];
 export const GREEN = [1, 70];

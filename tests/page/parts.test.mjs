@@ -5,13 +5,14 @@ import { join } from "node:path";
 import test from "node:test";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { root, source } from "./modules.mjs";
+import { readPng, smallPng } from "./small_png.mjs";
 
 const kinematics = await source("store/kinematics.ts");
 const { readRows, writeRows } = await source("protocol/rows.ts");
 const { numberAt, pulled } = await source("editor/numbers.ts");
 const { csvOf, svgOf } = await source("elements/series.ts");
-const { cellText, tableOf } = await source("elements/table_value.ts");
-const { rollPitchYaw, shownUnit } = await source("elements/units.ts");
+const { cellText, shownTable, tableOf } = await source("elements/table_value.ts");
+const { fixed, rollPitchYaw, shownUnit } = await source("elements/units.ts");
 const { textToHash, hashToText } = await source("shell/link.ts");
 const { positionText, poseText } = await source("shell/scene_tools.ts");
 const { rulerStep } = await source("timebar/bar.ts");
@@ -142,6 +143,33 @@ test("values of a program become tables: rows, records, columns, a row, one valu
   assert.deepEqual(tableOf("x"), { header: [], rows: [["x"]] });
   assert.deepEqual([tableOf([]).rows, tableOf(null).rows, tableOf(undefined).rows], [[], [], []]);
   assert.deepEqual([cellText(-1.23456789), cellText(1e-9), cellText(3), cellText(null), cellText([1, 2])], ["−1.2346", "0", "3", "–", "[1, 2]"]);
+});
+
+test("tables are read in degrees and millimetres, with units in the header or behind the numbers", () => {
+  const q = [Math.PI / 2, -Math.PI / 4, 0.15];
+  const units = ["rad", "rad", "m"];
+  assert.deepEqual(shownTable([q, q], [units, units], ["a", "b", "c"]), { header: ["a [deg]", "b [deg]", "c [mm]"], rows: [["90", "−45", "150"], ["90", "−45", "150"]] });
+  assert.deepEqual(shownTable([q], [units]), { header: [], rows: [["90 deg", "−45 deg", "150 mm"]] });
+  assert.deepEqual(shownTable([1, 2], "m"), { header: [], rows: [["1000 mm", "2000 mm"]] });
+  assert.deepEqual(shownTable([{ name: "a", far: 0.002 }, { name: "b", far: 1 }], [{ name: "", far: "m" }, { name: "", far: "m" }]), { header: ["name", "far [mm]"], rows: [["a", "2"], ["b", "1000"]] });
+  assert.deepEqual(shownTable({ mass: 2, size: [1, 2] }, { mass: "kg", size: "m" }), { header: [], rows: [["mass", "2 kg"], ["size", "[1000, 2000] mm"]] });
+  // What has other units in one column, or none, or is missing.
+  assert.deepEqual(shownTable([[1, 1], [1, null]], [["m", "rad"], ["kg", ""]], ["x", "y"]).rows, [["1000 mm", "57.296"], ["1 kg", "–"]]);
+  assert.deepEqual(shownTable([[1, 2], [3, 4]], "", ["x", "y"]), { header: ["x", "y"], rows: [["1", "2"], ["3", "4"]] });
+  assert.deepEqual(shownTable([1], undefined), { header: [], rows: [["1"]] });
+  assert.deepEqual(shownTable(undefined, undefined, ["x"]), { header: ["x"], rows: [] });
+});
+
+test("what is zero when it is rounded has no sign", () => {
+  assert.deepEqual([fixed(-0.004, 2), fixed(-0, 1), fixed(-0.006, 2), fixed(12.34, 1)], ["0.00", "0.0", "-0.01", "12.3"]);
+});
+
+test("pictures come back as they were written", () => {
+  const next = sequence(29);
+  const colors = Array.from({ length: 200 }, () => [next(), next(), next()].map((v) => Math.round(127.5 * (v + 1))));
+  const rgb = Buffer.from(Array.from({ length: 31 * 17 }, (_, i) => colors[(i * i) % 200]).flat());
+  assert.deepEqual(readPng(smallPng(31, 17, rgb)), { width: 31, height: 17, data: rgb });
+  assert.throws(() => readPng(Buffer.concat([smallPng(1, 1, Buffer.from([1, 2, 3])).fill(16, 24, 25)])));
 });
 
 test("positions are written as programs write them", () => {

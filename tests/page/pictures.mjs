@@ -38,12 +38,12 @@ const half = (page) => at(page, 0.47);
 // The scenes of docs/world.md.
 const stripes = (() => {
   const [width, height] = [96, 64];
-  const data = new Uint8Array(4 * width * height);
+  const data = new Uint8Array(3 * width * height);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const isEdge = Math.min(x, y, width - 1 - x, height - 1 - y) < 6;
       const isArrow = Math.abs(y - height / 2) < (x < 56 ? 6 : Math.max(0, 78 - x)) && x > 18;
-      data.set(isEdge || isArrow ? [255, 255, 255, 255] : [0, 114, 178, 255], 4 * (y * width + x));
+      data.set(isEdge || isArrow ? [255, 255, 255] : [0, 114, 178], 3 * (y * width + x));
     }
   }
   return smallPng(width, height, data);

@@ -3,8 +3,8 @@ import { smallPng } from "./small_png.mjs";
 
 // A picture whose left half has one colour and whose right half another, [r, g, b].
 export function twoColours(left, right, size = 16) {
-  const data = new Uint8Array(4 * size * size);
-  for (let i = 0; i < size * size; i++) data.set([...(i % size < size / 2 ? left : right), 255], 4 * i);
+  const data = new Uint8Array(3 * size * size);
+  for (let i = 0; i < size * size; i++) data.set(i % size < size / 2 ? left : right, 3 * i);
   return smallPng(size, size, data);
 }
 

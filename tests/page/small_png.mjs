@@ -1,5 +1,5 @@
-// Pictures with at most 256 colours as PNG, a third as large as those of browsers.
-import { crc32, deflateSync } from "node:zlib";
+// Pictures as PNG: read as browsers and this file write them, and written with at most 256 colours, a third as large as those of browsers.
+import { crc32, deflateSync, inflateSync } from "node:zlib";
 
 // A box of colours, each [r, g, b, how often].
 function halves(colors) {
@@ -45,11 +45,11 @@ function chunk(type, data) {
   return out;
 }
 
-// rgba  four bytes a pixel, row by row.
-export function smallPng(width, height, rgba) {
+// rgb  three bytes a pixel, row by row.
+export function smallPng(width, height, rgb) {
   const counts = new Map();
-  for (let i = 0; i < rgba.length; i += 4) {
-    const key = (rgba[i] << 16) | (rgba[i + 1] << 8) | rgba[i + 2];
+  for (let i = 0; i < rgb.length; i += 3) {
+    const key = (rgb[i] << 16) | (rgb[i + 1] << 8) | rgb[i + 2];
     counts.set(key, (counts.get(key) ?? 0) + 1);
   }
   const colors = palette(counts);
@@ -57,8 +57,8 @@ export function smallPng(width, height, rgba) {
   const rows = Buffer.alloc((width + 1) * height);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
-      const i = 4 * (y * width + x);
-      rows[y * (width + 1) + 1 + x] = indexOf.get((rgba[i] << 16) | (rgba[i + 1] << 8) | rgba[i + 2]);
+      const i = 3 * (y * width + x);
+      rows[y * (width + 1) + 1 + x] = indexOf.get((rgb[i] << 16) | (rgb[i + 1] << 8) | rgb[i + 2]);
     }
   }
   const head = Buffer.alloc(13);
@@ -69,4 +69,46 @@ export function smallPng(width, height, rgba) {
     Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]), chunk("IHDR", head), chunk("PLTE", Buffer.from(colors.flatMap(({ color }) => color))),
     chunk("IDAT", deflateSync(rows, { level: 9 })), chunk("IEND", Buffer.alloc(0)),
   ]);
+}
+
+function paeth(a, b, c) {
+  const [pa, pb, pc] = [Math.abs(b - c), Math.abs(a - c), Math.abs(a + b - 2 * c)];
+  return pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
+}
+
+// The lines of a picture without their filters (PNG, third edition, 9.2).
+function unfiltered(packed, height, stride, step) {
+  const out = Buffer.alloc(height * stride);
+  for (let y = 0; y < height; y++) {
+    const filter = packed[y * (stride + 1)];
+    for (let x = 0; x < stride; x++) {
+      const at = y * stride + x;
+      const a = x >= step ? out[at - step] : 0;
+      const b = y > 0 ? out[at - stride] : 0;
+      const c = x >= step && y > 0 ? out[at - stride - step] : 0;
+      const guess = [0, a, b, (a + b) >> 1, filter === 4 ? paeth(a, b, c) : 0][filter];
+      out[at] = packed[y * (stride + 1) + 1 + x] + guess;
+    }
+  }
+  return out;
+}
+
+// {width, height, data: r, g, b of each pixel, row by row} of a picture with eight bits a colour that is not interlaced.
+export function readPng(png) {
+  const parts = { IDAT: [] };
+  for (let at = 8; at < png.length; ) {
+    const [size, type] = [png.readUInt32BE(at), png.toString("latin1", at + 4, at + 8)];
+    const data = png.subarray(at + 8, at + 8 + size);
+    type === "IDAT" ? parts.IDAT.push(data) : (parts[type] = data);
+    at += 12 + size;
+  }
+  const [width, height, bits, kind, interlaced] = [parts.IHDR.readUInt32BE(0), parts.IHDR.readUInt32BE(4), parts.IHDR[8], parts.IHDR[9], parts.IHDR[12]];
+  const step = { 2: 3, 3: 1, 6: 4 }[kind];
+  if (bits !== 8 || interlaced || !step) throw new Error(`a PNG of kind ${kind} with ${bits} bits`);
+  const given = unfiltered(inflateSync(Buffer.concat(parts.IDAT)), height, width * step, step);
+  const data = Buffer.alloc(3 * width * height);
+  for (let i = 0; i < width * height; i++) {
+    for (let k = 0; k < 3; k++) data[3 * i + k] = kind === 3 ? parts.PLTE[3 * given[i] + k] : given[step * i + k];
+  }
+  return { width, height, data };
 }

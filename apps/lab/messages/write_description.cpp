@@ -120,7 +120,7 @@ OrderedJson element_json(const LabElements& lab, std::size_t i) {
     out["unit"] = row.unit;
     out["factor"] = unit ? unit->factor : 1.0;
   }
-  if (row.kind == LabRowKind::kPlot && i < lab.units.size()) out["quantity_unit"] = lab.units[i];
+  if (row.kind == LabRowKind::kPlot && i < lab.units.size()) out["units"] = lab.units[i];
   if (row.kind == LabRowKind::kTable) out["header"] = row.header;
   if (row.kind == LabRowKind::kText) out["text"] = value_json(row.value);
   return out;
@@ -170,6 +170,7 @@ Message write_description(const RunRecord& run) {
   OrderedJson out = {{"type", "description"},
                      {"run", run.number},
                      {"text_version", run.text_version},
+                     {"world", run.world.empty() ? OrderedJson() : OrderedJson(run.world)},
                      {"robots", OrderedJson::array()},
                      {"objects", OrderedJson::array()}};
   for (const RecordedRobot& robot : run.robots) out["robots"].push_back(robot_json(robot));

@@ -1,5 +1,6 @@
 // Messages about runs, and rows of numbers as binary messages.
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -52,6 +53,23 @@ OrderedJson run_json(const RunRecord& run) {
 
 OrderedJson piece(std::string_view type, const RunRecord& run, std::size_t first) {
   return {{"type", type}, {"run", run.number}, {"first", first}, {"items", OrderedJson::array()}};
+}
+
+// The unit of all numbers of a value, or, where they differ, those of its parts.
+OrderedJson units_json(const Value& value) {
+  OrderedJson parts;
+  if (const auto* number = value.get_if<Value::Number>()) return si_unit_of(*number);
+  if (const auto* list = value.get_if<Value::List>()) {
+    for (const Value& each : *list) parts.push_back(units_json(each));
+  } else if (const auto* record = value.get_if<Value::Record>()) {
+    for (const auto& [name, field] : record->fields) parts[name] = units_json(field);
+  }
+  if (parts.empty()) return "";
+  const OrderedJson& first = *parts.begin();
+  const bool is_same = first.is_string() && std::ranges::all_of(parts, [&](const OrderedJson& each) {
+                         return each == first;
+                       });
+  return is_same ? first : parts;
 }
 
 OrderedJson robot_number(int robot) { return robot < 0 ? OrderedJson() : OrderedJson(robot); }
@@ -156,7 +174,7 @@ Message write_elements(Seq to, int run, double t, const std::vector<ElementValue
   out["values"] = OrderedJson::object();
   for (const ElementValue& each : values) {
     out["values"][each.name] = each.fault.empty() ? OrderedJson{{"value", value_json(each.value)},
-                                                                {"unit", si_unit_of(each.value)}}
+                                                                {"units", units_json(each.value)}}
                                                   : OrderedJson{{"error", each.fault}};
   }
   return message_of(out);

@@ -123,13 +123,21 @@ bool add_numbers(const Value& value, std::vector<double>& numbers) {
       value.content());
 }
 
-std::string si_unit_of(const Value& value) {
-  if (const auto* list = value.get_if<Value::List>())
-    return list->empty() ? std::string() : si_unit_of(list->front());
-  const auto* number = value.get_if<Value::Number>();
-  if (number == nullptr || number->dim.is_none()) return {};
-  if (number->dim == dims::kAngle) return "rad";
-  return display_unit(number->dim, 1e12).name;
+std::string si_unit_of(const Value::Number& number) {
+  if (number.dim == dims::kAngle) return "rad";
+  return display_unit(number.dim, 1e12).name;
+}
+
+void add_units(const Value& value, std::vector<std::string>& units) {
+  std::visit(Overload{[&](const Value::Number& number) { units.push_back(si_unit_of(number)); },
+                      [&](const Value::List& list) {
+                        for (const Value& each : list) add_units(each, units);
+                      },
+                      [&](const Value::Matrix& matrix) {
+                        units.resize(units.size() + matrix.elements.size());
+                      },
+                      [&](const auto&) { units.emplace_back(); }},
+             value.content());
 }
 
 // ---- plots ----------------------------------------------------------------------------------
@@ -172,7 +180,8 @@ void PlotReader::read_all(double t) {
       if (rows.count() != 0) continue;
       rows = Rows(row.size());
       record_.lab->units.resize(elements.size());
-      record_.lab->units[i] = si_unit_of(*read);
+      record_.lab->units[i].clear();
+      add_units(*read, record_.lab->units[i]);
       ++record_.described;
     }
     rows.add(row);

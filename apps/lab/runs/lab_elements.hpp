@@ -28,8 +28,10 @@ struct ElementValue {
 
 // Numbers of a value in the order in which they stand in it, SI; false: it holds something else.
 [[nodiscard]] bool add_numbers(const Value& value, std::vector<double>& numbers);
-// The SI unit of the first number in it.
-[[nodiscard]] std::string si_unit_of(const Value& value);
+// The SI unit of a number.
+[[nodiscard]] std::string si_unit_of(const Value::Number& number);
+// The units of the numbers that add_numbers gives.
+void add_units(const Value& value, std::vector<std::string>& units);
 
 // Takes a run once more, unheard, and reads its plots at even times.
 class PlotReader {

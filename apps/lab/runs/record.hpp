@@ -119,7 +119,7 @@ struct RecordedFigure {
 struct LabElements {
   LabRows rows;
   std::vector<std::vector<std::array<double, 2>>> ranges;
-  std::vector<std::string> units;               // SI, of the plots that have been read
+  std::vector<std::vector<std::string>> units;  // SI, of the columns of plots that have been read
   std::vector<std::optional<TextSpan>> places;  // of the rows in the text
   bool has_block = false;
   bool is_new = true;
@@ -151,6 +151,7 @@ struct RunHead {
 };
 
 struct RunRecord : RunHead {
+  std::string world;  // its name; empty: the program has asked for none
   std::vector<RecordedRobot> robots;
   std::vector<ObjectInfo> objects;
   std::vector<ObjectFiles> object_files;
@@ -198,7 +199,7 @@ class Recording : public Backend {
   void on_wait();
   // What the run has come to when it ends: loads that have changed since time passed.
   void on_end();
-  // Reads off what the cell knows beside its events: models of the robots.
+  // Reads off what the cell knows beside its events: models of the robots, the name of the world.
   void look_at_models();
   // The same of objects: where the program declares those that were there when the run began. While
   // the session has paused.

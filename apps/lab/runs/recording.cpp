@@ -115,6 +115,10 @@ void Recording::take(const RobotChanged& changed) {
 void Recording::look_at_models() {
   const Host* host = session_ == nullptr ? nullptr : session_->host();
   if (host == nullptr) return;
+  if (record_.world != host->world_name()) {
+    record_.world = host->world_name();
+    ++record_.described;
+  }
   for (std::size_t i = 0; i < record_.robots.size(); ++i) {
     std::shared_ptr<const Robot>& model = record_.robots[i].model;
     if (model == nullptr && static_cast<int>(i) < host->cell().robot_count())

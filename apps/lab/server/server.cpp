@@ -100,7 +100,7 @@ class Server {
                                     "request_timeout_ms",  // also of those who ask for nothing
                                     "3000",
                                     "websocket_timeout_ms",
-                                    "15000",
+                                    "5000",  // five pings without an answer are the end
                                     "enable_websocket_ping_pong",
                                     "yes",
                                     "enable_directory_listing",

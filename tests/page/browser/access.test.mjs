@@ -70,6 +70,19 @@ for (const colorScheme of ["light", "dark"]) {
     }));
 }
 
+test("the hints of the first time go away for good", () =>
+  withLab(null, async (open) => {
+    const page = await open();
+    await untilStatus(page, /moves/);
+    assert.deepEqual(await page.locator(".hint").evaluateAll((all) => all.map((hint) => hint.querySelectorAll("p").length)), [3, 3, 3]);
+    const buttons = page.getByRole("button", { name: "Got it" });
+    while (await buttons.count()) await buttons.first().click();
+    await page.reload();
+    await untilStatus(page, /moves/);
+    await page.locator(".stage canvas").waitFor();
+    assert.equal(await page.locator(".hint").count(), 0);
+  }));
+
 test("without a 3D view everything else is there", () =>
   withLab(null, async (open) => {
     const page = await open({ before: (fresh) => fresh.addInitScript(() => {

@@ -1,7 +1,7 @@
 // The program is changed, and what follows from it is seen at once.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { clock, closeBrowser, lineOf, placeOf, status, typeAtEnd, until, untilStatus, withLab } from "../laboratory.mjs";
+import { clock, closeBrowser, lineOf, openPage, placeOf, saved, status, typeAtEnd, until, untilStatus, withLab } from "../laboratory.mjs";
 
 after(closeBrowser);
 
@@ -61,10 +61,12 @@ test("a mistake is told with its reason and mended with one click; the last good
     await untilStatus(page, /3\.00 s/);
     await typeAtEnd(page, "arm.moveJJ(posJ(0deg, 30deg, 10mm, 0deg), time: lag)\n");
     await untilStatus(page, /1 mistake: the last good run is shown/);
+    await page.locator(".is-stale .editor .stale").waitFor();
     assert.match(await clock(page).innerText(), /3\.00 s/);
     await page.getByRole("button", { name: /^Fix: .*moveJ/ }).click();
     await untilStatus(page, /3 moves, 5\.00 s/);
     assert.equal(await page.locator(".problem").count(), 0);
+    assert.equal(await page.locator(".is-stale").count(), 0);
   }));
 
 test("pointing at a line lights its stretch of the path, pointing at a block lights its line", () =>
@@ -79,6 +81,87 @@ test("pointing at a line lights its stretch of the path, pointing at a block lig
     await page.mouse.move(bar.x + 76 + 0.2 * (bar.width - 100), bar.y + 30);
     await page.locator(".line-hovered", { hasText: "40deg" }).waitFor();
     assert.match(await page.locator(".bar-note").innerText(), /moveJ/);
+  }));
+
+// Where the pointer is over the path, on the view: [x, y] of the window.
+async function onPath(page) {
+  const box = await page.locator(".stage canvas").boundingBox();
+  for (let y = 0.25; y < 0.9; y += 0.03) {
+    for (let x = 0.1; x < 0.95; x += 0.02) {
+      await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
+      if (await page.locator(".line-hovered").count()) return [box.x + x * box.width, box.y + y * box.height];
+    }
+  }
+  throw new Error("the pointer is nowhere on the path");
+}
+
+test("pointing at the path lights its line and its instant, a click goes there; a click on an object selects its name", () =>
+  withLab(`${PROGRAM}object block { shape: box(400mm, 400mm, 30mm); at: xyz(0mm, 0mm, -20mm) }\n`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /3\.00 s/);
+    await page.locator(".stage canvas").waitFor();
+    await page.waitForTimeout(500);
+    await page.mouse.move(5, 5);
+    const bar = await page.locator(".bar").screenshot();
+    const [x, y] = await onPath(page);
+    await page.locator(".line-hovered", { hasText: "arm.moveJ" }).waitFor();
+    await until(async () => !bar.equals(await page.locator(".bar").screenshot()), () => "the bar of time does not show the instant");
+    await page.mouse.click(x, y);
+    await until(async () => !/^3\.00/.test(await clock(page).innerText()), () => "the instant is not that of the path");
+    await page.getByRole("toolbar", { name: "3D view" }).getByRole("button", { name: "Top" }).click();
+    const view = await page.locator(".stage canvas").boundingBox();
+    const isThere = async () => (await page.locator(".cm-lineNumbers .cm-activeLineGutter").innerText()) === "5";
+    await page.waitForTimeout(500);
+    for (let s = 0; s < 30 && !(await isThere()); s++) await page.mouse.click(view.x + (0.06 + 0.03 * (s % 10)) * view.width, view.y + (0.45 + 0.01 * s) * view.height);
+    assert.ok(await isThere(), "no click has selected the object");
+  }));
+
+test("a name under the pointer has the value of the instant that is looked at", () =>
+  withLab("var count = 1\nfn twice(count: int) -> int {\n    wait(0.5s)\n    return 2 * count\n}\nwait(1s)\ncount = twice(1)\nwait(1s)\n", async (open) => {
+    const page = await open();
+    await untilStatus(page, /2\.50 s/);
+    const valueAt = async (share, wanted) => {
+      const bar = await page.locator(".bar").boundingBox();
+      await page.mouse.click(bar.x + 76 + share * (bar.width - 90), bar.y + 30);
+      await page.getByRole("tab", { name: "Variables" }).click();
+      await page.locator(".variables tr", { hasText: "count" }).last().locator(".value", { hasText: wanted }).waitFor();
+      const { x, y } = await placeOf(page, "var count", "count");
+      await page.mouse.move(x, y);
+      await page.locator(".tip-value", { hasText: `= ${wanted}` }).waitFor();
+    };
+    await valueAt(0.2, "1");
+    await valueAt(0.9, "2");
+    await page.mouse.move(5, 5);
+    await valueAt(0.5, "1"); // in the function, whose own one is not meant
+  }));
+
+test("the header has robots and world, play and speed; steps stand beside what is told of the program", () =>
+  withLab('insertObj("cube")\nrobot arm = robots.scara()\narm.moveJ(posJ(10deg, 0deg, 0mm, 0deg), time: 1s)\n', async (open) => {
+    const page = await open();
+    await untilStatus(page, /1\.00 s/);
+    assert.equal(await page.locator("header .file").innerText(), "program.rbt · arm · world: table");
+    for (const label of ["Play", "To the start", "To the end"]) await page.locator("header").getByRole("button", { name: label }).waitFor();
+    await page.locator("header").getByLabel("Speed").waitFor();
+    assert.equal(await page.locator(".column.program .steps button").count(), 5);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Record" }).click()]);
+    const alone = await openPage(`file://${await saved(download)}`);
+    await untilStatus(alone, /recording/);
+    assert.equal(await alone.locator("header .file").innerText(), "program.rbt · arm · world: table");
+    await alone.context().close();
+  }));
+
+test("a program without a block has sliders of joints and hand and plots of positions and speeds; columns are closed and stay so", () =>
+  withLab(PROGRAM, async (open) => {
+    const page = await open();
+    await untilStatus(page, /3\.00 s/);
+    for (const name of ["joints of arm", "hand of arm", "q of arm", "qd of arm"]) await page.locator(".element", { hasText: name }).first().waitFor();
+    await page.getByRole("button", { name: "Column program" }).click();
+    assert.equal(await page.locator(".column.program").isVisible(), false);
+    await page.reload();
+    await untilStatus(page, /3\.00 s/);
+    assert.equal(await page.locator(".column.program").isVisible(), false);
+    await page.getByRole("button", { name: "Column program" }).click();
+    await page.locator(".column.program").waitFor();
   }));
 
 test("the editor completes, says what stands under the pointer, helps with calls and lays out", () =>
@@ -136,5 +219,9 @@ test("runs are kept: the one before is listed, and two are compared", () =>
     await page.getByRole("tab", { name: /Runs/ }).click();
     await page.getByRole("button", { name: "Compare" }).first().click();
     await page.locator(".run .reason", { hasText: /part at t = 3\.00 s/ }).waitFor();
+    // In plots the other one is dashed.
+    const plot = page.locator(".element", { hasText: "q of arm" }).first();
+    await plot.locator(".dashed", { hasText: "dashed: run 1" }).waitFor();
+    assert.equal(await plot.locator(".u-legend .beside").count(), 4);
     assert.match(await status(page).innerText(), /4\.50 s/);
   }));

@@ -1,10 +1,8 @@
 // Elements of a laboratory: shown from a recording, so that texts of any kind can be tried; moved on a laboratory that runs.
 import assert from "node:assert/strict";
-import { mkdtempSync, readFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { readFileSync } from "node:fs";
 import test, { after } from "node:test";
-import { closeBrowser, openPage, recordingFile, typeAtEnd, until, untilStatus, violations, withLab } from "../laboratory.mjs";
+import { closeBrowser, openPage, recordingFile, saved, typeAtEnd, until, untilStatus, violations, withLab } from "../laboratory.mjs";
 
 after(closeBrowser);
 
@@ -80,20 +78,20 @@ test("a plot is saved as CSV, PNG and SVG, the view as PNG; a click goes to its 
   const page = await openPage(recordingFile(recording()));
   await untilStatus(page, /recording/);
   await page.locator(".plot canvas").waitFor();
-  const saved = async (name) => {
+  const savedAs = async (name) => {
     const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name }).click()]);
     const chunks = [];
     for await (const chunk of await download.createReadStream()) chunks.push(chunk);
     return Buffer.concat(chunks);
   };
-  const csv = String(await saved("Save Angles as CSV")).trim().split("\n");
+  const csv = String(await savedAs("Save Angles as CSV")).trim().split("\n");
   assert.equal(csv[0], "t [s],q1 [deg]");
   assert.equal(csv.length, 102);
   assert.ok(Math.abs(Number(csv[101].split(",")[1]) - 180 / Math.PI) < 1e-9);
-  assert.match(String(await saved("Save Angles as SVG")), /<polyline/);
+  assert.match(String(await savedAs("Save Angles as SVG")), /<polyline/);
   const isPng = (data) => data.subarray(1, 4).toString() === "PNG" && data.length > 1000;
-  assert.ok(isPng(await saved("Save Angles as PNG")));
-  assert.ok(isPng(await saved(/^PNG$/)));
+  assert.ok(isPng(await savedAs("Save Angles as PNG")));
+  assert.ok(isPng(await savedAs(/^PNG$/)));
   const over = await page.locator(".plot .u-over").boundingBox();
   await page.mouse.click(over.x + over.width / 2, over.y + over.height / 2);
   await until(async () => /^(0\.9|1\.0)/.test(await page.locator("output.time").innerText()), () => "the instant is not in the middle");
@@ -136,13 +134,30 @@ test("a slider moves the arm; where it cannot, the reason stands at the slider",
     await untilStatus(page, /2 moves/);
   }));
 
+test("a slider moves its own joint and no other, a table has its units", () =>
+  withLab(`robot arm = robots.scara()
+lab cell {
+    sliders joints(of: arm)
+    table here(fn() => [arm.joints()], header: ["a", "b", "c", "d"])
+}
+arm.moveJ(posJ(10deg, 60.123deg, 50.0456mm, 0deg), time: 1s)
+`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /1 move, 1\.00 s/);
+    const cells = () => page.locator(".elements td").allInnerTexts();
+    await until(async () => (await cells()).join() === "10,60.123,50.046,0", async () => (await cells()).join());
+    assert.deepEqual(await page.locator(".elements thead th").allInnerTexts(), ["a [deg]", "b [deg]", "c [mm]", "d [deg]"]);
+    await page.getByRole("slider", { name: /^q1/ }).focus();
+    await page.keyboard.press("ArrowRight");
+    await until(async () => (await cells()).join() === "10.1,60.123,50.046,0", async () => (await cells()).join());
+  }));
+
 test("a run is recorded as a page that shows it from a disk", () =>
   withLab(null, async (open) => {
     const page = await open();
     await untilStatus(page, /moves/);
     const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Record" }).click()]);
-    const file = join(mkdtempSync(join(tmpdir(), "armlet-recording-")), "recorded.html");
-    await download.saveAs(file);
+    const file = await saved(download);
     const status = (await page.locator(".status").innerText()).trim();
     const alone = await openPage(`file://${file}`);
     await untilStatus(alone, /recording, /);
@@ -179,6 +194,9 @@ test("the hand is pulled in the view: the arm follows, and says why where it can
     await until(async () => (await page.locator("output.where").innerText()) !== before, () => "the arm does not follow");
     await page.getByRole("button", { name: "Insert posJ" }).click();
     await page.locator(".cm-line", { hasText: /^posJ\(.*deg\)/ }).waitFor();
+    await page.keyboard.press("Enter");
+    await page.getByRole("button", { name: "Insert posC" }).click();
+    await page.locator(".cm-line", { hasText: /^pose\(x: .*mm, .*yaw: .*deg\)/ }).waitFor();
   }));
 
 test("the view is saved as a drawing, without what is hidden", () =>

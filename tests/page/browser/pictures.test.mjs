@@ -5,7 +5,7 @@ import { join } from "node:path";
 import test, { after } from "node:test";
 import { closeBrowser, clock, until, untilStatus, withLab } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
-import { smallPng } from "../small_png.mjs";
+import { readPng, smallPng } from "../small_png.mjs";
 
 after(closeBrowser);
 
@@ -37,48 +37,22 @@ const joining = (page) => page.addInitScript(() => {
   };
 });
 
-// Two pictures by their pixels, in a page: the mean difference, and the largest of a square of 16 pixels; 0 to 255.
-async function difference(page, one, other) {
-  return page.evaluate(async (given) => {
-    const pixels = await Promise.all(given.map(async (data) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${data}`;
-      await image.decode();
-      const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
-      const context = canvas.getContext("2d");
-      context.drawImage(image, 0, 0);
-      return context.getImageData(0, 0, image.width, image.height);
-    }));
-    const [a, b] = pixels;
-    if (a.width !== b.width || a.height !== b.height) return { mean: 255, most: 255 };
-    let [sum, most] = [0, 0];
-    for (let y = 0; y < a.height; y += 16) {
-      for (let x = 0; x < a.width; x += 16) {
-        let [square, count] = [0, 0];
-        for (let v = y; v < Math.min(y + 16, a.height); v++) {
-          for (let u = x; u < Math.min(x + 16, a.width); u++) {
-            for (let k = 0; k < 3; k++, count++) square += Math.abs(a.data[4 * (v * a.width + u) + k] - b.data[4 * (v * a.width + u) + k]);
-          }
-        }
-        sum += square;
-        most = Math.max(most, square / count);
+// Two pictures by their pixels: the mean difference, and the largest of a square of 16 pixels; 0 to 255.
+function difference(one, other) {
+  const [a, b] = [readPng(one), readPng(other)];
+  if (a.width !== b.width || a.height !== b.height) return { mean: 255, most: 255 };
+  let [sum, most] = [0, 0];
+  for (let y = 0; y < a.height; y += 16) {
+    for (let x = 0; x < a.width; x += 16) {
+      let [square, count] = [0, 0];
+      for (let v = y; v < Math.min(y + 16, a.height); v++) {
+        for (let i = 3 * (v * a.width + x); i < 3 * (v * a.width + Math.min(x + 16, a.width)); i++, count++) square += Math.abs(a.data[i] - b.data[i]);
       }
+      sum += square;
+      most = Math.max(most, square / count);
     }
-    return { mean: sum / (3 * a.width * a.height), most };
-  }, [one, other].map((png) => png.toString("base64")));
-}
-
-async function pixelsOf(page, png) {
-  const { width, height, data } = await page.evaluate(async (base64) => {
-    const image = new Image();
-    image.src = `data:image/png;base64,${base64}`;
-    await image.decode();
-    const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
-    canvas.getContext("2d").drawImage(image, 0, 0);
-    const pixels = canvas.getContext("2d").getImageData(0, 0, image.width, image.height);
-    return { width: image.width, height: image.height, data: Array.from(pixels.data) };
-  }, png.toString("base64"));
-  return smallPng(width, height, Uint8Array.from(data));
+  }
+  return { mean: sum / a.data.length, most };
 }
 
 assert.ok(names.length >= 8, `figures: ${names}`);
@@ -110,13 +84,16 @@ for (const name of names) {
       await until(async () => Math.abs((await page.evaluate(() => globalThis.seenAt)) - t) < 0.006, () => `there are no values for ${t} s`);
       await page.waitForTimeout(700);
       const file = join(root, `docs/images/${name.slice(0, 5)}.png`);
-      if (process.env.ARMLET_UPDATE_DOCS) writeFileSync(file, await pixelsOf(page, await page.screenshot()));
+      if (process.env.ARMLET_UPDATE_DOCS) {
+        const { width, height, data } = readPng(await page.screenshot());
+        writeFileSync(file, smallPng(width, height, data));
+      }
       assert.ok(existsSync(file), `${file} is missing`);
       // On a busy machine figures and the view may be drawn a little later.
       let mean = 255, most = 255;
       for (let k = 0; k < 5 && (mean >= 3 || most >= 60); ++k) {
         if (k > 0) await page.waitForTimeout(1000);
-        ({ mean, most } = await difference(page, await page.screenshot(), readFileSync(file)));
+        ({ mean, most } = difference(await page.screenshot(), readFileSync(file)));
       }
       assert.ok(mean < 3 && most < 60, `the picture differs from ${file}: ${mean.toFixed(2)} in the mean, ${most.toFixed(0)} in a square (${await clock(page).innerText()})`);
     }));

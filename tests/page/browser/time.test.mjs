@@ -1,4 +1,5 @@
 // Going through a run in time: the bar, playing, statements.
+import assert from "node:assert/strict";
 import test, { after } from "node:test";
 import { closeBrowser, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
 import { STEPS, stepThrough } from "../stepping.mjs";
@@ -22,6 +23,9 @@ test("the pick and place of the demonstration is gone through, back to its start
     await until(async () => (await hand(page).innerText()) !== end, () => "the hand has not moved");
     await page.getByRole("tab", { name: "Variables" }).click();
     await page.locator(".variables .name").first().waitFor();
+    // What happened besides moves is a tick.
+    for (let x = 100; x < bar.width - 20 && !/attached/.test(await page.locator(".bar-note").innerText()); x += 4) await page.mouse.move(bar.x + x, bar.y + 12);
+    assert.match(await page.locator(".bar-note").innerText(), /^\d+\.\d\d s\s+cube attached$/);
     await page.getByRole("button", { name: "To the end" }).click();
     await until(async () => (await hand(page).innerText()) === end, () => "the hand is not back");
   }));

@@ -55,7 +55,7 @@ TEST_CASE("the rows of a lab block are described, and what they show is read alo
   CHECK(elements[1]["axes"][0]["lower"] < elements[1]["axes"][0]["upper"]);
   CHECK(elements[2]["kind"] == "field");
   CHECK(elements[2]["unit"] == "deg");
-  CHECK(elements[4]["quantity_unit"] == "rad");
+  CHECK(elements[4]["units"] == TestJson({"rad", "rad", "m", "rad"}));
   // The plot is what the robot did.
   const std::vector<double>& plot = lab.page.rows[{3, 1, 4}];
   const std::vector<double>& robot = lab.page.rows[{1, 1, 0}];
@@ -146,6 +146,44 @@ TEST_CASE("a program in which nothing moves shows its robots and objects") {
   REQUIRE(description["robots"].size() == 1);
   CHECK(description["objects"][0]["name"] == "cube");
   CHECK(description["elements"].size() >= 2);
+}
+
+TEST_CASE("what rows show has its units, number by number where they differ") {
+  Seated lab(R"(robot arm = robots.scara()
+struct Part { name: string; m: mass; far: length }
+lab cell {
+    table ways(fn() => [arm.joints(), posJ(10deg, 20deg, 10mm, 0deg)])
+    table sizes(fn() => [1mm, 2mm])
+    table parts(fn() => [Part("a", 1kg, 2mm)])
+    table M(fn() => [[1, 2], [3, 4]])
+    plot lift(fn() => [3mm, 4mm])
+}
+wait(1s)
+)");
+  lab.page.ask({{"type", "goto"}, {"t", 1.0}});
+  const TestJson q = {"rad", "rad", "m", "rad"};
+  const TestJson values = lab.page.last("elements")["values"];
+  CHECK(values["ways"]["units"] == TestJson({q, q}));
+  CHECK(values["sizes"]["units"] == "m");
+  CHECK(values["parts"]["units"] == TestJson({{{"name", ""}, {"m", "kg"}, {"far", "m"}}}));
+  CHECK(values["M"]["units"] == "");
+  CHECK(lab.page.last("description")["elements"][4]["units"] == TestJson({"m", "m"}));
+}
+
+TEST_CASE("the world has its name where the program asks for it, and none otherwise") {
+  Seated own("object cube { shape: box(40mm, 40mm, 40mm); at: xyz(300mm, 120mm, 20mm) }\n");
+  CHECK(own.page.last("description")["world"].is_null());
+  Seated supplied("insertObj(\"cube\")\nwait(1s)\n");
+  CHECK(supplied.page.last("description")["world"] == "table");
+  LaboratoryOptions options = lab_with("wait(1s)\n");
+  options.session.world = WorldText{
+      "bench", "object post { shape: box(40mm, 40mm, 40mm); at: xyz(300mm, 120mm, 20mm) }\n"};
+  Laboratory given(std::move(options));
+  TestPage page(given);
+  page.hello();
+  finish_work(given);
+  page.take();
+  CHECK(page.last("description")["world"] == "bench");
 }
 
 TEST_CASE("a program without a block has sliders all the same") {

@@ -110,6 +110,7 @@ TEST_CASE("a file that is kept takes the place of no other") {
 TEST_CASE("a page in control sends a file in pieces; hostile names become plain ones") {
   LaboratoryOptions options = lab_with("moveJ(posJ(20deg, 30deg, 10mm, 0deg), time: 1s)\n");
   std::map<std::string, std::string> kept;
+  options.most_kept_bytes = 2 << 20U;
   options.keep_file = [&](const std::string& name, std::string content) {
     kept[name] = std::move(content);
     return Result<KeptFile>({.name = name});
@@ -145,4 +146,10 @@ TEST_CASE("a page in control sends a file in pieces; hostile names become plain 
   for (int i = 0; i < 60 && answer.value("type", "") != "error"; ++i)
     answer = page.ask(piece("large.glb", large, i == 0, false));
   CHECK(answer["reason"] == "limit");
+  // The same of all files together.
+  int taken = 0;
+  for (; taken < 5 && page.ask(piece("own.glb", large, true, true))["type"] == "kept"; ++taken) {
+  }
+  CHECK(taken == 2);
+  CHECK(page.last("error")["reason"] == "limit");
 }

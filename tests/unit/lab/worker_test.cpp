@@ -82,6 +82,7 @@ TEST_CASE("worker: the world of an exported laboratory comes with it") {
       {"text", "object peg { shape: box(20mm, 20mm, 20mm); at: xyz(300mm, 0mm, 10mm) }\n"}};
   REQUIRE(open_saved(laboratory) == 0);
   CHECK(told_last("diagnostics")["runs"] == true);
+  CHECK(told_last("description")["world"] == "small");
 }
 
 TEST_CASE("worker: a page in a browser speaks to a laboratory without a server") {

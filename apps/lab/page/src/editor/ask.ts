@@ -58,20 +58,22 @@ function hoverBox(answer: IncomingOf<"hover">): HTMLElement {
   return box;
 }
 
-// The name under the pointer has the value that it has at the instant that is looked at.
-function valueAt(intents: Intents, name: string): string | null {
+// The name under the pointer has the value that it has at the instant that is looked at. Others of that name are declared elsewhere.
+async function valueAt(intents: Intents, at: Position): Promise<string | null> {
   const { instant, shown } = intents.state;
-  if (!instant || instant.run !== shown) return null;
-  return instant.variables.findLast((variable) => variable.name === name)?.value ?? null;
+  if (!instant?.variables.length || instant.run !== shown) return null;
+  const told = await intents.ask<"definition">({ type: "definition", at }).catch(() => null);
+  return instant.variables.findLast(({ declared }) => declared && declared.join() === told?.span?.join())?.value ?? null;
 }
 
 function hovering(intents: Intents): Extension {
   return hoverTooltip(async (view, pos) => {
     const word = view.state.wordAt(pos);
     if (!word) return null;
-    const answer = await intents.ask<"hover">({ type: "hover", at: positionOf(view.state.doc, pos) }).catch(() => null);
+    const at = positionOf(view.state.doc, pos);
+    const answer = await intents.ask<"hover">({ type: "hover", at }).catch(() => null);
     if (!answer || (!answer.text && !answer.help)) return null;
-    answer.value ??= valueAt(intents, view.state.sliceDoc(word.from, word.to));
+    answer.value ||= await valueAt(intents, at);
     const range = answer.span ? rangeOf(view.state.doc, answer.span) : word;
     return { pos: range.from, end: range.to, above: true, create: () => ({ dom: hoverBox(answer) }) };
   }, { hoverTime: 250 });

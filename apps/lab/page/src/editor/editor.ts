@@ -6,6 +6,7 @@ import { lintGutter, lintKeymap, setDiagnostics, type Action, type Diagnostic as
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
+import { fixed } from "../elements/units.ts";
 import type { Diagnostic, Edit, Span } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
@@ -185,5 +186,5 @@ export function marginOf(run: Run): [number, string, string][] {
 
 function endOf(run: Run, robot: number, t: number): string {
   const pose = run.toolAt(robot, t);
-  return pose ? `, to ${pose.slice(0, 3).map((v) => (1000 * v).toFixed(1)).join(", ")} mm` : "";
+  return pose ? `, to ${pose.slice(0, 3).map((v) => fixed(1000 * v, 1)).join(", ")} mm` : "";
 }

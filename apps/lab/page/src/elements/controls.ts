@@ -14,6 +14,7 @@ class Slider {
   readonly number: HTMLInputElement;
   readonly shown: Shown;
   private held = false;
+  private told = NaN;
 
   constructor(name: string, unit: string, lower: number, upper: number, changed: () => void, shown: Shown = shownUnit(unit)) {
     this.shown = shown;
@@ -35,13 +36,14 @@ class Slider {
     this.root = el("div", { class: name.length > 6 ? "slider named" : "slider" }, el("label", { for: id }, name), this.range, this.number, el("span", { class: "unit" }, shown.unit));
   }
 
-  // What stands in the field, which may lie beyond the slider.
+  // What stands in the field, which may lie beyond the slider; all digits of what it was told, while nobody has changed it.
   get value(): number {
-    return Number(this.number.value) / this.shown.factor;
+    return this.number.value === written(this.told, this.shown) ? this.told : Number(this.number.value) / this.shown.factor;
   }
 
   show(si: number): void {
     if (this.held || document.activeElement === this.number) return;
+    this.told = si;
     const text = written(si, this.shown);
     if (this.number.value === text) return;
     this.number.value = text;

@@ -74,7 +74,7 @@ export function elementPanel(host: HTMLElement, store: Store, intents: Intents, 
     const allowed = intents.live && inControl(state);
     for (const view of views) view.update(run, state, allowed);
   };
-  store.watch((s) => [s.shown, shownRun(s)?.version, s.t, s.refusals, inControl(s)], update);
+  store.watch((s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.refusals, inControl(s)], update);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => update(store.state));
 }
 

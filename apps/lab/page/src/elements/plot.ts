@@ -1,9 +1,9 @@
 // Plots over time: drag to zoom, double click for the whole, click to go to that instant.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { el, save } from "../shell/dom.ts";
+import { el, save, setText } from "../shell/dom.ts";
 import type { Run } from "../store/run.ts";
-import { csvOf, seriesOf, svgOf, type Series } from "./series.ts";
+import { besideOf, csvOf, seriesOf, svgOf, type Series } from "./series.ts";
 import type { ElementView, Place } from "./view.ts";
 
 function colors(): string[] {
@@ -15,8 +15,10 @@ function color(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-function options(series: Series, width: number, clicked: (t: number) => void, drawn: (chart: uPlot) => void): uPlot.Options {
+// beside  another run, which is drawn dashed in the same colours.
+function options(series: Series, beside: Series | null, width: number, clicked: (t: number) => void, drawn: (chart: uPlot) => void): uPlot.Options {
   const units = [...new Set(series.columns.map((c) => c.unit))];
+  const lines = [...series.columns.map((c, k) => ({ c, k, of: {} })), ...(beside?.columns ?? []).map((c, k) => ({ c, k, of: { dash: [5, 4], class: "beside" } }))];
   const text = color("--quiet");
   const grid = { stroke: color("--grid"), width: 1 };
   const font = "11px system-ui, sans-serif";
@@ -30,11 +32,11 @@ function options(series: Series, width: number, clicked: (t: number) => void, dr
     legend: { live: false },
     cursor: { drag: { x: true, y: false }, points: { size: 6 } },
     scales: { x: { time: false } },
-    axes: [{ stroke: text, font, grid, ticks: grid, size: 28, values: (_u, ticks) => ticks.map((v) => `${+v.toPrecision(6)}`) }, ...units.slice(0, 2).map(axis)],
+    axes: [{ stroke: text, font, grid, ticks: grid, size: 28, values: (_u, ticks) => ticks.map((v) => `${+v.toPrecision(6)} s`) }, ...units.slice(0, 2).map(axis)],
     series: [
       { label: "t", value: (_u, v) => (v === null ? "" : `${v.toFixed(2)} s`) },
-      ...series.columns.map((c, i): uPlot.Series => ({
-        label: c.label, scale: c.unit || "y", stroke: palette[i % palette.length]!, width: 1.5, points: { show: false },
+      ...lines.map(({ c, k, of }): uPlot.Series => ({
+        label: c.label, scale: c.unit || "y", stroke: palette[k % palette.length]!, width: 1.5, points: { show: false }, ...of,
         value: (_u, v) => (v === null ? "–" : `${v.toFixed(2)} ${c.unit}`),
       })),
     ],
@@ -52,6 +54,7 @@ export function plot(place: Place): ElementView {
   const label = element.label || element.name;
   const host = el("div", { class: "plot" });
   const now = el("div", { class: "plot-now" });
+  const dashed = el("span", { class: "dashed" });
   const empty = el("p", { class: "quiet" }, "Nothing to draw yet.");
   let chart: uPlot | null = null;
   let series: Series = { t: new Float64Array(), columns: [] };
@@ -66,30 +69,34 @@ export function plot(place: Place): ElementView {
     el("button", { class: "tiny", onclick: () => chart && savePicture(chart, label), "aria-label": `Save ${label} as PNG` }, "PNG"),
     el("button", { class: "tiny", onclick: () => save(`${label}.svg`, new Blob([svgOf(label, series, colors())], { type: "image/svg+xml" })), "aria-label": `Save ${label} as SVG` }, "SVG"),
   );
-  const draw = (run: Run) => {
+  const draw = (run: Run, other: Run | null) => {
     series = seriesOf(element, index, run);
+    const beside = other && besideOf(element, other);
+    setText(dashed, beside ? `dashed: run ${other!.id}` : "");
     const some = series.t.length > 1;
     empty.hidden = some;
     host.hidden = !some;
     if (!some) return;
-    const data = [series.t, ...series.columns.map((c) => c.values)] as unknown as uPlot.AlignedData;
-    const nextShape = `${series.columns.map((c) => c.label + c.unit).join()} ${color("--grid")}`;
+    const dataOf = ({ t, columns }: Series) => [t, ...columns.map((c) => c.values)] as unknown as uPlot.AlignedData;
+    const data = beside ? uPlot.join([dataOf(series), dataOf(beside)]) : dataOf(series);
+    const nextShape = `${[series, beside].map((each) => each?.columns.map((c) => c.label + c.unit).join()).join(";")} ${color("--grid")}`;
     if (chart && shape === nextShape) {
       chart.setData(data);
       return;
     }
     shape = nextShape;
     chart?.destroy();
-    chart = new uPlot(options(series, Math.max(200, host.clientWidth), (t) => intents.goTo(t), showInstant), data, host);
+    chart = new uPlot(options(series, beside, Math.max(200, host.clientWidth), (t) => intents.goTo(t), showInstant), data, host);
     chart.over.append(now);
   };
   const observer = new ResizeObserver(() => host.clientWidth > 0 && chart && Math.abs(chart.width - host.clientWidth) > 1 && chart.setSize({ width: host.clientWidth, height: 168 }));
   observer.observe(host);
   return {
-    root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label, tools), host, empty),
+    root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label, dashed, tools), host, empty),
     update(run, state) {
-      const key = `${run.id} ${run.version} ${color("--grid")}`;
-      if (key !== drawn) draw(run);
+      const other = state.ghost === null || state.ghost === run.id ? null : (state.runs.get(state.ghost) ?? null);
+      const key = `${run.id} ${run.version} ${other?.id} ${other?.version} ${color("--grid")}`;
+      if (key !== drawn) draw(run, other);
       drawn = key;
       instant = state.t;
       if (chart) showInstant(chart);

@@ -22,15 +22,22 @@ export function trackPlot(element: ElementInfo, run: Run): { robot: number; deri
   return robot < 0 ? null : { robot, derivative: DERIVATIVES.indexOf(match![1]!) };
 }
 
+// The row of another run that this one is compared with; null: it has none.
+export function besideOf(element: ElementInfo, run: Run): Series | null {
+  const index = run.elements.findIndex((each) => each.kind === element.kind && each.name === element.name);
+  if (index < 0 && !trackPlot(element, run)) return null;
+  const series = seriesOf(run.elements[index] ?? element, index, run);
+  return series.t.length > 1 ? series : null;
+}
+
 export function seriesOf(element: ElementInfo, index: number, run: Run): Series {
   const own = trackPlot(element, run);
   if (own) return trackSeries(run, own.robot, own.derivative);
   const rows = run.elementRows.get(index);
   if (!rows?.count) return { t: new Float64Array(), columns: [] };
-  const value = run.values[element.name];
-  const shown = shownUnit(element.quantity_unit ?? value?.unit);
   const columns: Column[] = [];
   for (let k = 1; k < rows.columns; k++) {
+    const shown = shownUnit(element.units?.[k - 1]);
     const label = element.labels?.[k - 1] ?? (rows.columns === 2 ? element.label || element.name : `${element.label || element.name} ${k}`);
     columns.push({ label, unit: shown.unit, values: rows.column(k).map((v) => v * shown.factor) });
   }

@@ -2,7 +2,8 @@
 import { el, setText } from "../shell/dom.ts";
 import { NEAR, type Run } from "../store/run.ts";
 import { richText } from "./rich_text.ts";
-import { cellText, tableOf } from "./table_value.ts";
+import { shownTable } from "./table_value.ts";
+import { fixed } from "./units.ts";
 import type { ElementView, Place } from "./view.ts";
 
 export function table({ element }: Place): ElementView {
@@ -16,11 +17,10 @@ export function table({ element }: Place): ElementView {
       const key = JSON.stringify(value ?? null);
       if (key === drawn) return;
       drawn = key;
-      const { header: own, rows } = tableOf(value?.value);
-      const header = element.header?.length ? element.header : own;
+      const { header, rows } = shownTable(value?.value, value?.units, element.header ?? []);
       body.replaceChildren(
         ...(header.length ? [el("thead", {}, el("tr", {}, ...header.map((text) => el("th", { scope: "col" }, text))))] : []),
-        el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell) => el("td", {}, cellText(cell)))))),
+        el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell) => el("td", {}, cell))))),
       );
       if (value?.error) body.replaceChildren(el("caption", { class: "reason" }, value.error));
     },
@@ -46,7 +46,7 @@ export function torques({ element }: Place, run: Run): ElementView {
       note.hidden = forces !== null;
       rows.forEach(({ gives, fill, share }, k) => {
         const part = shares[k] ?? null;
-        setText(gives, forces ? forces[k]!.toFixed(2).replace("-", "−") : "–");
+        setText(gives, forces ? fixed(forces[k]!, 2).replace("-", "−") : "–");
         setText(share, part === null ? "" : `${(100 * Math.abs(part)).toFixed(0)} %`);
         fill.style.width = `${100 * Math.min(1, Math.abs(part ?? 0))}%`;
         fill.classList.toggle("near", Math.abs(part ?? 0) >= NEAR);

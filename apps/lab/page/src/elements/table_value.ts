@@ -1,20 +1,27 @@
 // Values of a program as tables.
-import type { Value } from "../protocol/messages.ts";
+import type { Units, Value } from "../protocol/messages.ts";
+import { shownUnit } from "./units.ts";
+
+export interface Table {
+  header: string[];
+  rows: Value[][];
+}
 
 // A number with as many digits as one reads in a table, anything else as it is.
-export function cellText(cell: Value | undefined): string {
+export function cellText(cell: Value | undefined, factor = 1): string {
   if (cell === null || cell === undefined) return "–";
-  if (Array.isArray(cell)) return `[${cell.map(cellText).join(", ")}]`;
-  if (typeof cell === "object") return Object.entries(cell).map(([name, value]) => `${name} ${cellText(value)}`).join(", ");
+  if (Array.isArray(cell)) return `[${cell.map((each) => cellText(each, factor)).join(", ")}]`;
+  if (typeof cell === "object") return Object.entries(cell).map(([name, value]) => `${name} ${cellText(value, factor)}`).join(", ");
   if (typeof cell !== "number") return String(cell);
-  const text = Math.abs(cell) < 5e-7 ? "0" : Number.isInteger(cell) && Math.abs(cell) < 1e6 ? String(cell) : String(+cell.toPrecision(5));
+  const number = cell * factor;
+  const text = Math.abs(number) < 5e-7 ? "0" : Number.isInteger(number) && Math.abs(number) < 1e6 ? String(number) : String(+number.toPrecision(5));
   return text.replace("-", "−");
 }
 
 const isRecord = (value: Value | undefined): value is { [name: string]: Value } => typeof value === "object" && value !== null && !Array.isArray(value);
 
 // What a program gives for a table: rows, records with their names as header, or one row of values.
-export function tableOf(value: Value | undefined): { header: string[]; rows: Value[][] } {
+export function tableOf(value: Value | undefined): Table {
   if (isRecord(value)) {
     const columns = Object.entries(value);
     if (!columns.length || !columns.every(([, column]) => Array.isArray(column))) return { header: [], rows: columns };
@@ -28,4 +35,45 @@ export function tableOf(value: Value | undefined): { header: string[]; rows: Val
     return { header, rows: value.map((row) => header.map((name) => (isRecord(row) ? (row[name] ?? null) : null))) };
   }
   return { header: [], rows: Array.isArray(first) ? value.map((row) => (Array.isArray(row) ? row : [row])) : value.length ? [value] : [] };
+}
+
+// The value with units in the places of its numbers.
+function unitsIn(value: Value | undefined, units: Units | undefined): Value {
+  const part = (key: string | number) => (typeof units === "object" ? (units as { [name: string]: Units })[key] : units);
+  if (Array.isArray(value)) return value.map((each, i) => unitsIn(each, part(i)));
+  if (isRecord(value)) return Object.fromEntries(Object.entries(value).map(([name, each]) => [name, unitsIn(each, part(name))]));
+  return typeof value === "number" && typeof units === "string" ? units : "";
+}
+
+function leaves(value: Value | undefined): string[] {
+  if (Array.isArray(value)) return value.flatMap(leaves);
+  return isRecord(value) ? Object.values(value).flatMap(leaves) : [String(value ?? "")];
+}
+
+// A unit that all of them have; null: they differ.
+function unitOf(units: Value): string | null {
+  const all = new Set(leaves(units).filter(Boolean));
+  return all.size > 1 ? null : ([...all][0] ?? "");
+}
+
+// The table as it is read: lengths in millimetres and angles in degrees. Units stand in the header where a column has one, and with
+// the numbers where there is no header.
+// given  a header for it.
+export function shownTable(value: Value | undefined, units: Units | undefined, given: string[] = []): { header: string[]; rows: string[][] } {
+  const { header: own, rows } = tableOf(value);
+  const unitRows = tableOf(unitsIn(value, units)).rows;
+  const header = given.length ? given : own;
+  const columns = Math.max(header.length, ...rows.map((row) => row.length));
+  const shared = Array.from({ length: columns }, (_, k) => (header.length ? unitOf(unitRows.map((row) => row[k] ?? "")) : null));
+  const text = (cell: Value | undefined, i: number, k: number) => {
+    if (typeof cell === "string") return cell;
+    const unit = unitOf(unitRows[i]?.[k] ?? "");
+    const shown = shownUnit(unit);
+    const words = cellText(cell, shown.factor);
+    return typeof shared[k] === "string" || !shown.unit || cell === null || cell === undefined ? words : `${words} ${shown.unit}`;
+  };
+  return {
+    header: header.map((name, k) => (shared[k] ? `${name} [${shownUnit(shared[k]).unit}]` : name)),
+    rows: rows.map((row, i) => row.map((cell, k) => text(cell, i, k))),
+  };
 }

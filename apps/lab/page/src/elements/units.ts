@@ -9,6 +9,8 @@ export interface Shown {
 const SHOWN: Record<string, Shown> = {
   rad: { unit: "deg", factor: 180 / Math.PI, digits: 1 },
   m: { unit: "mm", factor: 1000, digits: 1 },
+  "rad/s": { unit: "deg/s", factor: 180 / Math.PI, digits: 1 },
+  "rad/s^2": { unit: "deg/s²", factor: 180 / Math.PI, digits: 1 },
 };
 
 // `per` is "", "/s" or "/s^2".
@@ -18,7 +20,13 @@ export function shownUnit(unit: string | null | undefined, per = ""): Shown {
 }
 
 export function written(si: number, shown: Shown): string {
-  return (si * shown.factor).toFixed(shown.digits);
+  return fixed(si * shown.factor, shown.digits);
+}
+
+// Without the sign of what is zero then.
+export function fixed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace("-", "") : text;
 }
 
 // Angles of a pose's turn about z, y and x, as yaw, pitch and roll: R = Rz(yaw) Ry(pitch) Rx(roll).

@@ -107,7 +107,7 @@ export interface ElementInfo {
   value?: number | string | boolean | null;
   range?: [number, number] | null;
   unit?: string | null;
-  quantity_unit?: string | null;
+  units?: string[] | null;
   type?: string | null;
   image?: string | null;
   span?: Span | null;
@@ -169,6 +169,7 @@ export interface Variable {
   name: string;
   type: string;
   value: string | null;
+  declared?: Span | null;
 }
 export interface TaskInfo {
   name: string;
@@ -178,9 +179,11 @@ export interface TaskInfo {
 }
 // A value of a program: numbers in SI, lists, matrices as lists of rows, records as objects.
 export type Value = number | string | boolean | null | Value[] | { [name: string]: Value };
+// The unit of all numbers of a value, or those of its parts.
+export type Units = string | Units[] | { [name: string]: Units };
 export interface ElementValue {
   value?: Value;
-  unit?: string | null;
+  units?: Units;
   image?: string | null;
   error?: string | null;
 }
@@ -208,6 +211,7 @@ export interface Welcome {
 export interface Description {
   type: "description";
   run: number;
+  world?: string | null;
   robots: RobotInfo[];
   objects: ObjectInfo[];
   elements?: ElementInfo[] | null;

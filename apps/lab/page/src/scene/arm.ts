@@ -75,6 +75,18 @@ function geometryOf(shape: Shape, round: number): BufferGeometry {
   }
 }
 
+// The body of a joint covers the round end of the link that comes to it, which may be thicker: drawn longer, with its marks at its ends.
+function covering(shapes: readonly Shape[]): Shape[] {
+  return shapes.map((shape) => {
+    const joint = shapes.find((each) => each.link === shape.link && each.role === "joint" && each.T[14] === 0);
+    const before = shapes.filter((each) => each.link === shape.link - 1 && each.kind === "capsule");
+    const more = joint ? Math.max(...before.map((each) => 1.03 * (each.radius ?? 0))) - (joint.length ?? 0) / 2 : 0;
+    if (more <= 0) return shape;
+    if (shape === joint) return { ...shape, length: (shape.length ?? 0) + 2 * more };
+    return shape.role === "mark" ? { ...shape, T: shape.T.with(14, shape.T[14]! + Math.sign(shape.T[14]!) * more) } : shape;
+  });
+}
+
 const DARK_ROLES = new Set(["base", "joint", "flange"]);
 
 export class ArmView {
@@ -184,7 +196,7 @@ export class ArmView {
     this.fingers = [];
     for (const link of this.links) link.clear();
     this.pictured.clear();
-    for (const shape of shapes) {
+    for (const shape of covering(shapes)) {
       const mesh = new Mesh(geometryOf(shape, this.round), this.materialOf(shape));
       mesh.matrixAutoUpdate = false;
       mesh.matrix.fromArray(shape.T);

@@ -1,6 +1,6 @@
 // Renderer, camera, light and floor. Draws when something has changed, not otherwise.
 import {
-  Box3, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
+  Box3, type BufferGeometry, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
   Scene, ShaderMaterial, ShadowMaterial, Sphere, Vector3, WebGLRenderer, Color, NeutralToneMapping,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -59,6 +59,8 @@ function startDrawing(): { renderer: WebGLRenderer; software: boolean } {
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return { renderer: new WebGLRenderer({ antialias: true }), software: false };
 }
+
+const TALL = 0.76; // of the height of the view, which buttons and texts do not cover
 
 export class Stage {
   readonly scene = new Scene();
@@ -174,12 +176,26 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  look(preset: Exclude<Preset, "hand"> | null, bounds: Sphere): void {
-    const direction = preset ? new Vector3(...DIRECTIONS[preset]) : this.camera.position.clone().sub(this.controls.target);
-    const half = MathUtils.degToRad(this.camera.fov / 2);
-    const across = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
-    this.controls.target.copy(bounds.center);
-    this.camera.position.copy(bounds.center).add(direction.setLength((0.9 * bounds.radius) / Math.sin(across)));
+  // Looks from a side, or from where the camera is, as near as all the points can be seen between what lies over the view.
+  look(preset: Exclude<Preset, "hand"> | null, { center, points }: Bounds): void {
+    const back = (preset ? new Vector3(...DIRECTIONS[preset]) : this.camera.position.clone().sub(this.controls.target)).normalize();
+    const right = new Vector3(0, 0, 1).cross(back).normalize();
+    const tangent = Math.tan(MathUtils.degToRad(this.camera.fov / 2));
+    let distance = 0.1;
+    const target = center.clone();
+    for (const [axis, slope] of [[right, 0.9 * tangent * this.camera.aspect], [back.clone().cross(right), TALL * tangent]] as const) {
+      let [low, high] = [Infinity, -Infinity];
+      for (const point of points) {
+        const from = point.clone().sub(center);
+        const [along, near] = [from.dot(axis), slope * from.dot(back)];
+        low = Math.min(low, along - near);
+        high = Math.max(high, along + near);
+      }
+      distance = Math.max(distance, (high - low) / (2 * slope));
+      target.addScaledVector(axis, (high + low) / 2);
+    }
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(back, distance);
     this.camera.up.set(0, 0, 1);
     this.controls.update();
     this.invalidate();
@@ -196,9 +212,25 @@ export class Stage {
   }
 }
 
-export function boundsOf(group: Group, points: Vector3[]): Sphere {
-  const box = new Box3().setFromObject(group);
-  for (const point of points) box.expandByPoint(point);
-  if (box.isEmpty()) box.set(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 0.5));
-  return box.getBoundingSphere(new Sphere());
+// A ball around everything, and points at the edges of what is in it.
+export interface Bounds extends Sphere {
+  points: Vector3[];
+}
+
+function cornersOf(box: Box3): Vector3[] {
+  const { min, max } = box;
+  return [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))));
+}
+
+export function boundsOf(group: Group, given: Vector3[]): Bounds {
+  const points = [...given];
+  group.updateWorldMatrix(true, true);
+  group.traverseVisible((node) => {
+    if (!(node instanceof Mesh)) return;
+    const geometry = node.geometry as BufferGeometry;
+    if (!geometry.boundingBox) geometry.computeBoundingBox();
+    for (const corner of cornersOf(geometry.boundingBox!)) points.push(corner.applyMatrix4(node.matrixWorld));
+  });
+  if (!points.length) points.push(...cornersOf(new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 0.5))));
+  return Object.assign(new Box3().setFromPoints(points).getBoundingSphere(new Sphere()), { points });
 }

@@ -52,14 +52,25 @@ export class Labels {
     });
   }
 
+  // What would lie over another one goes below it; the last ones stay where they belong.
   place(camera: Camera, width: number, height: number): void {
-    this.labels.forEach((label, i) => {
-      const p = label.at.clone().project(camera);
+    const taken: { x: number; y: number; wide: number; high: number }[] = [];
+    for (let i = this.labels.length - 1; i >= 0; i--) {
+      const p = this.labels[i]!.at.clone().project(camera);
       const element = this.host.children[i] as HTMLElement;
-      element.hidden = p.z > 1 || Math.abs(p.x) > 1.1 || Math.abs(p.y) > 1.1;
-      const x = Math.max(0, Math.min(((p.x + 1) / 2) * width, width - element.offsetWidth - 12));
-      const y = Math.max(12, Math.min(((1 - p.y) / 2) * height, height - element.offsetHeight));
+      // What is wrong is told at the edge, too.
+      element.hidden = p.z > 1 || (!this.labels[i]!.warning && Math.max(Math.abs(p.x), Math.abs(p.y)) > 1.1);
+      if (element.hidden) continue;
+      const [wide, high] = [element.offsetWidth, element.offsetHeight];
+      const x = Math.max(0, Math.min(((p.x + 1) / 2) * width, width - wide - 12));
+      let y = Math.max(12, Math.min(((1 - p.y) / 2) * height, height - high));
+      for (let k = 0; k < 6; k++) {
+        const under = taken.find((other) => x < other.x + other.wide && other.x < x + wide && y < other.y + other.high && other.y < y + high);
+        if (!under) break;
+        y = under.y + under.high;
+      }
+      taken.push({ x, y, wide, high });
       element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-    });
+    }
   }
 }

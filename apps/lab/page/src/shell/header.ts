@@ -1,9 +1,10 @@
-// Title, who is in control, sharing, and which columns are open.
+// Title, robots and world, play and speed, sharing, and which columns are open; below, who is in control.
 import type { Intents } from "../store/intents.ts";
 import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
 import { base64, filesOf, recordingOf } from "../store/recording.ts";
 import { inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
+import { transport } from "../timebar/transport.ts";
 import { el, save, setText } from "./dom.ts";
 import { icon } from "./icons.ts";
 import { hashToText, textToHash } from "./link.ts";
@@ -22,8 +23,8 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
   const title = el("h1", {});
   const file = el("span", { class: "file quiet" });
   const status = el("span", { class: "status", role: "status" });
-  const control = el("span", { class: "control" });
-  const offer = el("span", { class: "offer", hidden: true });
+  const control = el("div", { class: "control", hidden: true });
+  const offer = el("div", { class: "offer", hidden: true });
   const toggles = (["program", "view", "elements"] as const).map((name, i) => {
     const button: HTMLButtonElement = el("button", {
       class: "icon toggle", "aria-label": `Column ${["program", "3D view", "laboratory"][i]}`, "aria-pressed": "true",
@@ -32,8 +33,10 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     queueMicrotask(() => button.setAttribute("aria-pressed", String(actions.isOpen(name))));
     return button;
   });
-  host.append(
-    title, file, status, offer, el("span", { class: "gap" }), control,
+  const row = el("div", { class: "row" }, title, file, status);
+  transport(row, store, intents);
+  row.append(
+    el("span", { class: "gap" }),
     el("button", { onclick: () => void share(intents) }, "Share"),
     el("button", { onclick: () => save(store.state.welcome?.file.split("/").at(-1) || "program.rbt", new Blob([store.state.text], { type: "text/plain" })) }, "Save"),
     el("button", { class: "desk", hidden: !intents.live, onclick: () => void record(store.state, intents, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
@@ -41,10 +44,14 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles),
     el("button", { class: "icon desk", "aria-label": "Keys and help", onclick: actions.help }, "?"),
   );
-  store.watch((s) => [s.welcome, shownRun(s)?.title, shownRun(s)?.robots], (s) => {
+  host.append(row, offer, control);
+  store.watch((s) => [s.welcome, shownRun(s)?.title, shownRun(s)?.robots, shownRun(s)?.world], (s) => {
     setText(title, shownRun(s)?.title || s.welcome?.title || "Laboratory");
     const robots = shownRun(s)?.robots.map((robot) => robot.name).join(", ");
-    setText(file, [s.welcome?.file.split("/").at(-1), robots].filter(Boolean).join(" · "));
+    const world = shownRun(s)?.world;
+    const told = [s.welcome?.file.split("/").at(-1), robots, world && `world: ${world}`].filter(Boolean).join(" · ");
+    setText(file, told);
+    file.title = told;
   });
   store.watch((s) => [s.connection, shownRun(s), shownRun(s)?.version, isStale(s), s.diagnostics], (s) => {
     const [text, kind] = statusOf(s, intents.live);
@@ -74,10 +81,8 @@ function drawControl(host: HTMLElement, state: State, intents: Intents): void {
   const { holder, pages, wishes } = state.control;
   const me = state.welcome?.page;
   const others = pages.filter((page) => page !== me);
-  if (me === undefined || !intents.live || (!others.length && holder === me)) {
-    host.replaceChildren();
-    return;
-  }
+  host.hidden = me === undefined || !intents.live || (!others.length && holder === me);
+  if (host.hidden) return;
   if (!inControl(state)) {
     const wished = me !== undefined && wishes.includes(me);
     const who = holder === null ? "Nobody is in control." : `You follow page ${holder}.`;

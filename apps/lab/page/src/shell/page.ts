@@ -6,7 +6,6 @@ import type { Intents } from "../store/intents.ts";
 import { inControl, isStale, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { TimeBar } from "../timebar/bar.ts";
-import { transport } from "../timebar/transport.ts";
 import { droppedFiles } from "./drop.ts";
 import { el, remember, remembered, setText } from "./dom.ts";
 import { header } from "./header.ts";
@@ -62,7 +61,6 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
     columns.view.append(legend);
   };
   elementPanel(elements, store, intents, ({ name, kind, span }) => editor.find(name, kind, span, version()));
-  transport(bottom, store, intents);
   new TimeBar(bottom, store, intents);
   globalKeys(intents, open);
   hints(columns, store);

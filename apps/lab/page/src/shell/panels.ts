@@ -4,6 +4,7 @@ import type { Diagnostic } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
+import { stepButtons } from "../timebar/transport.ts";
 import { el, setText } from "./dom.ts";
 
 export interface Tab {
@@ -13,7 +14,8 @@ export interface Tab {
 }
 
 // Tabs with their panels; arrow keys go from one to the next.
-export function tabs(host: HTMLElement, list: Tab[], label: string): { choose(name: string): void; count(name: string, n: number): void } {
+// beside  what stands in their line.
+export function tabs(host: HTMLElement, list: Tab[], label: string, beside: HTMLElement): { choose(name: string): void; count(name: string, n: number): void } {
   const buttons = new Map<string, HTMLButtonElement>();
   const counts = new Map<string, HTMLElement>();
   const choose = (name: string) => {
@@ -45,7 +47,7 @@ export function tabs(host: HTMLElement, list: Tab[], label: string): { choose(na
     counts.set(tab.name, count);
     bar.append(button);
   });
-  host.append(bar, ...list.map((tab) => tab.content));
+  host.append(el("div", { class: "tab-row" }, bar, beside), ...list.map((tab) => tab.content));
   choose(list[0]!.name);
   return { choose, count: (name, n) => setText(counts.get(name)!, n ? String(n) : "") };
 }
@@ -71,7 +73,7 @@ export function editorPanels(host: HTMLElement, store: Store, intents: Intents, 
     { name: "output", title: "Output", content: output },
     { name: "variables", title: "Variables", content: variables },
     { name: "runs", title: "Runs", content: el("div", {}, runs) },
-  ], "About the program");
+  ], "About the program", stepButtons(store, intents));
   store.watch((s) => [s.diagnostics, shownRun(s)?.error, inControl(s)], (s) => {
     const failure = shownRun(s)?.error;
     const all = failure ? [...s.diagnostics, failure] : s.diagnostics;

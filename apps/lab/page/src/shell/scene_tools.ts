@@ -1,6 +1,6 @@
 // What stands over the 3D view: points of view, frames, the picture as a file, and where the hand is.
 import type { Editor } from "../editor/editor.ts";
-import { rollPitchYaw } from "../elements/units.ts";
+import { fixed, rollPitchYaw } from "../elements/units.ts";
 import type { SceneView } from "../scene/scene.ts";
 import type { Preset } from "../scene/stage.ts";
 import type { Intents } from "../store/intents.ts";
@@ -94,7 +94,7 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     robots.hidden = names.length < 2;
     torques.hidden = !names.some((_, i) => run?.sharesAt(i, s.t).some((share) => share !== null));
     torques.setAttribute("aria-pressed", String(scene.showTorques ?? run?.elements.some((row) => row.kind === "torques") ?? false));
-    setText(where, pose ? `${names[scene.active] ?? ""} at ${pose.slice(0, 3).map((v) => (1000 * v).toFixed(1)).join(", ")} mm` : "");
+    setText(where, pose ? `${names[scene.active] ?? ""} at ${pose.slice(0, 3).map((v) => fixed(1000 * v, 1)).join(", ")} mm` : "");
     insertJ.hidden = insertC.hidden = !pose || !intents.live;
     setText(why, s.pull?.reason ?? "");
     scene.canvas.setAttribute("aria-label", `3D view: ${names.join(", ") || "no robot"}; ${where.textContent}`);

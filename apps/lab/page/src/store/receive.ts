@@ -53,6 +53,7 @@ const handlers: Handlers = {
   },
   description(state, message) {
     const run = runOf(state, message.run);
+    run.world = message.world ?? "";
     run.robots = message.robots;
     run.objects = message.objects;
     run.elements = message.elements ?? [];

@@ -22,6 +22,7 @@ export class Run {
   hash = "";
   error: M.RunError | null = null;
   inputs: Record<string, unknown>[] = [];
+  world = ""; // its name
   robots: M.RobotInfo[] = [];
   objects: M.ObjectInfo[] = [];
   elements: M.ElementInfo[] = [];

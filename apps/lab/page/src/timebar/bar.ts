@@ -138,6 +138,10 @@ export class TimeBar {
       this.drawOthers(c, color, others, RULER + lanes * LANE + 4);
       this.drawTicks(c, color, run, lanes, state);
     }
+    if (state.hover?.from === "path") {
+      c.fillStyle = color("--accent");
+      c.fillRect(this.x(state.hover.t) - 0.75, RULER - 4, 1.5, height - RULER);
+    }
     this.drawNow(c, color, state.t, height);
     this.describe(run, state);
   }
@@ -145,9 +149,10 @@ export class TimeBar {
   private drawRuler(c: CanvasRenderingContext2D, color: (name: string) => string, height: number): void {
     const width = this.bar.clientWidth;
     const step = rulerStep(this.span, (width - LEFT) / 90);
+    const end = shownRun(this.store.state)?.tEnd === 0 ? 0 : this.span * 1.0001; // a run without time has no marks but its start
     c.font = "11px system-ui, sans-serif";
     c.textBaseline = "middle";
-    for (let k = 0; k * step <= this.span * 1.0001; k++) {
+    for (let k = 0; k * step <= end; k++) {
       const x = Math.round(this.x(k * step)) + 0.5;
       c.strokeStyle = color("--grid");
       c.beginPath();

@@ -1,4 +1,4 @@
-// Play, speed and steps.
+// Play and speed, in the header; steps, beside what is told of the program.
 import { el, setText } from "../shell/dom.ts";
 import { icon, type IconName } from "../shell/icons.ts";
 import type { Intents } from "../store/intents.ts";
@@ -15,14 +15,9 @@ export function transport(host: HTMLElement, store: Store, intents: Intents): vo
   const speed = el("select", { "aria-label": "Speed", onchange: () => store.change((s) => (s.speed = Number(speed.value))) });
   speed.append(...SPEEDS.map((x) => el("option", { value: x, selected: x === 1 }, `${x}×`)));
   const time = el("output", { class: "time", "aria-label": "Instant" });
-  const step = (how: StepHow & IconName, label: string) => el("button", { class: "icon", "aria-label": label, title: label, onclick: () => void intents.step(how) }, icon(how));
-  const steps = [
-    step("back", "Step back"), step("over", "Step over"), step("into", "Step into"), step("out", "Step out"),
-    step("continue", "On to the next breakpoint"),
-  ];
-  host.append(el("div", { class: "transport", role: "toolbar", "aria-label": "Time and steps" }, start, play, end, speed, time, el("span", { class: "gap" }), ...steps));
+  host.append(el("div", { class: "transport", role: "toolbar", "aria-label": "Time" }, play, speed, start, end, time));
   store.watch(
-    (s) => [s.playing, s.t, s.shown, shownRun(s)?.version, inControl(s)],
+    (s) => [s.playing, s.t, s.shown, shownRun(s)?.version],
     (s) => {
       const run = shownRun(s);
       const label = s.playing ? "Pause" : "Play";
@@ -30,7 +25,18 @@ export function transport(host: HTMLElement, store: Store, intents: Intents): vo
       play.setAttribute("aria-label", label);
       play.disabled = !run || run.tEnd <= 0;
       setText(time, `${s.t.toFixed(2)} / ${(run?.tEnd ?? 0).toFixed(2)} s${run?.state === "running" ? " …" : ""}`);
-      for (const button of steps) button.disabled = !run || !intents.live || !inControl(s);
     },
   );
+}
+
+export function stepButtons(store: Store, intents: Intents): HTMLElement {
+  const step = (how: StepHow & IconName, label: string) => el("button", { class: "icon", "aria-label": label, title: label, onclick: () => void intents.step(how) }, icon(how));
+  const steps = [
+    step("back", "Step back"), step("over", "Step over"), step("into", "Step into"), step("out", "Step out"),
+    step("continue", "On to the next breakpoint"),
+  ];
+  store.watch((s) => [shownRun(s) === null, inControl(s)], (s) => {
+    for (const button of steps) button.disabled = !shownRun(s) || !intents.live || !inControl(s);
+  });
+  return el("div", { class: "steps", role: "toolbar", "aria-label": "Steps" }, ...steps);
 }
