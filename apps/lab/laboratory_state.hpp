@@ -117,8 +117,7 @@ struct Laboratory::State {
   } text;
   Session text_session;  // for analyses
 
-  ShownFiles files;            // of the runs
-  std::size_t kept_bytes = 0;  // of files that pages have sent
+  ShownFiles files;  // of the runs
   RunList runs;      // oldest first
   int last_run = 0;
   int shown = 0;         // 0: none

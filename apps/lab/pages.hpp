@@ -64,6 +64,9 @@ class Pages {
   [[nodiscard]] Page* find(int page);
   void answer(Page& page, Message message);
   void forget_run(int run);
+  // Of the files that all of them have left.
+  [[nodiscard]] std::size_t kept_bytes() const { return kept_bytes_; }
+  void count_kept(std::size_t bytes) { kept_bytes_ += bytes; }
 
   // ---- control
   [[nodiscard]] bool is_holder(int page) const { return control_.holder == page; }
@@ -82,6 +85,7 @@ class Pages {
   int most_;
   std::random_device chance_;
   int last_ = 0;
+  std::size_t kept_bytes_ = 0;
   std::uint64_t changes_ = 1;
   std::map<int, Page> pages_;
   ControlState control_;

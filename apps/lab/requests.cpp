@@ -309,13 +309,13 @@ void Laboratory::State::handle(Page& page, Seq seq, const SendFile& sent) {
   const std::string name = file_name(file.name);
   if (name.empty())
     return refuse(page, seq, "refused", "The name of the file has no letters or digits.");
-  if (kept_bytes + file.bytes.size() > options.most_kept_bytes)
-    return refuse(page, seq, "limit",
-                  fmt::format("A laboratory keeps {} MB of files at most.",
-                              options.most_kept_bytes >> 20U));
+  if (pages.kept_bytes() + file.bytes.size() > options.most_kept_bytes)
+    return refuse(
+        page, seq, "limit",
+        fmt::format("A laboratory keeps {} MB of files at most.", options.most_kept_bytes >> 20U));
   const Result<KeptFile> kept = options.keep_file(name, file.bytes);
   if (!kept.ok()) return refuse(page, seq, "refused", kept.error().message);
-  kept_bytes += file.bytes.size();
+  pages.count_kept(file.bytes.size());
   pages.answer(page, write_kept(seq, *kept));
 }
 

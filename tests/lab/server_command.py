@@ -155,7 +155,7 @@ def check_outside(armlet):
                 assert answered == 404 and secret.encode() not in body, (name, answered)
             page = greet(lab.address)
             page.until(lambda m: is_message(m, "run") and m["state"] != "running")
-            reads = ['import "{}"\nprint(secret)\n', 'print(load("{}"))\n', 'object o {{ shape: mesh("{}"); at: xyz() }}\n']
+            reads = ['import "{}"\nprint(secret)\n', 'robot r = urdf("{}")\n', 'object o {{ shape: mesh("{}"); at: xyz() }}\n']
             paths = ["../secret.rbt", f"{around}/secret.rbt", "link-secret.rbt", "../secret.csv", f"{around}/secret.csv",
                      "link-secret.csv", "/etc/passwd"]
             for version, text in enumerate((read.format(path) for read in reads for path in paths), 200):

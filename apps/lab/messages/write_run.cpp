@@ -66,9 +66,9 @@ OrderedJson units_json(const Value& value) {
   }
   if (parts.empty()) return "";
   const OrderedJson& first = *parts.begin();
-  const bool is_same = first.is_string() && std::ranges::all_of(parts, [&](const OrderedJson& each) {
-                         return each == first;
-                       });
+  const bool is_same =
+      first.is_string() &&
+      std::ranges::all_of(parts, [&](const OrderedJson& each) { return each == first; });
   return is_same ? first : parts;
 }
 

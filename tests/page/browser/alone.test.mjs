@@ -65,6 +65,7 @@ test("one file has everything: it runs, is edited, steps, completes, takes input
     await opened(file, async (page) => {
       await untilStatus(page, /4 moves, 5\.00 s/);
       assert.equal(await page.title(), "A cell in a file – laboratory");
+      assert.equal(await page.locator("header .file").innerText(), "cell.rbt · arm");
       assert.ok(!(await page.locator(".message").isVisible()), "the hash is that of the command");
       await typeAtEnd(page, "arm.moveJ(posJ(90deg, -30deg, 80mm, 0deg), time: 1.5s)\n");
       await untilStatus(page, /5 moves, 6\.50 s/);
@@ -162,6 +163,43 @@ test("in one file the program is laid out, mended with one click, gone through i
     await page.getByRole("tab", { name: /Runs/ }).click();
     assert.ok((await page.locator(".run").count()) >= 3);
   }));
+
+// What a program's texts would do if they were read as a page.
+const SCRIPT = '</script><script>hacked = 1</script><!--<script><img src=x onerror="hacked = 2">';
+const HOSTILE = `// ${SCRIPT}
+print("${SCRIPT.replaceAll('"', "'")}")
+lab cell {
+    title: "${SCRIPT.replaceAll('"', "'")}"
+    text intro("${SCRIPT.replaceAll('"', "'")}")
+}
+wait(1s)
+`;
+
+for (const [how, ending, why] of [["--record", [], false], ["--export", ["--engine", engine], skip]]) {
+  test(`texts of a program are no scripts of a page that the command writes: ${how}`, { skip: why }, async () => {
+    const folder = mkdtempSync(join(tmpdir(), "armlet-hostile-"));
+    try {
+      writeFileSync(join(folder, "a.rbt"), HOSTILE);
+      execFileSync(process.env.ARMLET_COMMAND, ["lab", "a.rbt", how, "a.html", ...ending], { cwd: folder, stdio: "pipe" });
+      const again = join(folder, "again.html");
+      const look = async (page) => {
+        await untilStatus(page, /1\.00 s/);
+        assert.match(await page.locator("h1").innerText(), /^<\/script>/);
+        await page.waitForTimeout(300);
+        assert.equal(await page.evaluate(() => globalThis.hacked), undefined);
+      };
+      await opened(join(folder, "a.html"), async (page) => {
+        await look(page);
+        if (how === "--record") return;
+        const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Hand in" }).click()]);
+        await download.saveAs(again);
+      });
+      if (how === "--export") await opened(again, look);
+    } finally {
+      rmSync(folder, { recursive: true, force: true });
+    }
+  });
+}
 
 test("a run is recorded by the command as a page that needs nothing", async () => {
   const folder = mkdtempSync(join(tmpdir(), "armlet-record-"));

@@ -221,7 +221,7 @@ test("runs are kept: the one before is listed, and two are compared", () =>
     await page.locator(".run .reason", { hasText: /part at t = 3\.00 s/ }).waitFor();
     // In plots the other one is dashed.
     const plot = page.locator(".element", { hasText: "q of arm" }).first();
-    await plot.locator(".dashed", { hasText: "dashed: run 1" }).waitFor();
+    await plot.locator(".dashed", { hasText: "– – run 1" }).waitFor();
     assert.equal(await plot.locator(".u-legend .beside").count(), 4);
     assert.match(await status(page).innerText(), /4\.50 s/);
   }));

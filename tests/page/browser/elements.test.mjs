@@ -134,6 +134,24 @@ test("a slider moves the arm; where it cannot, the reason stands at the slider",
     await untilStatus(page, /2 moves/);
   }));
 
+test("what a button could not do stands at it, and in the output, at its time", () =>
+  withLab(`${LAB}arm.moveJ(posJ(50deg, 60deg, 50mm, 0deg), time: 2s)\n`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /2 moves, 3\.00 s/);
+    const bar = await page.locator(".bar").boundingBox();
+    await page.mouse.click(bar.x + 0.7 * bar.width, bar.y + 30);
+    await page.getByRole("button", { name: "Pick up" }).click();
+    const reason = page.locator(".element", { hasText: "Pick up" }).locator(".reason");
+    await until(async () => /already moving/.test(await reason.innerText()), () => reason.innerText());
+    await page.getByRole("tab", { name: /Output/ }).click();
+    const note = page.locator(".note", { hasText: "already moving" });
+    const panel = await page.locator(".output").boundingBox();
+    const box = await note.boundingBox();
+    assert.ok(box.x >= panel.x && box.x + box.width <= panel.x + panel.width + 1, "the note is where the output is");
+    await page.getByRole("button", { name: "To the start" }).click();
+    await until(async () => (await reason.innerText()) === "", () => "it is told before it has happened");
+  }));
+
 test("a slider moves its own joint and no other, a table has its units", () =>
   withLab(`robot arm = robots.scara()
 lab cell {
@@ -230,10 +248,10 @@ test("a hand slider that is pulled too far shows where the arm comes nearest, as
     await untilStatus(page, /0\.00 s/);
     await page.getByRole("spinbutton", { name: /^x in mm/ }).fill("900");
     await page.keyboard.press("Enter");
-    await page.locator(".label.warning").first().waitFor();
+    await page.locator(".label.warning", { hasText: /^\d+ mm too far$/ }).waitFor();
     await typeAtEnd(page, "arm.moveL(xyz(5m, 0mm, 100mm), speed: 100mm/s)\n");
     await untilStatus(page, /failed/);
-    await page.locator(".label.warning").first().waitFor();
+    await page.locator(".label.warning", { hasText: /out of reach.*: \d+ mm too far$/ }).waitFor();
   }));
 
 const LOADED = `robot arm = robots.puma560(tool: parallelGripper(stroke: 60mm))

@@ -176,15 +176,22 @@ function numberField(place: Place, label: string, reason: HTMLElement): ElementV
   };
 }
 
+// Why what a button did last until t has failed; empty: it has not.
+function failureOf(run: Run, name: string, t: number): string {
+  const pressed = run.inputs.findLast((input) => input["press"] === name && Number(input["t"]) <= t + 1e-9);
+  const note = run.notes.findLast((each) => each.kind === "message" && each.text.startsWith(`${name}: `) && each.t <= t + 1e-9);
+  return pressed && note && note.t >= Number(pressed["t"]) - 1e-9 ? note.text.slice(name.length + 2) : "";
+}
+
 export function button(place: Place): ElementView {
   const { element, intents } = place;
   const reason = reasonLine();
   const press = el("button", { class: "press", onclick: () => void intents.giveInput(element.name, { press: element.name }) }, element.label || element.name);
   return {
     root: el("div", { class: "element", role: "group", "aria-label": element.label || element.name }, press, reason),
-    update(_run: Run, state: State, allowed: boolean) {
+    update(run: Run, state: State, allowed: boolean) {
       press.disabled = !allowed;
-      setText(reason, state.refusals.get(element.name) ?? "");
+      setText(reason, state.refusals.get(element.name) || failureOf(run, element.name, state.t));
     },
   };
 }

@@ -54,7 +54,7 @@ export function plot(place: Place): ElementView {
   const label = element.label || element.name;
   const host = el("div", { class: "plot" });
   const now = el("div", { class: "plot-now" });
-  const dashed = el("span", { class: "dashed" });
+  const dashed = el("span", { class: "dashed", title: "Dashed lines are those of this run" });
   const empty = el("p", { class: "quiet" }, "Nothing to draw yet.");
   let chart: uPlot | null = null;
   let series: Series = { t: new Float64Array(), columns: [] };
@@ -72,7 +72,7 @@ export function plot(place: Place): ElementView {
   const draw = (run: Run, other: Run | null) => {
     series = seriesOf(element, index, run);
     const beside = other && besideOf(element, other);
-    setText(dashed, beside ? `dashed: run ${other!.id}` : "");
+    setText(dashed, beside ? `– – run ${other!.id}` : "");
     const some = series.t.length > 1;
     empty.hidden = some;
     host.hidden = !some;

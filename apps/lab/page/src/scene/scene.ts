@@ -165,7 +165,7 @@ export class SceneView {
   }
 
   private bounds() {
-    return boundsOf(this.stage.content, this.paths.flatMap((path) => path.ends()));
+    return boundsOf([this.stage.content, this.ghostGroup], this.paths.flatMap((path) => path.ends()));
   }
 
   private render(state: State): void {
@@ -242,15 +242,15 @@ export class SceneView {
     this.standFrames(run, t, labels);
     this.standTorques(run, t, labels);
     this.standThings(run, state, labels);
-    if (pull?.reason && pull.nearest) labels.push({ text: pull.reason, at: pointOf(pull.nearest.pose), warning: true });
-    else if (nearest) labels.push({ text: nearest.reason, at: pointOf(nearest.pose), warning: true });
+    if (pull?.reason && pull.nearest) labels.push({ text: tooFar(pull.nearest), at: pointOf(pull.nearest.pose), warning: true });
+    else if (nearest) labels.push({ text: tooFar(nearest), at: pointOf(nearest.pose), warning: true });
     const failure = run.error;
     if (failure && run.robots.length) {
       const robot = Math.max(0, failure.robot ?? 0);
       // A goal may lie far outside of the picture; what comes nearest to it does not.
       const place = failure.nearest?.pose ?? failure.goal;
       const at = place ? pointOf(place) : new Vector3().setFromMatrixPosition(new Matrix4().fromArray(toolFrame(run.robots[robot]!, run.qAt(robot, run.tEnd), run.changeAt(robot, run.tEnd))));
-      labels.push({ text: failure.message, at, warning: true });
+      labels.push({ text: failure.nearest ? `${failure.message}: ${tooFar(failure.nearest)}` : failure.message, at, warning: true });
     }
     this.labels.set(labels);
     this.framePicture(run);
@@ -409,6 +409,11 @@ export class SceneView {
     this.forces.face(pixel);
     this.labels.place(camera, clientWidth, clientHeight);
   }
+}
+
+// Why it is not reached, where it comes nearest; the whole reason stands at the slider or in the problems.
+export function tooFar({ distance, angle }: { distance: number; angle: number }): string {
+  return distance >= 5e-5 ? `${(1000 * distance).toFixed(distance < 0.01 ? 1 : 0)} mm too far` : `turned ${((180 / Math.PI) * angle).toFixed(1)} deg too far`;
 }
 
 function pointOf(pose: readonly number[]): Vector3 {

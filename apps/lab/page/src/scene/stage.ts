@@ -222,15 +222,17 @@ function cornersOf(box: Box3): Vector3[] {
   return [min.x, max.x].flatMap((x) => [min.y, max.y].flatMap((y) => [min.z, max.z].map((z) => new Vector3(x, y, z))));
 }
 
-export function boundsOf(group: Group, given: Vector3[]): Bounds {
+export function boundsOf(groups: Group[], given: Vector3[]): Bounds {
   const points = [...given];
-  group.updateWorldMatrix(true, true);
-  group.traverseVisible((node) => {
-    if (!(node instanceof Mesh)) return;
-    const geometry = node.geometry as BufferGeometry;
-    if (!geometry.boundingBox) geometry.computeBoundingBox();
-    for (const corner of cornersOf(geometry.boundingBox!)) points.push(corner.applyMatrix4(node.matrixWorld));
-  });
+  for (const group of groups) {
+    group.updateWorldMatrix(true, true);
+    group.traverseVisible((node) => {
+      if (!(node instanceof Mesh)) return;
+      const geometry = node.geometry as BufferGeometry;
+      if (!geometry.boundingBox) geometry.computeBoundingBox();
+      for (const corner of cornersOf(geometry.boundingBox!)) points.push(corner.applyMatrix4(node.matrixWorld));
+    });
+  }
   if (!points.length) points.push(...cornersOf(new Box3(new Vector3(-0.5, -0.5, 0), new Vector3(0.5, 0.5, 0.5))));
   return Object.assign(new Box3().setFromPoints(points).getBoundingSphere(new Sphere()), { points });
 }

@@ -95,7 +95,7 @@ function drawOutput(host: HTMLElement, state: State, intents: Intents, bar: { co
   const key = `${run?.id} ${notes.length}`;
   if (key !== drawnOutput) {
     drawnOutput = key;
-    host.replaceChildren(...notes.slice(-1000).map((note) => el("button", { class: `note ${note.kind}`, onclick: () => intents.goTo(note.t) }, el("span", { class: "quiet" }, note.t.toFixed(2)), note.text.replace(/\n$/, ""))));
+    host.replaceChildren(...notes.slice(-1000).map((note) => el("button", { class: `note of-${note.kind}`, onclick: () => intents.goTo(note.t) }, el("span", { class: "quiet" }, note.t.toFixed(2)), note.text.replace(/\n$/, ""))));
     if (!notes.length) host.append(el("p", { class: "quiet" }, "Nothing was printed."));
     bar.count("output", notes.length);
   }

@@ -218,7 +218,7 @@ export class Intents {
         const reason = error instanceof Error ? error.message : String(error);
         this.refuse(name, reason);
         const answer = error instanceof Refused ? error.answer : null;
-        this.showNearest(answer?.nearest ? { robot: answer.robot ?? 0, q: answer.nearest.q, pose: answer.nearest.pose, reason } : null);
+        this.showNearest(answer?.nearest ? { ...answer.nearest, robot: answer.robot ?? 0 } : null);
       }
     }
     this.givingInput = false;

@@ -44,7 +44,7 @@ export interface State {
   // Why an input was refused, by the name of the element.
   refusals: Map<string, string>;
   // What comes nearest to the last refused wish for the hand; null: the last one was taken.
-  nearest: { robot: number; q: number[]; pose: M.Pose; reason: string } | null;
+  nearest: (M.Nearest & { robot: number }) | null;
   message: string;
 }
 
