@@ -7,6 +7,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -16,7 +17,7 @@ from pathlib import Path
 
 import mesh_files as meshes
 from broken_meshes import hostile
-from glb_files import box as box_of, file_of
+from glb_files import box as box_of, file_of, sphere
 
 ARMLET = sys.argv[1]
 BY_SPECIFICATION = ("box.gltf", "data.gltf", "out.glb")  # kept as they are, y up
@@ -279,8 +280,9 @@ def check_cache(folder):
         entry.unlink()
     check("made", folder.run(program).returncode == 0 and len(entries(folder)) == 1)
     (entry,) = entries(folder)
-    whole, first = entry.read_bytes(), entry.stat().st_mtime_ns
-    check("taken again", folder.run(program).returncode == 0 and entry.stat().st_mtime_ns == first)
+    whole, first = entry.read_bytes(), entry.stat()
+    check("taken again", folder.run(program).returncode == 0 and entry.stat().st_ino == first.st_ino)
+    check("and known as used now", entry.stat().st_mtime_ns > first.st_mtime_ns)
     for broken in (whole[:-5], whole[:100] + b"\xff" + whole[101:], b"", file_of(box_of(1, 1, 1))):
         entry.write_bytes(broken)
         done = folder.run(program)
@@ -348,6 +350,15 @@ def check_links(folder):
     winged = folder.run(ROBOT.replace("MESH", ', mesh: "wing.stl"'))
     check(f"without: {plain.stderr}", plain.returncode == 0 and "W0711" not in plain.stderr)
     check(f"with: {winged.stderr}", winged.returncode == 0 and "W0711" in winged.stderr and "post" in winged.stderr)
+    # The same in millimetres, and at half the size.
+    data = b"".join(struct.pack("<12fH", 0, 0, 0, *(500 * x for i in t for x in corners[i]), 0) for t in faces)
+    folder.write("half.stl", b" " * 80 + struct.pack("<I", len(faces)) + data)
+    for size, hits in (("meshUnit: 1mm, meshScale: 2", True), ("meshUnit: 2mm", True), ("meshUnit: 1mm", False)):
+        done = folder.run(ROBOT.replace("MESH", f', mesh: "half.stl", {size}'))
+        check(f"{size}: {done.stderr}", done.returncode == 0 and ("W0711" in done.stderr) == hits)
+    for size, why in (("meshUnit: 0mm", "its unit is 0 m"), ("meshScale: -1", "its scale is -1")):
+        done = folder.run(ROBOT.replace("MESH", f', mesh: "half.stl", {size}'))
+        check(f"{size}: {done.stderr}", done.returncode == 70 and "R0656" in done.stderr and why in done.stderr)
     broken = folder.run(ROBOT.replace("MESH", ', mesh: "bad.obj"'))
     check(f"broken: {broken.stderr}", broken.returncode == 70 and "bad.obj" in broken.stderr and "a face names v 1" in broken.stderr)
     for name in ("box.dae", "box.stl", "BOX.STL"):
@@ -360,6 +371,25 @@ def check_links(folder):
         check(f"{name} of a URDF: {counts}", 36 in counts)
         done = folder.run('robot stick = urdf("stick.urdf", tip: "tip")\nprint(stick.here())\n')
         check(f"{name} in a program: {done.stderr}", done.returncode == 0)
+
+
+# ---- what is stopped
+
+def check_stopped(folder):
+    """Ctrl-C ends a conversion at once, and the program says that it was stopped."""
+    corners, faces = sphere(0.05, 499)
+    data = b"".join(struct.pack("<12fH", 0, 0, 0, *(x for i in t for x in corners[i]), 0) for t in faces)
+    folder.write("fine.stl", b" " * 80 + struct.pack("<I", len(faces)) + data)
+    folder.write("program.rbt", b'print("begin")\nlet part = mesh("fine.stl")\nprint(part)\n')
+    running = subprocess.Popen([folder.armlet, "run", "program.rbt"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               cwd=folder.path, env=folder.environment)
+    time.sleep(1.0)  # it is converted for several seconds
+    running.send_signal(signal.SIGINT)
+    begin = time.monotonic()
+    out, told = running.communicate(timeout=60)
+    took = time.monotonic() - begin
+    check(f"stopped: {running.returncode} {out} {told}", running.returncode == 130 and "Shape" not in out)
+    check(f"stopping took {took} s", took < 1.0)
 
 
 # ---- what is broken
@@ -446,6 +476,7 @@ def main():
         check_cache(folder)
         check_missing_picture(folder)
         check_links(folder)
+        check_stopped(folder)
         check_broken(folder)
         check_cut(folder, names, int(sys.argv[3]) if len(sys.argv) > 3 else 100)
         check_confined(folder)

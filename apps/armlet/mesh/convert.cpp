@@ -53,12 +53,14 @@ void tell(const std::string& file, const std::string& stage, int seconds) {
 }  // namespace
 
 MeshConverter mesh_converter() {
-  return [](const std::string& path, const std::string& name, double unit) -> Result<std::string> {
+  return [](const std::string& path, const std::string& name, double unit,
+            const std::function<bool()>& is_cancelled) -> Result<std::string> {
     const Result<Folder> folder = Folder::open(path);
     if (!folder.ok()) return folder.error();
     mesh::ConvertOptions how;
     how.unit = unit;
     how.cache = mesh::mesh_cache_folder();
+    how.is_cancelled = is_cancelled;
     how.progress = [&](const std::string& stage, int seconds) { tell(name, stage, seconds); };
     Result<std::string> glb = mesh::convert_mesh(*folder, path, name, how);
     if (shows_status()) status_line({});

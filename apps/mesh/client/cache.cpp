@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <tuple>
 
 #include "client/sha256.hpp"
 
@@ -11,6 +13,8 @@ namespace {
 
 constexpr std::string_view kFirstLine = "armlet mesh names 1\n";
 constexpr std::size_t kMostNames = std::size_t{1} << 20;  // bytes
+
+namespace fs = std::filesystem;
 
 // The text up to the end of its line, which is taken away with it; nothing if no line ends.
 std::optional<std::string> take_line(std::string_view& text) {
@@ -30,12 +34,47 @@ std::string hash_of(const Sibling& sibling) {
   return hash.digits();
 }
 
-Cache::Cache(std::string folder, std::string key) : key_(std::move(key)) {
-  if (folder.empty()) return;
+Cache::Cache(std::string folder, std::string key, std::uintmax_t most)
+    : path_(std::move(folder)), key_(std::move(key)), most_(most) {
+  if (path_.empty()) return;
   std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  Result<Folder> opened = Folder::open(folder);
+  fs::create_directories(path_, failed);
+  Result<Folder> opened = Folder::open(path_);
   if (opened.ok()) folder_.emplace(std::move(opened).value());
+}
+
+// Others may do the same at this moment: a file that is gone is no failure, and a reader that finds
+// its names without the result has found nothing.
+void Cache::make_room() const {
+  struct File {
+    fs::file_time_type used;
+    std::string name;
+    std::uintmax_t size;
+  };
+  std::vector<File> files;
+  std::uintmax_t sum = 0;
+  std::error_code failed;
+  for (fs::directory_iterator each(path_, failed), end; !failed && each != end;
+       each.increment(failed)) {
+    std::error_code gone;
+    if (!fs::is_regular_file(each->symlink_status(gone))) continue;
+    File file{each->last_write_time(gone), each->path().filename().string(),
+              each->file_size(gone)};
+    if (gone || !(file.name.ends_with(".glb") || file.name.ends_with(".names"))) continue;
+    sum += file.size;
+    files.push_back(std::move(file));
+  }
+  std::ranges::sort(files, {}, [](const File& each) { return std::tie(each.used, each.name); });
+  for (const File& each : files) {
+    if (sum <= most_) return;
+    fs::remove(fs::path(path_) / each.name, failed);
+    sum -= each.size;
+  }
+}
+
+void Cache::mark_used(const std::string& name) const {
+  std::error_code failed;  // then it counts as older than it is
+  fs::last_write_time(fs::path(path_) / name, fs::file_time_type::clock::now(), failed);
 }
 
 std::string Cache::result_name(const std::vector<Asked>& asked) const {
@@ -63,8 +102,11 @@ std::optional<std::string> Cache::find(
     if (!name) return std::nullopt;
     asked.push_back({*name, hash_of(find(*name))});
   }
-  Result<std::string> glb = folder_->read(result_name(asked), ConvertLimits{}.result);
+  const std::string result = result_name(asked);
+  Result<std::string> glb = folder_->read(result, ConvertLimits{}.result);
   if (!glb.ok() || sha256(*glb) != *wanted) return std::nullopt;
+  mark_used(result);
+  mark_used(key_ + ".names");
   return std::move(glb).value();
 }
 
@@ -79,6 +121,7 @@ void Cache::keep(const std::vector<Asked>& asked, const std::string& glb) const 
   // The result first: whoever reads the names finds it.
   if (folder_->save(result_name(asked), glb)) return;
   (void)folder_->save(key_ + ".names", names);
+  make_room();
 }
 
 }  // namespace armlet::mesh

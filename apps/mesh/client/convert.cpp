@@ -94,6 +94,7 @@ Result<std::string> convert_mesh(const Folder& folder, const std::string& path,
   run.input = *input;
   run.find = [&](const std::string& each) { return answers.find(each); };
   run.progress = options.progress;
+  run.is_cancelled = options.is_cancelled;
   run.limits = options.limits;
   Result<std::string> glb = run_converter(run);
   if (glb.ok()) cache.keep(answers.asked(), *glb);

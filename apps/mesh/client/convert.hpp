@@ -17,13 +17,15 @@ namespace armlet::mesh {
 // cache       the folder of what was made before; empty: nothing is kept.
 // converter   the program; empty: where it is looked for.
 // progress    null, or called about once a second: what is being done, and the seconds since the
-// start.
+//             start.
+// is_cancelled  null, or asked many times a second: the conversion is given up when it says so.
 struct ConvertOptions {
   double unit = 0.0;
   char up = 0;
   std::string cache{};
   std::string converter{};
   std::function<void(const std::string& stage, int seconds)> progress{};
+  std::function<bool()> is_cancelled{};
   ConvertLimits limits{};
 };
 

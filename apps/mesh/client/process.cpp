@@ -169,8 +169,12 @@ class Talk {
       late_ = true;
       return false;
     }
-    constexpr long kBetweenReports = 250;  // ms
-    const int ready = poll(&wait, 1, static_cast<int>(std::min<long>(left, kBetweenReports)));
+    if (run_.is_cancelled && run_.is_cancelled()) {
+      cancelled_ = true;
+      return false;
+    }
+    constexpr long kBetweenLooks = 50;  // ms, at the clock and whether it is cancelled
+    const int ready = poll(&wait, 1, static_cast<int>(std::min<long>(left, kBetweenLooks)));
     report();
     if (ready < 0) return errno == EINTR;
     if (ready == 0) return true;
@@ -209,6 +213,7 @@ class Talk {
 
   // Why there is no answer.
   Error broken() {
+    if (cancelled_) return failed("its conversion was cancelled");
     if (late_) {
       return failed(
           fmt::format("its conversion took more than {} s and was ended", run_.limits.wall));
@@ -238,6 +243,7 @@ class Talk {
   std::string stage_ = "reading";
   std::optional<std::string> too_long_;
   bool late_ = false;
+  bool cancelled_ = false;
   int reported_ = 0;
 };
 

@@ -178,7 +178,7 @@ Vector6d Cell::contact_wrench(int index) const {
     }
   }
   if (arm.model->tool().kind == ToolKind::kFingers)
-    wrench += finger_wrench(*this, hand_on(index), arm.held);
+    wrench += finger_wrench(*this, hand_on(index), FeltBy::kArm);
   return wrench;
 }
 
@@ -202,7 +202,7 @@ Eigen::VectorXd Cell::contact_forces(int index) const {
     // Joints farther out do not move that body.
     forces.head(each.frame) += J.leftCols(each.frame).transpose() * wrench;
   }
-  if (has_fingers) forces += J.transpose() * finger_wrench(*this, hand_on(index), arm.held);
+  if (has_fingers) forces += J.transpose() * finger_wrench(*this, hand_on(index), FeltBy::kArm);
   return forces;
 }
 

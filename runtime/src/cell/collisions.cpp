@@ -293,16 +293,43 @@ bool is_same_thing(const CellBody& a, const CellBody& b) {
   return a.object == b.object && (!a.object.empty() || a.robot == b.robot);
 }
 
-std::vector<Solid> solids_now(const Cell& cell, const CellBody& thing) {
+// What a thing is made of, where it is now.
+struct PlacedThing {
+  std::vector<Solid> solids;
+  std::vector<CellBody> bodies;
+};
+
+PlacedThing thing_now(const Cell& cell, const CellBody& thing, Carried carried) {
   if (!thing.object.empty()) {
     const Object& object = cell.world().at(thing.object);
     Solid solid = solid_of(object.shape);
     solid.T = object.T_world_obj;
-    return {solid};
+    return {{solid}, {thing}};
   }
-  ArmBodies arm = bodies_of(cell, thing.robot);
-  arm.solids.resize(arm.own);
-  return placed(cell, thing.robot, arm.solids);
+  ArmBodies robot = bodies_of(cell, thing.robot);
+  if (carried == Carried::kLeftOut) {
+    robot.solids.resize(robot.carried);
+    robot.bodies.resize(robot.carried);
+  }
+  PlacedThing now{placed(cell, thing.robot, robot.solids), std::move(robot.bodies)};
+  for (const int finger : cell.robot(thing.robot).fingers) {
+    PlacedThing part = thing_now(cell, {.robot = finger}, carried);
+    now.solids.insert(now.solids.end(), part.solids.begin(), part.solids.end());
+    now.bodies.insert(now.bodies.end(), part.bodies.begin(), part.bodies.end());
+  }
+  return now;
+}
+
+// Whether a body of a robot is the object, is fastened on it or lies on it.
+bool belongs_to(const World& world, const CellBody& body, const std::string& object) {
+  if (body.object.empty() || object.empty()) return false;
+  if (world.are_fastened(body.object, object)) return true;
+  std::string below = body.object;
+  while (!below.empty() && below != object) {
+    const auto& attachment = world.attachment(below);
+    below = attachment ? attachment->on : std::string();
+  }
+  return below == object;
 }
 
 // The first meeting of each pair of things, with the greatest depth of all.
@@ -321,6 +348,7 @@ std::vector<CellCollision> each_once(const std::vector<CellCollision>& all) {
     same->higher = unknown ? -1.0 : std::max(same->higher, each.higher);
     if (each.depth <= same->depth) continue;
     same->depth = each.depth;
+    same->at_least = each.at_least;
     same->t_deepest = each.t_deepest;
     same->p_world = each.p_world;
   }
@@ -350,8 +378,10 @@ std::string body_text(const Cell& cell, const CellBody& body) {
   return fmt::format("{} of `{}`", part(), arm.name);
 }
 
-std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion) {
-  if (cell.robot(robot).on >= 0) return each_once(find_finger_collisions(cell, robot, motion));
+std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion,
+                                           std::span<const MotionBeside> beside) {
+  if (cell.robot(robot).on >= 0)
+    return each_once(find_finger_collisions(cell, robot, motion, beside));
   const CellScene scene(cell, robot, motion);
   std::vector<CellCollision> all;
   for (const Meeting& each : check_motion(scene.scene()).meetings) {
@@ -360,6 +390,7 @@ std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Tr
                    .other = scene.body(pair.b),
                    .t = each.t,
                    .depth = each.depth,
+                   .at_least = each.at_least,
                    .t_deepest = each.t_deepest,
                    .p_world = each.p_world,
                    .higher = each.higher,
@@ -383,9 +414,13 @@ std::optional<ObjectOverlap> deepest_overlap(const World& world, const Object& o
     solid.T = other.T_world_obj;
     const double most = reach + solid.reach();
     if ((solid.T.translation() - body.T.translation()).squaredNorm() >= most * most) continue;
-    const double depth = -gap_between(body, solid).distance;
-    if (depth > kRestTolerance && (!deepest || depth > deepest->depth))
-      deepest = ObjectOverlap{.other = other.name, .depth = depth};
+    const Gap gap = gap_between(body, solid);
+    const double depth = -gap.distance;
+    if (depth > kRestTolerance && (!deepest || depth > deepest->depth)) {
+      deepest = ObjectOverlap{.other = other.name,
+                              .depth = depth,
+                              .at_least = !is_whole_depth(body, solid, gap)};
+    }
   }
   return deepest;
 }
@@ -398,16 +433,35 @@ ComparedBodies compared_bodies(const Cell& cell, int robot, const Trajectory& mo
   return all;
 }
 
-double distance_between(const Cell& cell, const CellBody& a, const CellBody& b) {
-  double least = std::numeric_limits<double>::infinity();
-  const std::vector<Solid> first = solids_now(cell, a), second = solids_now(cell, b);
-  for (const Solid& each : first) {
-    for (const Solid& other : second) {
-      if (!is_farther(each, other, std::max(least, 0.0)) || least < 0.0)
-        least = std::min(least, gap_between(each, other).distance);
+Clearance nearest_between(const Cell& cell, const CellBody& a, const CellBody& b,
+                          Carried carried) {
+  const PlacedThing first = thing_now(cell, a, carried), second = thing_now(cell, b, carried);
+  Clearance nearest;
+  for (std::size_t i = 0; i < first.solids.size(); ++i) {
+    if (a.object.empty() && belongs_to(cell.world(), first.bodies[i], b.object)) continue;
+    for (std::size_t k = 0; k < second.solids.size(); ++k) {
+      if (b.object.empty() && belongs_to(cell.world(), second.bodies[k], a.object)) continue;
+      // Two robots may hold one object together, and a hand is a part of its arm.
+      const std::string& held = first.bodies[i].object;
+      if (a.object.empty() && !held.empty() && held == second.bodies[k].object) continue;
+      if (a.robot != b.robot && held.empty() && second.bodies[k].object.empty() &&
+          first.bodies[i].robot == second.bodies[k].robot && a.object.empty() && b.object.empty())
+        continue;
+      const Solid &one = first.solids[i], &other = second.solids[k];
+      const double least = nearest.distance;
+      if (least >= 0.0 && least < std::numeric_limits<double>::infinity() &&
+          is_farther(one, other, least))
+        continue;
+      const Gap gap = gap_between(one, other);
+      if (gap.distance >= least) continue;
+      nearest = {.body = first.bodies[i],
+                 .other = second.bodies[k],
+                 .distance = gap.distance,
+                 .p_body = gap.p_a,
+                 .p_other = gap.p_b};
     }
   }
-  return least;
+  return nearest;
 }
 
 }  // namespace armlet

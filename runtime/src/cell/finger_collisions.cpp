@@ -2,6 +2,7 @@
 #include "cell/finger_collisions.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "armlet/collision/motion_check.hpp"
 #include "armlet/kinematics/forward.hpp"
@@ -37,37 +38,67 @@ Trajectory motion_of_finger(int finger, const Trajectory& palm) {
   return Trajectory(std::move(joints), palm.duration());
 }
 
+// A finger of the hand, and how it moves from now on.
+//
+// asked            it is its motion that is looked at.
+// compares_itself  it begins at the same instant, and is compared with this one on its own turn.
+struct MovingFinger {
+  int robot = -1;
+  const Trajectory* motion = nullptr;
+  double from = 0.0;
+  bool asked = false;
+  bool compares_itself = false;
+};
+
 // What is in the way of fingers, in the frame of the flange that carries them.
 class FingerScene {
  public:
-  FingerScene(const Cell& cell, int arm)
-      : cell_(cell), arm_(arm), T_flange_world_(cell.T_world_flange(arm).inverse()) {
+  FingerScene(const Cell& cell, int hand)
+      : cell_(cell),
+        hand_(hand),
+        arm_(cell.robot(hand).on),
+        T_flange_world_(cell.T_world_flange(arm_).inverse()) {
     add_objects();
     for (int other = 0; other < cell.robot_count(); ++other) {
-      if (cell.robot(other).on != arm) add_robot(other);
+      if (cell.robot(other).on != arm_ || other == hand) add_robot(other);
     }
   }
 
-  [[nodiscard]] std::vector<CellCollision> meet(int finger, const Trajectory& motion) const {
-    const Robot& model = *cell_.robot(finger).model;
-    MotionScene scene{.fixed = fixed_, .duration = motion.duration()};
-    scene.arms.push_back(
-        {.robot = &model, .motion = &motion, .solids = model.derived<ArmSolids>().solids()});
-    for (std::size_t i = 0; i < scene.arms[0].solids.size(); ++i) {
-      for (std::size_t k = 0; k < fixed_.size(); ++k) {
-        scene.pairs.push_back({.a = {0, static_cast<int>(i)},
-                               .b = {BodyRef::kFixed, static_cast<int>(k)},
-                               .leaving = true});
+  [[nodiscard]] std::vector<CellCollision> meet(std::span<const MovingFinger> fingers) const {
+    MotionScene scene{.fixed = fixed_};
+    for (const MovingFinger& each : fingers) {
+      const Robot& model = *cell_.robot(each.robot).model;
+      scene.duration = std::max(scene.duration, each.motion->duration() - each.from);
+      scene.arms.push_back({.robot = &model,
+                            .motion = each.motion,
+                            .from = each.from,
+                            .solids = model.derived<ArmSolids>().solids()});
+    }
+    std::vector<std::vector<Solid>> begin{fixed_};
+    for (const ArmInMotion& each : scene.arms) begin.push_back(placed_at_begin(each));
+    for (std::size_t i = 0; i < fingers.size(); ++i) {
+      if (!fingers[i].asked) continue;
+      const int first = static_cast<int>(i);
+      add_pairs(scene, first, BodyRef::kFixed, begin);
+      for (std::size_t k = 0; k < fingers.size(); ++k) {
+        if (k == i || (fingers[k].asked && k < i) || fingers[k].compares_itself) continue;
+        add_pairs(scene, first, static_cast<int>(k), begin);
       }
     }
+    const auto body_of = [&](const BodyRef& ref) -> CellBody {
+      if (ref.arm == BodyRef::kFixed) return names_[static_cast<std::size_t>(ref.index)];
+      const auto arm = static_cast<std::size_t>(ref.arm);
+      const ArmSolid& link = scene.arms[arm].solids[static_cast<std::size_t>(ref.index)];
+      return {.robot = fingers[arm].robot, .frame = link.frame, .role = link.role};
+    };
     std::vector<CellCollision> found;
     for (const Meeting& each : check_motion(scene).meetings) {
       const CheckedPair& pair = scene.pairs[each.pair];
-      const ArmSolid& link = scene.arms[0].solids[static_cast<std::size_t>(pair.a.index)];
-      found.push_back({.body = {.robot = finger, .frame = link.frame, .role = link.role},
-                       .other = names_[static_cast<std::size_t>(pair.b.index)],
+      found.push_back({.body = body_of(pair.a),
+                       .other = body_of(pair.b),
                        .t = each.t,
                        .depth = each.depth,
+                       .at_least = each.at_least,
                        .t_deepest = each.t_deepest,
                        .p_world = T_flange_world_.inverse() * each.p_world,
                        .higher = -1.0,
@@ -78,6 +109,40 @@ class FingerScene {
   }
 
  private:
+  static std::vector<Solid> placed_at_begin(const ArmInMotion& arm) {
+    Eigen::VectorXd q(arm.robot->n());
+    for (int i = 0; i < arm.robot->n(); ++i) q[i] = arm.motion->value(i, arm.from);
+    const std::vector<Isometry3d> frames = link_frames(*arm.robot, q);
+    std::vector<Solid> placed;
+    for (const ArmSolid& each : arm.solids) {
+      placed.push_back(each.solid);
+      placed.back().T = (each.frame == 0 ? arm.robot->T_world_base()
+                                         : frames[static_cast<std::size_t>(each.frame - 1)]) *
+                        each.solid.T;
+    }
+    return placed;
+  }
+
+  // Every body of a finger with those of another arm of the scene, or of what is fixed.
+  //
+  // begin  where the bodies of what is fixed, and of each arm, are at the begin.
+  void add_pairs(MotionScene& scene, int finger, int other,
+                 const std::vector<std::vector<Solid>>& begin) const {
+    const auto& links = begin[static_cast<std::size_t>(finger + 1)];
+    const auto& others = begin[static_cast<std::size_t>(other + 1)];
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      for (std::size_t k = 0; k < others.size(); ++k) {
+        // What it touches at the begin it may leave. Of its own hand it may leave what it overlaps,
+        // and what it only touches it meets at once.
+        const bool is_own = other != BodyRef::kFixed || names_[k].robot == hand_;
+        const bool leaving = !is_own || gap_between(links[i], others[k]).distance < -kSoft;
+        scene.pairs.push_back({.a = {finger, static_cast<int>(i)},
+                               .b = {other, static_cast<int>(k)},
+                               .leaving = leaving});
+      }
+    }
+  }
+
   void add(Solid solid, const Isometry3d& T_world_solid, CellBody name) {
     solid.T = T_flange_world_ * T_world_solid;
     fixed_.push_back(std::move(solid));
@@ -90,7 +155,8 @@ class FingerScene {
     for (std::size_t i = 0; i < world.size(); ++i) {
       const Object& object = world.object(i);
       const auto& carried = world.attachment_of(i);
-      if (carried ? carried->carrier == arm_ : !object.fixed) continue;
+      const bool is_own = carried && carried->carrier == arm_;
+      if (is_own ? !carried->mounted || !object.fixed : !carried && !object.fixed) continue;
       CellBody name{.object = object.name};
       if (carried) name.robot = carried->carrier;
       add(solid_of(object.shape), object.T_world_obj, std::move(name));
@@ -116,6 +182,7 @@ class FingerScene {
   }
 
   const Cell& cell_;
+  int hand_;
   int arm_;
   Isometry3d T_flange_world_;
   std::vector<Solid> fixed_;
@@ -125,16 +192,36 @@ class FingerScene {
 }  // namespace
 
 std::vector<CellCollision> find_finger_collisions(const Cell& cell, int robot,
-                                                  const Trajectory& motion) {
+                                                  const Trajectory& motion,
+                                                  std::span<const MotionBeside> beside) {
   const CellRobot& part = cell.robot(robot);
-  const FingerScene scene(cell, part.on);
-  if (part.hand >= 0) return scene.meet(robot, motion);
-  std::vector<CellCollision> all;
-  for (int i = 0; i < static_cast<int>(part.fingers.size()); ++i) {
-    const std::vector<CellCollision> met =
-        scene.meet(part.fingers[static_cast<std::size_t>(i)], motion_of_finger(i, motion));
-    all.insert(all.end(), met.begin(), met.end());
+  const int hand = part.hand < 0 ? robot : part.hand;
+  const std::vector<int>& parts = cell.robot(hand).fingers;
+  std::vector<Trajectory> own;
+  own.reserve(parts.size());
+  std::vector<MovingFinger> fingers;
+  for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
+    const int finger = parts[static_cast<std::size_t>(i)];
+    const CellRobot& state = cell.robot(finger);
+    const auto found = std::ranges::find(beside, finger, &MotionBeside::robot);
+    if (part.hand < 0) {
+      own.push_back(motion_of_finger(i, motion));
+      fingers.push_back({.robot = finger, .motion = &own.back(), .asked = true});
+    } else if (finger == robot) {
+      fingers.push_back({.robot = finger, .motion = &motion, .asked = true});
+    } else if (found != beside.end()) {
+      fingers.push_back(
+          {.robot = finger, .motion = found->motion, .compares_itself = finger < robot});
+    } else if (state.motion) {
+      fingers.push_back({.robot = finger,
+                         .motion = &state.motion->trajectory(),
+                         .from = to_seconds(cell.now_ns() - state.motion->start_ns())});
+    } else {
+      own.push_back(Trajectory::at_rest(state.q, 0.0));
+      fingers.push_back({.robot = finger, .motion = &own.back()});
+    }
   }
+  std::vector<CellCollision> all = FingerScene(cell, hand).meet(fingers);
   std::ranges::stable_sort(all, {}, &CellCollision::t);
   return all;
 }

@@ -90,6 +90,112 @@ double force_of(const Cell& cell, const std::vector<Solid>& links) {
   return sum;
 }
 
+double gap_between_links(const std::vector<Solid>& links, const std::vector<Solid>& others) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Solid& link : links) {
+    for (const Solid& other : others) {
+      if (least < std::numeric_limits<double>::infinity() && !may_meet(link, other, least)) continue;
+      least = std::min(least, gap_between(link, other).distance);
+    }
+  }
+  return least;
+}
+
+// No point of a finger is farther from the axis of its first bend than both links and the tip are
+// long, and the last link turns a third more: m for each rad of the bend, at most.
+double lever_of(const Robot& finger, int bend) {
+  const double last = finger.joint(bend + 1).dh.a;
+  const double tip = 0.02;  // m, at least the thickness
+  return finger.joint(bend).dh.a + last + tip + (last + tip) / 3.0;
+}
+
+// The fingers of a hand as they close together.
+class ClosingHand {
+ public:
+  ClosingHand(const Cell& cell, int hand, std::vector<Closing>& closings)
+      : cell_(cell), palm_(hand_at(cell, hand)), closings_(closings), q_(palm_.q) {}
+
+  void close() {
+    constexpr double kALittle = 1e-3;  // rad
+    const std::vector<double> before = gaps();
+    VectorXd on = q_;
+    for (int i = 0; i < count(); ++i) {
+      if (is_moving(i)) on[i + 1] += kALittle;
+    }
+    std::swap(q_, on);
+    const std::vector<double> after = gaps();
+    std::swap(q_, on);
+    comes_apart_.resize(before.size());
+    for (std::size_t k = 0; k < before.size(); ++k)
+      comes_apart_[k] = before[k] <= kTouching && after[k] >= before[k];
+    while (go_on()) {
+    }
+  }
+
+ private:
+  [[nodiscard]] int count() const { return static_cast<int>(closings_.size()); }
+  [[nodiscard]] Closing& closing(int i) { return closings_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] bool is_moving(int i) { return q_[i + 1] < closing(i).bend; }
+  [[nodiscard]] const Robot& finger(int i) const {
+    return *cell_.robot(palm_.fingers[static_cast<std::size_t>(i)]).model;
+  }
+
+  // Of each pair of fingers, in order.
+  [[nodiscard]] std::vector<double> gaps() const {
+    std::vector<std::vector<Solid>> links;
+    for (int i = 0; i < count(); ++i)
+      links.push_back(links_of(finger(i), finger_joints(i, q_), Isometry3d::Identity()));
+    std::vector<double> all;
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      for (std::size_t k = i + 1; k < links.size(); ++k)
+        all.push_back(gap_between_links(links[i], links[k]));
+    }
+    return all;
+  }
+
+  void stop(int i) {
+    if (!is_moving(i)) return;
+    closing(i).bend = q_[i + 1];
+    closing(i).touch = std::min(closing(i).touch, q_[i + 1]);
+  }
+
+  // By as much as no finger can come to another or beyond its own end; false: all stand.
+  bool go_on() {
+    const std::vector<double> gaps = this->gaps();
+    for (std::size_t k = 0, i = 0; i < closings_.size(); ++i) {
+      for (std::size_t j = i + 1; j < closings_.size(); ++j, ++k) {
+        if (gaps[k] > kTouching || comes_apart_[k]) continue;
+        stop(static_cast<int>(i));
+        stop(static_cast<int>(j));
+      }
+    }
+    double step = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < count(); ++i) {
+      if (is_moving(i)) step = std::min(step, closing(i).bend - q_[i + 1]);
+    }
+    if (step == std::numeric_limits<double>::infinity()) return false;
+    for (std::size_t k = 0, i = 0; i < closings_.size(); ++i) {
+      for (std::size_t j = i + 1; j < closings_.size(); ++j, ++k) {
+        double rate = 0.0;
+        for (const int each : {static_cast<int>(i), static_cast<int>(j)}) {
+          if (is_moving(each)) rate += lever_of(finger(each), bend_joint(each));
+        }
+        if (rate > 0.0 && gaps[k] > kTouching) step = std::min(step, gaps[k] / rate);
+      }
+    }
+    for (int i = 0; i < count(); ++i) {
+      if (is_moving(i)) q_[i + 1] = std::min(closing(i).bend, q_[i + 1] + step);
+    }
+    return true;
+  }
+
+  const Cell& cell_;
+  const CellRobot& palm_;
+  std::vector<Closing>& closings_;
+  VectorXd q_;
+  std::vector<bool> comes_apart_;  // of each pair: they touch at the begin, and not for long
+};
+
 // The smallest gap to anything.
 double gap_to_world(const Cell& cell, const std::vector<Solid>& links) {
   double least = std::numeric_limits<double>::infinity();
@@ -110,6 +216,11 @@ std::vector<FingerContact> finger_contacts(const Cell& cell, int hand, const Vec
   const Isometry3d T_world_on = cell.T_world_flange(palm.on);
   std::vector<FingerContact> contacts;
   look(cell, -1, links_of(*palm.model, q, T_world_on), contacts);
+  // The palm does not press on what is mounted on it.
+  std::erase_if(contacts, [&](const FingerContact& each) {
+    const auto& carried = cell.world().attachment(each.object);
+    return carried && carried->carrier == palm.on && carried->mounted;
+  });
   for (int i = 0; i < static_cast<int>(palm.fingers.size()); ++i) {
     const Robot& finger = *cell.robot(palm.fingers[static_cast<std::size_t>(i)]).model;
     look(cell, i, links_of(finger, finger_joints(i, q), T_world_on), contacts);
@@ -127,13 +238,18 @@ double finger_force(const Cell& cell, int finger) {
   return force_of(cell, links_of(*robot.model, robot.q, cell.T_world_flange(robot.on)));
 }
 
-Vector6d finger_wrench(const Cell& cell, int robot, std::string_view without) {
+Vector6d finger_wrench(const Cell& cell, int robot, FeltBy by) {
   const CellRobot& part = cell.robot(robot);
   const int hand = part.hand < 0 ? robot : part.hand;
   const Vector3d p_tool = cell.T_world_tool(robot).translation();
+  const std::string& held = cell.robot(part.on).held;
+  const auto goes_along = [&](const std::string& object) {
+    const auto& carried = cell.world().attachment(object);
+    return object == held || (carried && carried->carrier == part.on);
+  };
   Vector6d sum = Vector6d::Zero();
   for (const FingerContact& each : finger_contacts(cell, hand)) {
-    if (each.object == without) continue;
+    if (by == FeltBy::kArm && goes_along(each.object)) continue;
     if (part.hand >= 0 &&
         (each.finger < 0 ||
          hand_at(cell, hand).fingers[static_cast<std::size_t>(each.finger)] != robot))
@@ -157,12 +273,8 @@ Closing close_finger(const Cell& cell, int finger, double force) {
     return links_of(*robot.model, finger_joints(index, q), T_world_on);
   };
   const double end = palm.model->upper()[index + 1];
-  // No point of the finger is farther from its first axis than both links and the tip are long, and
-  // the last link turns a third more.
   const int bend = bend_joint(index);
-  const double last = robot.model->joint(bend + 1).dh.a;
-  const double tip = 0.02;  // m, at least the thickness
-  const double lever = robot.model->joint(bend).dh.a + last + tip + (last + tip) / 3.0;
+  const double lever = lever_of(*robot.model, bend);
   constexpr double kTouches = 1e-7;  // m
   double at = robot.q[bend];
   double gap = gap_to_world(cell, links_at(at));
@@ -186,6 +298,14 @@ Closing close_finger(const Cell& cell, int finger, double force) {
     (force_of(cell, links_at(middle)) < force ? below : above) = middle;
   }
   return {.bend = above, .touch = touch};
+}
+
+std::vector<Closing> close_hand(const Cell& cell, int hand, double force) {
+  std::vector<Closing> closings;
+  for (const int finger : hand_at(cell, hand).fingers)
+    closings.push_back(close_finger(cell, finger, force));
+  ClosingHand(cell, hand, closings).close();
+  return closings;
 }
 
 }  // namespace armlet

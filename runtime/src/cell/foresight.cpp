@@ -42,8 +42,9 @@ std::int64_t Cell::known_until(int motion) const {
       {report.end_ns, known.due_ns().value_or(report.end_ns), std::max(known.sure_ns, now_ns())});
 }
 
-// What a hand is pressed with at an instant to which everything was brought.
-HandOverload Cell::pressed_at(int index, std::int64_t t_ns) {
+// What a hand, and the links of its arm, are pressed with at an instant to which everything was
+// brought.
+std::array<HandOverload, 2> Cell::pressed_at(int index, std::int64_t t_ns) {
   HandOverload over{.t_ns = t_ns, .most = robot(index).model->tool().max_force};
   if (const int hand = hand_with_fingers(*this, index); hand >= 0) {
     const HardestFinger hardest = hardest_finger(*this, hand);
@@ -51,17 +52,18 @@ HandOverload Cell::pressed_at(int index, std::int64_t t_ns) {
     over.force = over.with_friction = hardest.force;
     over.finger = hardest.finger;
     over.by.object = hardest.object;
-    return over;
+    return {over, HandOverload{}};
   }
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  std::array<HandOverload, 2> all{over, over};
+  std::array<Eigen::Vector3d, 2> sums{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (const Press& each : contacts_ahead_.presses(robots_, world_, index, t_ns)) {
-    if (!each.of_hand) continue;
-    sum += each.force;
-    over.with_friction += each.normal * std::sqrt(1.0 + each.friction * each.friction);
-    if (each.normal > over.by.normal) over.by = each;
+    const std::size_t of = each.of_hand ? 0 : 1;
+    sums[of] += each.force;
+    all[of].with_friction += each.normal * std::sqrt(1.0 + each.friction * each.friction);
+    if (each.normal > all[of].by.normal) all[of].by = each;
   }
-  over.force = sum.norm();
-  return over;
+  for (std::size_t of = 0; of < all.size(); ++of) all[of].force = sums[of].norm();
+  return all;
 }
 
 // The first instant in (from, to] at which `is_so`, if it is so at `to`; nothing otherwise.
@@ -94,16 +96,23 @@ void Cell::foresee(int index) {
   press_limits_.resize(robots_.size());
   PressLimit& limit = press_limits_[static_cast<std::size_t>(index)];
   if (limit.motion != arm.motion_id) {
-    const HandOverload pressed = pressed_at(index, from);
-    limit = {.motion = arm.motion_id,
-             .most = std::max(pressed.most, pressed.with_friction * (1.0 + kSame))};
+    const auto pressed = pressed_at(index, from);
+    limit.motion = arm.motion_id;
+    for (std::size_t of = 0; of < pressed.size(); ++of)
+      limit.most[of] = std::max(pressed[of].most, pressed[of].with_friction * (1.0 + kSame));
   }
   const bool was_too_much = report(arm.motion_id).overload.has_value();
-  const auto too_much = [&](std::int64_t t_ns) {
-    return !was_too_much && pressed_at(index, t_ns).force > limit.most;
+  const auto overload_at = [&](std::int64_t t_ns) -> std::optional<HandOverload> {
+    const auto pressed = pressed_at(index, t_ns);
+    for (std::size_t of = 0; of < pressed.size(); ++of) {
+      if (pressed[of].force > limit.most[of]) return pressed[of];
+    }
+    return std::nullopt;
   };
-  if (const auto t_ns = first_instant(from, to, too_much))
-    known.overload = pressed_at(index, *t_ns);
+  const auto too_much = [&](std::int64_t t_ns) {
+    return !was_too_much && overload_at(t_ns).has_value();
+  };
+  if (const auto t_ns = first_instant(from, to, too_much)) known.overload = overload_at(*t_ns);
   // What is held is looked at every fourth millisecond: it costs more, and accelerations change
   // gradually.
   constexpr std::int64_t kLookAtGrip = 4 * kLookAhead;

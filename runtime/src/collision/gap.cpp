@@ -48,6 +48,14 @@ Gap gap_between(const Solid& a, const Solid& b) {
   return nearest.overlap ? overlapping(a, b, difference, nearest.simplex) : apart(a, b, nearest);
 }
 
+bool is_whole_depth(const Solid& a, const Solid& b, const Gap& gap) {
+  if (a.is_convex() && b.is_convex()) return true;
+  constexpr double kFree = 1e-6;  // m
+  Solid moved = a;
+  moved.T.translation() += (kFree - gap.distance) * gap.away;
+  return gap_between(moved, b).distance > -kFree;
+}
+
 bool is_farther(const Solid& a, const Solid& b, double distance) {
   if (!a.is_convex() || !b.is_convex()) return is_mesh_farther(a, b, distance);
   const double wanted = distance + a.margin + b.margin;

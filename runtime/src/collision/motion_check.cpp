@@ -202,6 +202,9 @@ class Check {
       meeting.t_deepest = t;
       meeting.p_world = 0.5 * (gap.p_a + gap.p_b);
     }
+    if (!(meeting.depth > 0.0)) return;
+    place_at(meeting.t_deepest);
+    meeting.at_least = !is_whole_depth(pose_.body(pair.a), pose_.body(pair.b), gap_of(pair));
   }
 
   // Raises what clears the second body so far until it does so here as well.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "armlet/mesh/glb.hpp"
+#include "mesh/glb_document.hpp"
 #include "mesh/glb_format.hpp"
 #include "mesh/glb_things.hpp"
 
@@ -16,123 +17,15 @@ namespace {
 
 using Eigen::Affine3d;
 using Eigen::Vector3d;
-using Json = nlohmann::json;
+using glb::Chunks;
+using glb::chunks_of;
+using glb::Document;
+using glb::Json;
+using glb::refuse;
+using glb::u32;
 
-constexpr std::size_t kMostJson = 8 << 20;       // bytes
-constexpr int kDeepest = 64;                     // of values in one another
-constexpr std::uint64_t kMostNumber = 1U << 31;  // of counts, offsets and lengths
 constexpr std::size_t kMostVertices = 3 * kMostTriangles;
 constexpr std::size_t kMostParts = kMostTriangles;
-
-[[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
-
-std::uint32_t u32(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t k = 4; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
-  return value;
-}
-
-// ---- the file: a header and chunks
-
-struct Chunks {
-  std::string_view json;
-  std::string_view binary;
-};
-
-Chunks chunks_of(std::string_view bytes) {
-  if (bytes.size() < 4 || u32(bytes, 0) != glb::kMagic)
-    refuse("it is no GLB file: it does not begin with \"glTF\"");
-  if (bytes.size() < 20) refuse(fmt::format("it is cut off: it has {} bytes", bytes.size()));
-  if (u32(bytes, 4) != 2) refuse(fmt::format("it is GLB of version {}; expected 2", u32(bytes, 4)));
-  if (u32(bytes, 8) != bytes.size()) {
-    refuse(fmt::format("its header says {} bytes, but it has {}", u32(bytes, 8), bytes.size()));
-  }
-  Chunks chunks;
-  for (std::size_t at = 12; at < bytes.size();) {
-    if (bytes.size() - at < 8) refuse("it is cut off in the header of a chunk");
-    const std::size_t length = u32(bytes, at);
-    const std::uint32_t kind = u32(bytes, at + 4);
-    if (length > bytes.size() - at - 8) {
-      refuse(fmt::format("a chunk of {} bytes does not fit into it", length));
-    }
-    const std::string_view chunk = bytes.substr(at + 8, length);
-    if (at == 12 && kind != glb::kJsonChunk) refuse("its first chunk is not JSON");
-    if (at == 12) chunks.json = chunk;
-    if (kind == glb::kBinaryChunk && chunks.binary.empty()) chunks.binary = chunk;
-    at += 8 + length;
-  }
-  return chunks;
-}
-
-// ---- what the JSON part says
-
-// A description with the checks that every access needs.
-class Document {
- public:
-  explicit Document(std::string_view text) {
-    if (text.size() > kMostJson)
-      refuse(fmt::format("its JSON part has {} bytes; expected 8 MB at most", text.size()));
-    if (json_depth(text) > kDeepest)
-      refuse(fmt::format("its JSON part has more than {} values in one another", kDeepest));
-    root_ = Json::parse(text.begin(), text.end(), nullptr, false);
-    if (!root_.is_object()) refuse("its JSON part is broken");
-  }
-
-  [[nodiscard]] const Json& root() const { return root_; }
-
-  // Element `index` of a list at the top; `what` as messages call it.
-  [[nodiscard]] const Json& element(const char* list, std::uint64_t index, const char* what) const {
-    const Json& all = member(root_, list);
-    if (!all.is_array() || index >= all.size()) {
-      refuse(fmt::format("{} {} is not there; it has {}", what, index,
-                         all.is_array() ? all.size() : 0));
-    }
-    const Json& found = all[static_cast<std::size_t>(index)];
-    if (!found.is_object()) refuse(fmt::format("{} {} is broken", what, index));
-    return found;
-  }
-  [[nodiscard]] std::size_t count(const char* list) const {
-    const Json& all = member(root_, list);
-    return all.is_array() ? all.size() : 0;
-  }
-
-  // Null if it is not there.
-  [[nodiscard]] static const Json& member(const Json& object, const char* key) {
-    static const Json kNothing;
-    const auto found = object.find(key);
-    return found == object.end() ? kNothing : *found;
-  }
-  // A whole number from 0 on, or `otherwise` if it is not there.
-  [[nodiscard]] static std::uint64_t number(const Json& object, const char* key,
-                                            std::optional<std::uint64_t> otherwise = {}) {
-    const Json& value = member(object, key);
-    if (value.is_null() && otherwise) return *otherwise;
-    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kMostNumber)
-      refuse(fmt::format(
-          "`{}` is {}; expected a whole number up to 2^31", key,
-          value.is_null()
-              ? "missing"
-              : value.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40)));
-    return value.get<std::uint64_t>();
-  }
-  // `size` finite numbers; false if the list is not there.
-  [[nodiscard]] static bool numbers(const Json& object, const char* key, double* out,
-                                    std::size_t size) {
-    const Json& list = member(object, key);
-    if (list.is_null()) return false;
-    if (!list.is_array() || list.size() != size)
-      refuse(fmt::format("`{}` has not {} numbers", key, size));
-    for (std::size_t k = 0; k < size; ++k) {
-      if (!list[k].is_number()) refuse(fmt::format("`{}` has not {} numbers", key, size));
-      out[k] = list[k].get<double>();
-      if (!std::isfinite(out[k])) refuse(fmt::format("`{}` has a number that is too large", key));
-    }
-    return true;
-  }
-
- private:
-  Json root_;
-};
 
 // ---- the numbers of the binary part
 
@@ -185,8 +78,8 @@ class Binary {
       wrong(fmt::format("has {} elements, more than the {} bytes of its view hold", count,
                         part.size()));
     }
-    return {part.data() + offset, static_cast<std::size_t>(count), static_cast<std::size_t>(stride),
-            component};
+    return {part.data() + static_cast<std::size_t>(offset), static_cast<std::size_t>(count),
+            static_cast<std::size_t>(stride), component};
   }
 
  private:
@@ -260,6 +153,8 @@ class SceneReader {
         add_mesh(Document::number(node, "mesh"), T);
         if (triangles_.empty()) return;
         things.push_back({.name = name,
+                          .node = static_cast<std::size_t>(number),
+                          .shape = T.linear(),
                           .triangles = {std::exchange(vertices_, {}),
                                         std::exchange(triangles_, {})}});
         read_look(Document::number(node, "mesh"), things.back());
@@ -308,9 +203,10 @@ class SceneReader {
       const Open next = open.back();
       open.pop_back();
       const Json& node = document_.element("nodes", next.node, "node");
-      if (seen_[next.node])
+      const auto at_node = static_cast<std::size_t>(next.node);
+      if (seen_[at_node])
         refuse(fmt::format("node {} is below itself or below two others", next.node));
-      seen_[next.node] = true;
+      seen_[at_node] = true;
       const Affine3d T_node = placement_of(node);
       const Placement at{next.at.T * T_node, next.at.R * rotation_in(T_node.linear())};
       if (node.contains("mesh")) visit(node, next.node, at);
@@ -387,7 +283,7 @@ class SceneReader {
       if (!children.is_array()) continue;
       for (const Json& each : children) {
         const std::uint64_t child = index(each, "child of a node");
-        if (child < below.size()) below[child] = true;
+        if (child < below.size()) below[static_cast<std::size_t>(child)] = true;
       }
     }
     for (std::size_t i = 0; i < below.size(); ++i) {

@@ -26,7 +26,10 @@ std::string unique_name(std::string name, std::uint64_t number, std::set<std::st
   std::erase_if(name, [](char c) {
     return static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\\';
   });
-  name = name.substr(0, 100);
+  std::size_t end = std::min<std::size_t>(name.size(), 100);
+  while (end < name.size() && end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0U) == 0x80U)
+    --end;
+  name.resize(end);
   if (name.empty()) name = fmt::format("node {}", number);
   const std::string first = name;
   for (int k = 2; !names.insert(name).second; ++k) name = fmt::format("{} {}", first, k);
@@ -54,19 +57,6 @@ void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_node_mes
       part.normals.push_back(n);
     }
   }
-}
-
-std::string write_glb(const GlbThing& thing) {
-  GlbNode node{.name = thing.name, .joint = std::nullopt, .parts = {{}}};
-  add_triangles(thing.triangles, Eigen::Isometry3d::Identity(), node.parts.front());
-  GlbScene scene;
-  if (thing.color.empty()) {
-    node.parts.front().material = -1;
-  } else {
-    scene.materials.push_back(thing.look);
-  }
-  scene.nodes.push_back(std::move(node));
-  return write_glb(scene);
 }
 
 }  // namespace armlet

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "armlet/core/format.hpp"
@@ -20,8 +21,8 @@ std::string circumstances(const CellCollision& met, double duration) {
   std::string when = fmt::format("{} s after its start", format_number(met.t, 2));
   if (met.at_start) when = "from its start on";
   if (!met.at_start && met.at_end && met.t >= 0.995 * duration) when = "where it ends";
-  return fmt::format("{}, up to {} deep, deepest at {}", when, format_mm(met.depth),
-                     place_text(met.p_world));
+  return fmt::format("{}, {} {} deep, deepest at {}", when, met.at_least ? "at least" : "up to",
+                     format_mm(met.depth), place_text(met.p_world));
 }
 
 // Passing higher helps what the hand has around the tool point; a link farther back moves
@@ -92,13 +93,14 @@ Failed fail_meeting(Vm& vm, const MoveCall& call, const CellCollision& met, doub
 }
 
 Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& call,
-                                                        const Trajectory& motion) {
+                                                        const Trajectory& motion,
+                                                        std::span<const MotionBeside> beside) {
   const BlockSettings settings = settings_of(vm);
   const CollisionCheck wanted = settings.avoid ? CollisionCheck::kError : settings.collisions;
   if (wanted == CollisionCheck::kIgnore || motion.duration() <= 0.0)
     return std::vector<PossibleCollision>{};
   Host& host = Host::of(vm);
-  auto met = find_collisions(host.cell(), call.robot, motion);
+  auto met = find_collisions(host.cell(), call.robot, motion, beside);
   // Fingers that close are there to touch; what they press with is judged by its force (R0637).
   if (call.function == kCloseHand)
     std::erase_if(met, [](const CellCollision& each) { return !each.other.object.empty(); });
@@ -111,12 +113,16 @@ Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& 
     return fail_meeting(vm, call, met.front(), motion.duration());
   for (CellCollision& each : met) {
     const int other = each.other.robot;
-    const bool stands = other >= 0 && other != call.robot && !host.cell().is_moving(other);
+    const bool is_other = other >= 0 && other != call.robot;
+    const bool is_known =
+        is_other && std::ranges::find(beside, other, &MotionBeside::robot) != beside.end();
+    const bool stands = is_other && !is_known && !host.cell().is_moving(other);
     if (each.at_start || !(guarded || stands)) {
       advise(vm, call, each, motion.duration());
       continue;
     }
-    const int last = stands ? host.cell().robot(other).motion_id : -1;
+    std::optional<int> last;
+    if (is_other && !is_known) last = host.cell().robot(other).motion_id;
     possible.push_back({.met = std::move(each), .guarded = guarded, .last = last});
   }
   return possible;
@@ -131,11 +137,11 @@ void report_collisions(Vm& vm, const MoveCall& call, int motion,
   for (const PossibleCollision& each : possible) {
     const CellCollision& met = each.met;
     if (report.state == MotionState::kStopped && met.t >= duration) continue;
-    const bool stood = met.other.robot >= 0 && met.other.robot != call.robot;
-    if (stood && has_started(cell, met.other.robot, each.last, report.start_ns + to_ns(met.t)))
+    if (each.last &&
+        has_started(cell, met.other.robot, *each.last, report.start_ns + to_ns(met.t)))
       continue;
     if (each.guarded && is_felt(cell, met) &&
-        -distance_between(cell, met.body, met.other) <= kPressed)
+        -distance_between(cell, met.body, met.other, Carried::kLeftOut) <= kPressed)
       continue;
     advise(vm, call, met, duration);
   }

@@ -181,7 +181,8 @@ Answer<WayAround> way_around(Vm& vm, const MoveCall& call, const WayWanted& want
 
 Started start_avoiding(Vm& vm, const MoveCall& call, Trajectory straight, const WayWanted& wanted) {
   const Cell& cell = Host::of(vm).cell();
-  if (find_collisions(cell, call.robot, straight).empty()) {
+  // Fingers go where they are bent: there is no way around for them, and what they meet is refused.
+  if (cell.robot(call.robot).on >= 0 || find_collisions(cell, call.robot, straight).empty()) {
     const double length = path_between_ends(vm, call, straight);
     return start_motion(vm, call, std::move(straight), length);
   }

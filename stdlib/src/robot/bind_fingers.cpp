@@ -201,11 +201,17 @@ Started move_fingers(Vm& vm, int hand, const std::vector<double>& bends, bool cl
     MotionPlan plan =
         plan_joint_move(host.planners(), *state.model,
                         {.q0 = state.q, .q1 = q, .planner = "Syn", .speed = settings_of(vm).speed});
-    const MoveCall call{.function = closes ? kCloseHand : "openHand", .robot = f.id};
-    auto possible = check_collisions(vm, call, *plan.trajectory);
-    if (!possible) return Failed{};
-    motions.push_back({.call = call, .possible = *std::move(possible)});
+    motions.push_back({.call = {.function = closes ? kCloseHand : "openHand", .robot = f.id}});
     planned.push_back(*std::move(plan.trajectory));
+  }
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    std::vector<MotionBeside> beside;
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      if (k != i) beside.push_back({motions[k].call.robot, &planned[k]});
+    }
+    auto possible = check_collisions(vm, motions[i].call, planned[i], beside);
+    if (!possible) return Failed{};
+    motions[i].possible = *std::move(possible);
   }
   for (std::size_t i = 0; i < motions.size(); ++i)
     motions[i].motion = cell.start(motions[i].call.robot, std::move(planned[i]));
@@ -237,8 +243,7 @@ Started close_hand(Vm& vm, const RobotRef& h, Number force) {
                    1);
   }
   std::vector<double> bends;
-  for (const int each : cell.robot(hand).fingers)
-    bends.push_back(close_finger(cell, each, wanted).bend);
+  for (const Closing& each : close_hand(cell, hand, wanted)) bends.push_back(each.bend);
   return move_fingers(vm, hand, bends, true);
 }
 
@@ -310,8 +315,8 @@ constexpr NativeFunction kFingerFunctions[] = {
                       HAND "print(hand.finger(1).joints())"),
     def<close_hand>(
         "closeHand(h: robot, force: force?)",
-        "Closes each finger until it presses with this force, 10 N unless told otherwise, or has "
-        "come to its end. A gripper closes to the width of what is between its fingers, as grasp() "
+        "Closes each finger until it presses with this force, 10 N unless told otherwise, has come "
+        "to another finger, or to its end. A gripper closes to the width of what is between its fingers, as grasp() "
         "does.",
         HAND "hand.closeHand(force: 8N)", {.pauses = true}),
     def<open_hand>("openHand(h: robot)",

@@ -30,7 +30,7 @@ using Text = std::optional<std::string_view>;
 // -----------------------------------------------------------------------------------------------------
 
 // Where the parameters of both rows stand.
-enum Row { kLimits = 4, kCom = 10, kInertia = 11, kFriction = 12 };
+enum Row { kLimits = 4, kCom = 10, kInertia = 11, kFriction = 12, kMeshUnit = 16 };
 
 Answer<void> read_limits(Vm& vm, Numbers limits, Joint& joint) {
   if (!limits) return {};
@@ -60,7 +60,8 @@ template <JointKind kKind>
 Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alpha, Numbers limits,
                            Number max_speed, Number max_accel, Number max_jerk, Number max_effort,
                            double mass, Numbers com, NumberRows inertia, Numbers friction,
-                           double motor_inertia, double gear, Text mesh) {
+                           double motor_inertia, double gear, Text mesh, Number mesh_unit,
+                           double mesh_scale) {
   JointRow row{.joint = joint_without_limits(kKind), .link = {}};
   Joint& joint = row.joint;
   joint.dh = {theta, d, a, alpha};
@@ -72,6 +73,16 @@ Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alph
   row.link.motor_inertia = motor_inertia;
   row.link.gear = gear;
   if (mesh) row.link.mesh = *mesh;
+  const double factors[] = {mesh_unit.value_or(1.0), mesh_scale};
+  for (int k = 0; k < 2; ++k) {
+    if (std::isfinite(factors[k]) && factors[k] > 0.0) continue;
+    return fail_mesh(vm, row.link.mesh,
+                     fmt::format("its {} is {}{}; expected more than 0", k == 0 ? "unit" : "scale",
+                                 factors[k], k == 0 ? " m" : ""),
+                     {}, kMeshUnit + k);
+  }
+  if (mesh_unit) row.link.mesh_unit = *mesh_unit;
+  row.link.mesh_scale = mesh_scale;
   if (!read_limits(vm, limits, joint) || !read_com(vm, com, kCom, row.link) ||
       !read_inertia(vm, inertia, kInertia, row.link) ||
       !read_friction(vm, friction, kFriction, row.link)) {
@@ -175,7 +186,8 @@ void check_meshes(Vm& vm, const RobotSpec& spec) {
 Answer<void> load_meshes(Vm& vm, RobotSpec& spec) {
   for (Link& link : spec.links) {
     if (link.mesh.empty()) continue;
-    const auto mesh = load_link_mesh(vm, {}, link.mesh);
+    const auto mesh =
+        load_link_mesh(vm, {}, link.mesh, {.unit = link.mesh_unit, .scale = link.mesh_scale});
     if (!mesh.ok()) return fail_mesh(vm, link.mesh, mesh.error().message, {}, -1);
     if (*mesh != nullptr) link.bodies.push_back({.triangles = *mesh});
   }
@@ -274,7 +286,7 @@ constexpr NativeFunction kModelFunctions[] = {
         "0rad, limits: angle[]?, maxSpeed: angularSpeed?, maxAccel: angularAccel?, maxJerk: "
         "angularAccel/time?, maxTorque: torque?, mass: mass = 0kg, com: length[]?, inertia: "
         "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: "
-        "string?) -> jointRow",
+        "string?, meshUnit: length?, meshScale: double = 1.0) -> jointRow",
         "A joint that turns, with its Denavit-Hartenberg row; theta is its zero.",
         "joint revolute(d: 400mm, a: 250mm, limits: [-170deg, 170deg])",
         {.check = check_revolute_row}),
@@ -282,7 +294,8 @@ constexpr NativeFunction kModelFunctions[] = {
         "robot.joint.prismatic(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = "
         "0rad, limits: length[]?, maxSpeed: speed?, maxAccel: accel?, maxJerk: accel/time?, "
         "maxForce: force?, mass: mass = 0kg, com: length[]?, inertia: double[][]?, friction: "
-        "double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: string?) -> jointRow",
+        "double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: string?, meshUnit: length?, "
+        "meshScale: double = 1.0) -> jointRow",
         "A joint that slides, with its Denavit-Hartenberg row; d is its zero.",
         "joint prismatic(limits: [0mm, 150mm])", {.check = check_prismatic_row}),
     def<robot_block>(

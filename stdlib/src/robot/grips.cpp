@@ -29,6 +29,7 @@ Failed fail_overload(Vm& vm, const MoveCall& call, const std::string& what, doub
 
 constexpr const char* kGuardFinger =
     "guard the move, `until f.force() > 3N`, or say closeHand(hand, force: 5N)";
+constexpr const char* kLinksToo = "the maxForce of the hand counts for the links too";
 constexpr const char* kGuardTool = "guard the move: `until arm.force().z > 10N`";
 
 // The hand with fingers that a robot is, belongs to or carries; -1: none.
@@ -47,17 +48,19 @@ std::string part_text(const Cell& cell, int robot, const Press& by) {
   }
   return by.carried.empty()
              ? body_text(cell, body)
-             : fmt::format("{} in the hand of `{}`", body_text(cell, body), cell.robot(robot).name);
+             : fmt::format("{} {} `{}`", body_text(cell, body), by.of_hand ? "in the hand of" : "on",
+                           cell.robot(robot).name);
 }
 
 std::string finger_text(const Cell& cell, int hand, int finger) {
   return fmt::format("finger {} of `{}`", finger + 1, cell.robot(hand).name);
 }
 
-double force_on_hand(const Cell& cell, int robot) {
+// On the hand, or on the links.
+double force_on(const Cell& cell, int robot, bool of_hand) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Press& each : cell.presses(robot)) {
-    if (each.of_hand) sum += each.force;
+    if (each.of_hand == of_hand) sum += each.force;
   }
   return sum.norm();
 }
@@ -90,12 +93,14 @@ Answer<void> check_overload(Vm& vm, const MoveCall& call, const MotionReport& re
   const int hand = fingered_hand(cell, report.robot);
   const bool is_finger = over.finger >= 0 && hand >= 0;
   const double now =
-      is_finger ? hardest_finger(cell, hand).force : force_on_hand(cell, report.robot);
+      is_finger ? hardest_finger(cell, hand).force
+                : force_on(cell, report.robot, over.by.of_hand);
   std::string why = fmt::format(
       "on \"{}\" it came to {} N at t = {:.6g} s, {} s after the start of this motion, which began "
       "to stop there",
       over.by.object, format_number(over.force, 3), to_seconds(over.t_ns),
       format_number(to_seconds(over.t_ns - report.start_ns), 3));
+  if (!is_finger && !over.by.of_hand) why += fmt::format("; {}", kLinksToo);
   return fail_overload(
       vm, call,
       is_finger ? finger_text(cell, hand, over.finger) : part_text(cell, report.robot, over.by),
@@ -116,10 +121,14 @@ Answer<void> check_presses(Vm& vm, const MoveCall& call, const MotionReport& rep
   }
   const double most = robot.model->tool().max_force;
   if (!std::isfinite(most)) return {};
-  const double force = force_on_hand(cell, call.robot);
-  if (force <= most) return {};
-  return fail_overload(vm, call, fmt::format("the tool of `{}`", robot.name), force, most, {},
-                       kGuardTool);
+  for (const bool of_hand : {true, false}) {
+    const double force = force_on(cell, call.robot, of_hand);
+    if (force <= most) continue;
+    const char* const part = of_hand ? "the tool" : "a link";
+    return fail_overload(vm, call, fmt::format("{} of `{}`", part, robot.name), force, most,
+                         of_hand ? "" : kLinksToo, kGuardTool);
+  }
+  return {};
 }
 
 }  // namespace armlet::bind

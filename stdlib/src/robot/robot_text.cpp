@@ -92,6 +92,8 @@ void add_link(std::vector<std::string>& parts, const Link& link) {
     for (const char c : link.mesh)
       quoted += c == '"' || c == '\\' ? fmt::format("\\{}", c) : std::string(1, c);
     add("mesh", fmt::format("\"{}\"", quoted));
+    if (link.mesh_unit != 0.0) add("meshUnit", with_unit(link.mesh_unit, "m"));
+    if (link.mesh_scale != 1.0) add("meshScale", real(link.mesh_scale));
   }
 }
 

@@ -66,7 +66,8 @@ Result<std::string> Host::read_mesh(const std::string& name, double unit) const 
     if (!bytes.ok() || bytes->starts_with("glTF")) return bytes;
     return Error{"converter", "this host reads GLB alone; make one of it with armlet mesh convert"};
   }
-  const Result<std::string> glb = options_.convert_mesh(folder_of_files().string(), name, unit);
+  const Result<std::string> glb =
+      options_.convert_mesh(folder_of_files().string(), name, unit, options_.is_cancelled);
   if (!glb.ok() && glb.error().code == "outside") return refusal(glb.error(), "read");
   return glb;
 }
@@ -119,11 +120,12 @@ Result<std::string> Host::load_file(const std::string& name, std::size_t most) c
   return std::move(reply.text);
 }
 
-Result<std::string> Host::load_mesh(const std::string& file, const std::string& mesh) const {
+Result<std::string> Host::load_mesh(const std::string& file, const std::string& mesh,
+                                    double unit) const {
   const auto read_it = [&]() -> Result<std::string> {
     const std::string path = mesh_path(file, mesh);
     if (path.empty()) return refuse("there is no such file");
-    return read_mesh(path, 0.0);
+    return read_mesh(path, unit);
   };
   if (options_.journal == nullptr) return read_it();
   Reply reply = options_.journal->load(fmt::format("{} of {}", mesh, file),

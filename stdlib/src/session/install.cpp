@@ -99,6 +99,8 @@ void install(Engine& engine) {
                     "residual: length, tilt: angle, distance: length, nearest: posC, worstJoint: "
                     "int, margin: double[]");
   engine.add_record("Wrench", "x: force, y: force, z: force, mx: torque, my: torque, mz: torque");
+  engine.add_record("ClosestPoints",
+                    "distance: length, from: posC, to: posC, body: string, other: string");
   engine.add_record("GraspQuality",
                     "epsilon: double, minSingular: double, contacts: int, forceClosure: bool");
   engine.add_record("Blob", "x: double, y: double, area: double");

@@ -82,6 +82,7 @@ std::unique_ptr<Host> Session::make_host(Journal* journal) {
   host_options.pace = options_.pace;
   host_options.folder = options_.folder;
   host_options.convert_mesh = options_.convert_mesh;
+  host_options.is_cancelled = [this] { return cancelled_.load(); };
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
       fill_world(host, *options_.default_world, problems_);

@@ -170,12 +170,6 @@ Answer<ObjectRef> object_on_robot(Vm& vm, std::string_view name, const ShapeValu
                                   std::optional<std::string_view> texture, bool fixed) {
   const auto mount = mount_on_robot(vm, on, link, 4);
   if (!mount) return Failed{};
-  const Cell& cell = Host::of(vm).cell();
-  if (const CellRobot& hand = cell.robot(on.id); hand.on >= 0) {
-    return failure(vm, row("R0631"),
-                   fmt::format("`{}` is a hand, and objects are mounted on arms", hand.name), kOn,
-                   {}, fmt::format("write on: {}", cell.robot(hand.on).name));
-  }
   return make_object(vm, name, shape, at,
                      {mass, density, com, inertia, friction, stiffness, color, texture, fixed, 5},
                      *mount);
@@ -229,7 +223,19 @@ constexpr NativeFunction kObjectFunctions[] = {
 
 Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link,
                              int parameter) {
-  const CellRobot& arm = Host::of(vm).cell().robot(on.id);
+  const Cell& cell = Host::of(vm).cell();
+  const CellRobot& arm = cell.robot(on.id);
+  if (arm.on >= 0) {
+    // The joints of a hand move its fingers; its palm is where the flange of the arm is.
+    if (link && *link != 0) {
+      return failure(vm, row("R0631"),
+                     fmt::format("things are mounted on the palm of `{}`, which is its link 0",
+                                 arm.name),
+                     parameter);
+    }
+    return Mount{
+        .base = FrameBase::kCarrier, .on = cell.robot(arm.on).name, .carrier = arm.on};
+  }
   const int n = arm.model->n();
   if (link && (*link < 0 || *link > n)) {
     return failure(vm, row("R0631"),

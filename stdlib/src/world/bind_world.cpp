@@ -55,7 +55,8 @@ void report_overlap(Vm& vm, const std::string& name) {
   const auto inside = deepest_overlap(world, *placed);
   if (!inside || !host.first_collision(place_of_call(vm).code(), "placed")) return;
   Failure advice;
-  advice.headline = {row("W0723"), {name, format_mm(inside->depth), inside->other}};
+  const std::string depth = (inside->at_least ? "at least " : "") + format_mm(inside->depth);
+  advice.headline = {row("W0723"), {name, depth, inside->other}};
   advice.why = "two bodies cannot be in one place; a hand that takes one of them would collide";
   advice.fix = fmt::format("move it by {} at least", format_mm(inside->depth));
   if (placed->fixed != world.at(inside->other).fixed) {
@@ -184,6 +185,34 @@ Answer<double> distance_of(Vm& vm, const A& a, const B& b) {
   return distance_between(Host::of(vm).cell(), thing(a), thing(b));
 }
 template <class A, class B>
+Answer<RecordObj*> closest_points(Vm& vm, const A& a, const B& b) {
+  if (!check_there(vm, a, 0) || !check_there(vm, b, 1)) return Failed{};
+  const Cell& cell = Host::of(vm).cell();
+  const Clearance found = nearest_between(cell, thing(a), thing(b));
+  const auto point = [](const Vector3d& p) {
+    return PosC{Isometry3d(Eigen::Translation3d(p)), false};
+  };
+  const auto name = [&](const CellBody& body) {
+    return body.object.empty() ? body_text(cell, body) : body.object;
+  };
+  RecordObj* record = new_record(vm, vm.program().library_record("ClosestPoints"));
+  if (record == nullptr) return Failed{};
+  Slot* fields = record->fields();
+  enum { kDistance, kFrom, kTo, kBody, kOther };
+  const auto set = [&](int field, Obj* object) {
+    fields[field].o = object;
+    return object != nullptr;
+  };
+  fields[kDistance].d = found.distance;
+  const bool whole =
+      set(kFrom, new_posc(vm, point(found.p_body))) &&
+      set(kTo, new_posc(vm, point(found.p_other))) &&
+      set(kBody, new_text(vm, name(found.body))) && set(kOther, new_text(vm, name(found.other)));
+  if (whole) return record;
+  release(vm, record);
+  return Failed{};
+}
+template <class A, class B>
 Answer<bool> are_touching(Vm& vm, const A& a, const B& b) {
   const auto distance = distance_of(vm, a, b);
   if (!distance) return Failed{};
@@ -203,6 +232,10 @@ Answer<PosC> top_grasp(Vm& vm, const ObjectRef& o, double yaw) {
   const Eigen::Matrix3d R_tool = rot_z(heading + yaw) * rot_x(std::numbers::pi);
   return PosC{make_pose(renormalised(R_tool), grasp_from_above(**object)), true};
 }
+
+constexpr std::string_view kClosestHelp =
+    "The distance of two things, the points of both that it lies between, and what these belong to: "
+    "an object, mounted or held ones too, or a part of a robot.";
 
 constexpr NativeFunction kWorldFunctions[] = {
     def<box>("box(x: length, y: length, z: length) -> shape",
@@ -252,21 +285,33 @@ constexpr NativeFunction kWorldFunctions[] = {
     def<distance_of<ObjectRef, ObjectRef>>("distance(a: object, b: object) -> length",
                                            "The gap between the surfaces of two objects; below "
                                            "zero: how far one would have to be moved "
-                                           "at least until they no longer overlap.",
+                                           "at least until they no longer overlap; a mesh with "
+                                           "hollows may have to be moved farther.",
                                            "distance(object(\"cube\"), object(\"table\"))"),
     def<distance_of<RobotRef, ObjectRef>>(
         "distance(r: robot, o: object) -> length",
-        "The smallest gap between an arm, with its hand and without what it holds, and an object.",
+        "The smallest gap between an arm, with its hand, what it holds and what is mounted on it, "
+        "and an object.",
         "distance(robots.ur5(), object(\"cube\"))"),
     def<distance_of<RobotRef, RobotRef>>(
-        "distance(r: robot, other: robot) -> length", "The smallest gap between two arms.",
+        "distance(r: robot, other: robot) -> length",
+        "The smallest gap between two arms with all that they carry.",
         "distance(robots.ur5(), robots.scara(base: xyz(2000mm, 0mm, 0mm)))"),
+    def<closest_points<ObjectRef, ObjectRef>>(
+        "closestPoints(a: object, b: object) -> ClosestPoints", kClosestHelp,
+        "print(closestPoints(object(\"cube\"), object(\"table\")).distance)"),
+    def<closest_points<RobotRef, ObjectRef>>(
+        "closestPoints(r: robot, o: object) -> ClosestPoints", kClosestHelp,
+        "print(closestPoints(robots.ur5(), object(\"cube\")).body)"),
+    def<closest_points<RobotRef, RobotRef>>(
+        "closestPoints(r: robot, other: robot) -> ClosestPoints", kClosestHelp,
+        "print(closestPoints(robots.ur5(), robots.scara(base: xyz(2000mm, 0mm, 0mm))).other)"),
     def<are_touching<ObjectRef, ObjectRef>>("touching(a: object, b: object) -> bool",
                                             "Whether two objects touch or overlap.",
                                             "touching(object(\"cube\"), object(\"table\"))"),
     def<are_touching<RobotRef, ObjectRef>>(
         "touching(r: robot, o: object) -> bool",
-        "Whether an arm or its hand touches an object or overlaps it.",
+        "Whether an arm, its hand or what it carries touches an object or overlaps it.",
         "touching(robots.ur5(), object(\"cube\"))"),
     def<top_grasp>("topGrasp(o: object, yaw: angle = 0rad) -> posC",
                    "The pose for grasping an object from above, at the upper end of what is long "

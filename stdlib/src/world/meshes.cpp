@@ -44,10 +44,11 @@ Failed fail_unread(Vm& vm, const std::string& path, const Error& error) {
 }  // namespace
 
 Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::string& file,
-                                                           const std::string& mesh) {
+                                                           const std::string& mesh,
+                                                           const LinkMeshSize& size) try {
   std::shared_ptr<const TriangleMesh> loaded;
   if (mesh_format(mesh).empty()) return loaded;
-  const Result<std::string> bytes = Host::of(vm).load_mesh(file, mesh);
+  const Result<std::string> bytes = Host::of(vm).load_mesh(file, mesh, size.unit);
   if (!bytes.ok() && bytes.error().code == "converter") {
     Failure advice;
     advice.headline = {row("W0741"), {mesh}};
@@ -62,8 +63,11 @@ Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::st
   if (!triangles.ok()) return triangles.error();
   TriangleMesh known = std::move(triangles).value();
   known.set_source(std::make_shared<const std::string>(*bytes));
+  if (size.scale != 1.0) known = known.scaled(Eigen::Vector3d::Constant(size.scale));
   loaded = std::make_shared<const TriangleMesh>(std::move(known));
   return loaded;
+} catch (const ArgumentError& error) {
+  return Error{"mesh", error.what()};
 }
 
 // What a file or one node of it is as a mesh, which knows the bytes that it is drawn from.
@@ -79,7 +83,7 @@ static Result<TriangleMesh> triangles_in(const std::string& bytes,
   Result<std::vector<GlbThing>> things = read_glb_things(bytes, std::string(*part));
   if (!things.ok()) return things.error();
   TriangleMesh triangles = things->front().triangles;
-  triangles.set_source(std::make_shared<const std::string>(write_glb(things->front())));
+  triangles.set_source(std::make_shared<const std::string>(cut_glb(bytes, things->front())));
   return triangles;
 }
 

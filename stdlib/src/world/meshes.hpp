@@ -23,7 +23,14 @@ Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<doubl
 
 // The mesh of a link that `file` names, the program itself if it is empty; null if it is of a kind
 // that is not read, or if it would have to be converted and nothing does that (W0741).
+//
+// unit, scale  m in one unit of the file, 0: as it says; and how much larger the link is, > 0.
+struct LinkMeshSize {
+  double unit = 0.0;
+  double scale = 1.0;
+};
 Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::string& file,
-                                                           const std::string& mesh);
+                                                           const std::string& mesh,
+                                                           const LinkMeshSize& size = {});
 
 }  // namespace armlet::bind

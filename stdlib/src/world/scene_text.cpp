@@ -250,7 +250,7 @@ class UrdfText {
 
   [[nodiscard]] Result<std::string> glb_of(const std::string& name) const {
     if (!is_glb_name(name) && !mesh_format(name).empty() && convert_)
-      return convert_(folder_, name, 0.0);
+      return convert_(folder_, name, 0.0, {});
     const Result<Folder> folder = Folder::open(folder_);
     return folder.ok() ? folder->read(name, kMostGlbBytes) : folder.error();
   }

@@ -96,6 +96,43 @@ TEST_CASE(
   CHECK(seen > 100);
 }
 
+TEST_CASE("what is mounted and held counts as the arm, and the witness is named") {
+  Bench bench;
+  Cell& cell = bench.cell;
+  const Vector3d p = cell.T_world_tool(bench.arm).translation();
+  Object mast = ball("mast", 0.05, Vector3d(0.0, 0.4, 0.0));
+  mast.shape = Box{{0.02, 0.02, 0.2}};
+  cell.insert(mast, {.base = FrameBase::kCarrier, .carrier = bench.arm, .frame = 6});
+  const Vector3d middle = cell.world().at("mast").T_world_obj.translation();
+  cell.insert(ball("target", 0.02, middle + Vector3d(0.0, 0.0, 1.0)));
+  const CellBody arm{.robot = bench.arm}, target{.object = "target"};
+  const Clearance without = nearest_between(cell, arm, target, Carried::kLeftOut);
+  CHECK(without.body.object.empty());
+  Object held = ball("held", 0.03, p);
+  held.fixed = false;
+  cell.insert(held);
+  cell.take(bench.arm, "held");
+  cell.set_pose("target", Eigen::Isometry3d(Eigen::Translation3d(p + Vector3d(0.0, 0.0, 0.2))));
+  const Clearance now = nearest_between(cell, arm, target);
+  const Clearance mirrored = nearest_between(cell, target, arm);
+  CHECK(now.distance == doctest::Approx(mirrored.distance));
+  CHECK(now.distance <= nearest_between(cell, arm, target, Carried::kLeftOut).distance);
+  CHECK(now.distance == doctest::Approx((now.p_body - now.p_other).norm()));
+  CHECK(now.other.object == "target");
+  // Beside the mast alone.
+  Eigen::Isometry3d beside = Eigen::Isometry3d::Identity();
+  beside.translation() = cell.world().at("mast").T_world_obj * Vector3d(0.0, 0.0, 0.15);
+  cell.set_pose("target", beside);
+  const Clearance mounted = nearest_between(cell, arm, target);
+  CHECK(mounted.body.object == "mast");
+  CHECK(mounted.body.robot == bench.arm);
+  CHECK(mounted.distance == doctest::Approx(0.03));
+  CHECK(nearest_between(cell, arm, target, Carried::kLeftOut).distance > mounted.distance);
+  // It is no part of the arm when it is asked about itself.
+  CHECK(nearest_between(cell, arm, {.object = "held"}).body.object != "held");
+  CHECK(nearest_between(cell, arm, {.object = "mast"}).body.object != "mast");
+}
+
 TEST_CASE("a robot that has nothing around it is near nothing") {
   Bench bench;
   CHECK(bench.look().empty());

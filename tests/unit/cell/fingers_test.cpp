@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "armlet/cell/collisions.hpp"
 #include "armlet/collision/solid.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/core/random.hpp"
@@ -321,4 +323,157 @@ TEST_CASE("the quality of a grasp is that of its contacts") {
   CHECK(quality.force_closure);
   CHECK(quality.epsilon > 0.0);
   CHECK_THROWS_AS((void)hand_quality(bench.cell, bench.hand, "nothing"), ArgumentError);
+}
+
+namespace {
+
+// The smallest gap between two robots, of one finger and another or the palm.
+double apart(const Grasping& bench, int a, int b) {
+  return distance_between(bench.cell, {.robot = a}, {.robot = b});
+}
+
+}  // namespace
+
+TEST_CASE("fingers never come to the palm, however they stand") {
+  Grasping bench;
+  double least = 1.0;
+  for (int spread = 0; spread <= 12; ++spread) {
+    for (int bend = 0; bend <= 56; ++bend) {
+      VectorXd q = VectorXd::Constant(4, deg_to_rad(2.5 * bend));
+      q[0] = deg_to_rad(15.0 * spread);
+      bench.cell.set_joints(bench.hand, q);
+      const CellRobot& palm = bench.cell.robot(bench.hand);
+      const ArmSolid& body = palm.model->derived<ArmSolids>().solids().front();
+      Solid cylinder = body.solid;
+      cylinder.T = bench.cell.T_world_flange(bench.arm) * body.solid.T;
+      for (int i = 0; i < 3; ++i) {
+        const CellRobot& finger = bench.cell.robot(bench.finger(i));
+        for (const ArmSolid& each : finger.model->derived<ArmSolids>().solids()) {
+          Solid link = each.solid;
+          link.T = bench.cell.T_world_link(bench.finger(i), each.frame) * each.solid.T;
+          least = std::min(least, gap_between(link, cylinder).distance);
+        }
+      }
+    }
+  }
+  CHECK(least > 3e-4);
+}
+
+TEST_CASE("a hand that closes stops where its fingers touch, and nothing of it passes another") {
+  Random random(144);
+  int met = 0, free = 0;
+  for (int round = 0; round < 60; ++round) {
+    Grasping bench;
+    VectorXd q = VectorXd::Zero(4);
+    q[0] = random.uniform(0.0, std::numbers::pi);
+    for (int i = 1; i < 4; ++i) q[i] = random.uniform(0.0, 0.4);
+    bench.cell.set_joints(bench.hand, q);
+    const std::vector<Closing> closings = close_hand(bench.cell, bench.hand, 5.0);
+    const double end = deg_to_rad(140.0);
+    // They bend equally fast, so they are there at the same time.
+    double most = 0.0;
+    for (int i = 0; i < 3; ++i)
+      most = std::max(most, closings[static_cast<std::size_t>(i)].bend - q[i + 1]);
+    double least = 1.0;
+    for (int k = 0; k <= 400; ++k) {
+      VectorXd now = q;
+      for (int i = 0; i < 3; ++i) {
+        const double bend = closings[static_cast<std::size_t>(i)].bend;
+        now[i + 1] = std::min(bend, q[i + 1] + most * k / 400.0);
+      }
+      bench.cell.set_joints(bench.hand, now);
+      for (int i = 0; i < 3; ++i) {
+        for (int j = i + 1; j < 3; ++j)
+          least = std::min(least, apart(bench, bench.finger(i), bench.finger(j)));
+      }
+    }
+    CAPTURE(round);
+    CHECK(least > -1e-8);
+    const bool stopped = std::ranges::any_of(
+        closings, [&](const Closing& each) { return each.bend < end; });
+    CHECK(stopped == (least < 2e-5));
+    ++(stopped ? met : free);
+  }
+  CHECK(met > 10);
+  CHECK(free > 10);
+}
+
+TEST_CASE("motions of fingers that meet are found, as many samples say") {
+  Random random(145);  // of the 160 rounds some begin in an overlap
+  int met = 0, free = 0;
+  for (int round = 0; round < 160; ++round) {
+    Grasping bench;
+    const auto some = [&] {
+      VectorXd q(4);
+      q[0] = random.uniform(0.0, std::numbers::pi);
+      for (int i = 1; i < 4; ++i) q[i] = random.uniform(0.0, deg_to_rad(140.0));
+      return q;
+    };
+    const auto least_gap = [&] {
+      double least = 1.0;
+      for (int i = 0; i < 3; ++i) {
+        for (int j = i + 1; j < 3; ++j)
+          least = std::min(least, apart(bench, bench.finger(i), bench.finger(j)));
+      }
+      return least;
+    };
+    const VectorXd q0 = some(), q1 = some();
+    bench.cell.set_joints(bench.hand, q0);
+    if (least_gap() < 0.0) continue;  // it may be left
+    const MotionPlan plan =
+        plan_joint_move(PlannerSet(), *bench.cell.robot(bench.hand).model,
+                        {.q0 = q0, .q1 = q1, .planner = "Syn", .speed = 1.0});
+    REQUIRE(plan.trajectory);
+    const auto found = find_collisions(bench.cell, bench.hand, *plan.trajectory);
+    double least = 1.0;
+    for (int k = 0; k <= 1000; ++k) {
+      VectorXd q(4), qd(4), qdd(4);
+      plan.trajectory->sample(plan.trajectory->duration() * k / 1000.0, q, qd, qdd);
+      bench.cell.set_joints(bench.hand, q);
+      least = std::min(least, least_gap());
+    }
+    CAPTURE(round);
+    CAPTURE(least);
+    if (least < -1.5e-4) CHECK_FALSE(found.empty());
+    if (least > 0.0) CHECK(found.empty());
+    for (const CellCollision& each : found) {
+      CHECK(bench.cell.robot(each.body.robot).hand == bench.hand);
+      CHECK(bench.cell.robot(each.other.robot).hand == bench.hand);
+      CHECK(each.depth <= -least + 1e-4);
+    }
+    ++(found.empty() ? free : met);
+  }
+  CHECK(met > 10);
+  CHECK(free > 10);
+}
+
+TEST_CASE("of two fingers that begin at once one is compared with the other") {
+  Grasping bench;
+  VectorXd q = VectorXd::Zero(4);
+  q[0] = 0.5 * std::numbers::pi;
+  bench.cell.set_joints(bench.hand, q);
+  std::vector<Trajectory> motions;
+  for (int i = 0; i < 2; ++i) {
+    VectorXd to = q;
+    to[i + 1] = deg_to_rad(110.0);
+    const CellRobot& finger = bench.cell.robot(bench.finger(i));
+    motions.push_back(*plan_joint_move(PlannerSet(), *finger.model,
+                                       {.q0 = finger.q,
+                                        .q1 = finger_joints(i, to),
+                                        .planner = "Syn",
+                                        .speed = 1.0})
+                           .trajectory);
+  }
+  const int first = bench.finger(0), second = bench.finger(1);
+  // Alone each passes where the other one is open.
+  CHECK(find_collisions(bench.cell, first, motions[0]).empty());
+  CHECK(find_collisions(bench.cell, second, motions[1]).empty());
+  const MotionBeside one{first, &motions[0]}, other{second, &motions[1]};
+  const auto found = find_collisions(bench.cell, first, motions[0], std::span(&other, 1));
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].other.robot == second);
+  CHECK(find_collisions(bench.cell, second, motions[1], std::span(&one, 1)).empty());
+  // One that moves already.
+  bench.cell.start(first, motions[0]);
+  CHECK(find_collisions(bench.cell, second, motions[1]).size() == 1);
 }

@@ -145,6 +145,66 @@ TEST_CASE(
 
 namespace {
 
+// The first link of an arm turns into a post; its hand can stand so much.
+struct Elbow {
+  Cell cell;
+  int arm = 0;
+
+  explicit Elbow(double max_force) {
+    Tool tool = parallel_gripper(0.06, 0.05);
+    tool.max_force = max_force;
+    arm = cell.add_robot(std::make_shared<const Robot>(make_robot("planar3")->with_tool(tool)));
+    VectorXd q(3);
+    q << 0.0, 1.5, 0.0;
+    cell.set_joints(arm, q);
+    Object post{.name = "post",
+                .shape = Cylinder{0.02, 0.3},
+                .friction = 0.0,
+                .stiffness = 1e4,
+                .fixed = true};
+    post.T_world_obj = make_translation({0.25, 0.1, 0.0});
+    cell.insert(post);
+  }
+  int turn(double by) {
+    VectorXd q = cell.robot(arm).q;
+    q[0] += by;
+    return cell.start(arm, motion_to(cell, arm, q, 3.0));
+  }
+  [[nodiscard]] double force() const { return cell.contact_wrench(arm).head<3>().norm(); }
+};
+
+}  // namespace
+
+TEST_CASE("a link that presses harder than the hand can stand stops the motion too") {
+  Elbow bench(40.0);
+  const int motion = bench.turn(0.7);
+  bench.cell.advance_to(4000 * kMilli);
+  const MotionReport& report = bench.cell.report(motion);
+  REQUIRE(report.overload);
+  CHECK_FALSE(report.overload->by.of_hand);
+  CHECK(report.overload->by.object == "post");
+  CHECK(report.overload->by.frame == 1);
+  CHECK(report.overload->force == doctest::Approx(40.0).epsilon(1e-5));
+  Elbow free(std::numeric_limits<double>::infinity());
+  free.turn(0.7);
+  free.cell.advance_to(report.overload->t_ns - 1);
+  CHECK(free.force() <= 40.0);
+  free.cell.advance_to(report.overload->t_ns);
+  CHECK(free.force() > 40.0);
+  // It may be moved away from there.
+  const int away = bench.turn(-0.5);
+  bench.cell.advance_to(8000 * kMilli);
+  CHECK_FALSE(bench.cell.report(away).overload);
+  CHECK(bench.force() == 0.0);
+  // Less than it can stand goes on.
+  Elbow strong(1e6);
+  const int through = strong.turn(0.7);
+  strong.cell.advance_to(4000 * kMilli);
+  CHECK_FALSE(strong.cell.report(through).overload);
+}
+
+namespace {
+
 // An arm with a hand that holds a ball between its fingers.
 struct Holding {
   Cell cell{World(0.0)};

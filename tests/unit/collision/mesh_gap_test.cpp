@@ -209,4 +209,74 @@ TEST_CASE("an open surface is there as a sheet") {
   CHECK(gap_between(mesh, ball).distance == doctest::Approx(-0.005));
 }
 
+namespace {
+
+// A box without its inside: walls of 2 mm, each face of n x n squares.
+TriangleMesh hollow_box(double size, int n) {
+  std::vector<Vector3d> vertices;
+  std::vector<Corners> triangles;
+  const auto shell = [&](double half, bool inward) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {-1.0, 1.0}) {
+        const auto at = [&](int i, int k) {
+          Vector3d p;
+          p[axis] = side * half;
+          p[(axis + 1) % 3] = half * (2.0 * i / n - 1.0);
+          p[(axis + 2) % 3] = half * (2.0 * k / n - 1.0);
+          vertices.push_back(p);
+          return static_cast<std::uint32_t>(vertices.size() - 1);
+        };
+        for (int i = 0; i < n; ++i) {
+          for (int k = 0; k < n; ++k) {
+            const std::uint32_t a = at(i, k), b = at(i + 1, k), c = at(i + 1, k + 1),
+                                d = at(i, k + 1);
+            const bool turn = (side < 0.0) != inward;
+            triangles.push_back(turn ? Corners{a, c, b} : Corners{a, b, c});
+            triangles.push_back(turn ? Corners{a, d, c} : Corners{a, c, d});
+          }
+        }
+      }
+    }
+  };
+  shell(0.5 * size, false);
+  shell(0.5 * size - 0.002, true);
+  return {std::move(vertices), std::move(triangles)};
+}
+
+}  // namespace
+
+TEST_CASE("a depth that does not free is known to be a lower bound, one that does is whole") {
+  const TriangleMesh coarse = test::angle_iron();
+  const TriangleMesh fine = hollow_box(0.2, 20);
+  REQUIRE(fine.is_closed());
+  Random random(148);
+  int whole = 0, bound = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Solid mesh = placed(i % 2 == 0 ? coarse : fine, random_pose(random, 0.05));
+    const Solid other = random_solid(random, 0.12);
+    const Gap gap = gap_between(other, mesh);
+    if (gap.distance > -1e-5) continue;
+    Solid moved = other;
+    moved.T.translation() += (1e-6 - gap.distance) * gap.away;
+    const bool frees = gap_between(moved, mesh).distance > -1e-6;
+    CHECK(is_whole_depth(other, mesh, gap) == frees);
+    ++(frees ? whole : bound);
+    // Never more than what surely frees: the hull.
+    CHECK(-gap.distance <= 0.5);
+  }
+  CHECK(whole > 30);
+  CHECK(bound > 30);
+  // A ball that is pressed 1 mm into a face from outside, and one that sits in the wall.
+  const Solid box = placed(fine, Isometry3d::Identity());
+  Solid pea{.margin = 0.01};
+  pea.T.translation() = Vector3d(0.0131, 0.0172, 0.1 + 0.009);
+  const Gap pressed = gap_between(pea, box);
+  CHECK(pressed.distance == doctest::Approx(-0.001).epsilon(1e-6));
+  CHECK(is_whole_depth(pea, box, pressed));
+  // Convex bodies always.
+  const Solid cube = box_solid({0.1, 0.1, 0.1}, Isometry3d::Identity());
+  pea.T.translation() = Vector3d(0.0, 0.0, 0.05);
+  CHECK(is_whole_depth(pea, cube, gap_between(pea, cube)));
+}
+
 }  // namespace armlet

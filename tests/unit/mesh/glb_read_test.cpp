@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
+#include "armlet/core/error.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/mesh/glb.hpp"
 #include "mesh_bodies.hpp"
@@ -186,4 +188,121 @@ TEST_CASE("a few bytes never stand for more than a million triangles") {
                     rest,
                 432),
       "more than a million parts");
+}
+
+namespace {
+
+std::uint32_t u32_at(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t k = 4; k-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  return value;
+}
+
+nlohmann::json description_of(const std::string& bytes) {
+  return nlohmann::json::parse(bytes.substr(20, u32_at(bytes, 12)));
+}
+
+// Something that begins as a PNG does.
+std::string picture(char with) { return "\x89PNG\r\n\x1a\n" + std::string(2000, with); }
+
+// Two boxes with a picture each, the second one turned, moved and below a node that is.
+std::string two_boxes() {
+  GlbScene scene;
+  scene.images = {{"first", picture('a')}, {"second", picture('b')}};
+  scene.materials = {{.name = "one", .texture = 0}, {.name = "two", .texture = 1}};
+  Eigen::Isometry3d T(Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()));
+  T.translation() = Vector3d(0.5, -0.25, 1.0);
+  for (int k = 0; k < 2; ++k) {
+    GlbPart part = part_of(test::box_mesh({0.1, 0.2, 0.3 + k}));
+    part.material = k;
+    part.on_image.assign(part.positions.size(), {0.5F, 0.25F});
+    scene.nodes.push_back({.name = k == 0 ? "body" : "lid", .parent = k - 1, .T_parent_node = T});
+    scene.nodes.back().parts = {part};
+  }
+  return write_glb(scene);
+}
+
+}  // namespace
+
+TEST_CASE("a node is cut out of a file with its own picture, and is what the node was") {
+  const std::string whole = two_boxes();
+  for (const char* const name : {"body", "lid"}) {
+    CAPTURE(name);
+    const bool is_lid = name[0] == 'l';
+    const Result<std::vector<GlbThing>> things = read_glb_things(whole, name);
+    REQUIRE(things.ok());
+    const std::string cut = cut_glb(whole, things->front());
+    CHECK(cut.size() < whole.size() - 1500);  // without the other picture
+    const nlohmann::json json = description_of(cut);
+    REQUIRE(json.at("images").size() == 1);
+    CHECK(json.at("images")[0].at("name") == (is_lid ? "second" : "first"));
+    CHECK(json.at("materials").size() == 1);
+    CHECK(json.at("meshes")[0].at("primitives")[0].at("attributes").contains("TEXCOORD_0"));
+    const auto number = json.at("images")[0].at("bufferView").get<std::size_t>();
+    const nlohmann::json& view = json.at("bufferViews")[number];
+    const std::size_t binary = 28 + u32_at(cut, 12);
+    CHECK(cut.substr(binary + view.at("byteOffset").get<std::size_t>(),
+                     view.at("byteLength").get<std::size_t>()) == picture(is_lid ? 'b' : 'a'));
+    // The same body, where the thing has it.
+    const Result<TriangleMesh> read = read_glb(cut);
+    REQUIRE(read.ok());
+    CHECK((read->low() - things->front().triangles.low()).norm() < 1e-6);
+    CHECK((read->high() - things->front().triangles.high()).norm() < 1e-6);
+    // Axes of nodes have y up.
+    CHECK(read->high().y() == doctest::Approx(is_lid ? 0.65 : 0.15));
+  }
+}
+
+TEST_CASE("a picture that is not in the file, or none, is left out of what is cut") {
+  const std::string whole = two_boxes();
+  const auto cut_of = [](const std::string& bytes) {
+    const Result<std::vector<GlbThing>> things = read_glb_things(bytes, "lid");
+    REQUIRE(things.ok());
+    return description_of(cut_glb(bytes, things->front()));
+  };
+  // Of the view that does not fit, the reference is dropped with all that follows.
+  const nlohmann::json json = description_of(whole);
+  const std::string source = R"("textures":[{"source":0},{"source":1}])";
+  const nlohmann::json broken = cut_of(changed(whole, source, R"("textures":[{"source":0},{"source":7}])"));
+  CHECK_FALSE(broken.contains("images"));
+  CHECK_FALSE(broken.at("materials")[0].at("pbrMetallicRoughness").contains("baseColorTexture"));
+  CHECK(cut_of(whole).at("materials")[0].at("pbrMetallicRoughness").contains("baseColorTexture"));
+}
+
+TEST_CASE("a long name is cut between letters") {
+  std::string name;
+  for (int k = 0; k < 60; ++k) name += "\xc3\xa4";
+  GlbScene scene{.materials = {{.name = "grey"}}};
+  scene.nodes.push_back({.name = "x" + name, .parts = {part_of(test::box_mesh({1, 1, 1}))}});
+  const std::string whole = write_glb(scene);
+  const Result<std::vector<GlbThing>> things = read_glb_things(whole);
+  REQUIRE(things.ok());
+  CHECK(things->front().name == "x" + name.substr(0, 98));
+  CHECK(read_glb(cut_glb(whole, things->front())).ok());
+}
+
+TEST_CASE("whatever is changed in a description, a node is cut out or refused, and what is cut is read") {
+  const std::string whole = two_boxes();
+  const std::size_t json = u32_at(whole, 12);
+  Random random(147);
+  int cut = 0, refused = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::string bytes = whole;
+    for (int k = 0; k < 1 + round % 3; ++k) {
+      const std::string some = "0123456789,{}[]\"abtx-";
+      const auto at = 20 + static_cast<std::size_t>(random.below(json));
+      bytes[at] = some[static_cast<std::size_t>(random.below(some.size()))];
+    }
+    const Result<std::vector<GlbThing>> things = read_glb_things(bytes, "lid");
+    if (!things.ok()) continue;
+    try {
+      const std::string part = cut_glb(bytes, things->front());
+      CHECK(read_glb(part).ok());
+      ++cut;
+    } catch (const ArgumentError&) {
+      ++refused;
+    }
+  }
+  CHECK(cut > 500);
+  MESSAGE("cut " << cut << ", refused " << refused);
 }

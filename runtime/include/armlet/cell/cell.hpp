@@ -236,7 +236,8 @@ class Cell {
   std::optional<std::int64_t> look_ahead();
   void foresee(int index);
   [[nodiscard]] bool is_watched(int index) const;
-  [[nodiscard]] HandOverload pressed_at(int index, std::int64_t t_ns);
+  // Of the hand and of the links.
+  [[nodiscard]] std::array<HandOverload, 2> pressed_at(int index, std::int64_t t_ns);
   template <class IsSo>
   std::optional<std::int64_t> first_instant(std::int64_t from, std::int64_t to, IsSo&& is_so);
   void forget_ahead();

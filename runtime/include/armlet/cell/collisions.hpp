@@ -1,7 +1,9 @@
 // What meets what in a cell: now, and during a motion before it is made.
 #pragma once
 
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,11 +39,18 @@ struct CellCollision {
   CellBody other;  // an object, another robot's, or of the same robot
   double t = 0.0;
   double depth = 0.0;
+  bool at_least = false;
   double t_deepest = 0.0;
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
   double higher = 0.0;
   bool at_start = false;
   bool at_end = false;
+};
+
+// A motion of another robot, which begins at the same instant. Not owned.
+struct MotionBeside {
+  int robot = -1;
+  const Trajectory* motion = nullptr;
 };
 
 // What the robot, with all that it carries, would meet on this motion from now on: objects, itself,
@@ -56,10 +65,13 @@ struct CellCollision {
 // holds something is as far open as that is wide. Arms whose bases stand in one
 // another cannot both be there: they are taken for alternatives. A motion that takes no time is not
 // looked at. Of fingers, and of a hand with fingers: fixed objects, what other robots carry, and
-// robots, all where they are now, as the arm is.
+// robots, all where they are now, as the arm is; the palm; and the other fingers, as they move now.
 //
+// beside  of fingers: motions of others of the same hand that begin at the same instant. Two of them
+//         are compared by the one with the lower number.
 // throws  ArgumentError as check_motion.
-std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion);
+std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion,
+                                           std::span<const MotionBeside> beside = {});
 
 // What find_collisions would compare, and what each pair of the scene is.
 //
@@ -70,14 +82,38 @@ struct ComparedBodies {
 };
 ComparedBodies compared_bodies(const Cell& cell, int robot, const Trajectory& motion);
 
-// The smallest gap between two things of the cell as they are now, below zero if they overlap, m.
-// `robot` without an object is the robot without what it carries; frame and role do not count.
-double distance_between(const Cell& cell, const CellBody& a, const CellBody& b);
+// Whether a robot counts with what it carries: in its hand, mounted on its links, and on that.
+enum class Carried { kCounts, kLeftOut };
+
+// Two things and how far they are apart.
+//
+// distance          m, below zero if they overlap, by so much.
+// p_body, p_other   in the world: their nearest points, or those that lie deepest in the other one.
+struct Clearance {
+  CellBody body;   // of the first: a part of the robot, or what it carries
+  CellBody other;  // of the second
+  double distance = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d p_body = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_other = Eigen::Vector3d::Zero();
+};
+
+// The smallest gap between two things of the cell as they are now, and the bodies that it is
+// between. `robot` without an object is the robot with its hand, fingers included, of which what
+// belongs to the other thing or lies on it does not count; frame and role do not count.
+Clearance nearest_between(const Cell& cell, const CellBody& a, const CellBody& b,
+                          Carried carried = Carried::kCounts);
+inline double distance_between(const Cell& cell, const CellBody& a, const CellBody& b,
+                               Carried carried = Carried::kCounts) {
+  return nearest_between(cell, a, b, carried).distance;
+}
 
 // Another object that one lies in, deeper than bodies which rest on each other.
+//
+// at_least  the depth may be more, as of meshes that are not convex (is_whole_depth).
 struct ObjectOverlap {
   std::string other;
   double depth = 0.0;  // m
+  bool at_least = false;
 };
 
 // The one that it lies in deepest; nothing if there is none. Two fixed objects may be parts of one

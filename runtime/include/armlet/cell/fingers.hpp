@@ -36,9 +36,11 @@ std::vector<FingerContact> finger_contacts(const Cell& cell, int hand, const Eig
 // What one finger presses with, the sum over its links, N.
 double finger_force(const Cell& cell, int finger);
 
-// What objects exert on a hand with fingers, or on a finger, about its tool point, world axes; what
-// the object `without` does is left out.
-Vector6d finger_wrench(const Cell& cell, int robot, std::string_view without = {});
+// What objects exert on a hand with fingers, or on a finger, about its tool point, world axes.
+//
+// by  kArm: nothing of what the arm carries itself, with which it goes along.
+enum class FeltBy { kHand, kArm };
+Vector6d finger_wrench(const Cell& cell, int robot, FeltBy by = FeltBy::kHand);
 
 // How well the contacts of a hand hold an object; moments about its centre of mass, divided by the
 // distance of its surface there.
@@ -78,5 +80,12 @@ struct Closing {
 // source  conservative advancement: B. Mirtich, Impulse-based dynamic simulation of rigid body
 //         systems, 1996, chapter 2.
 Closing close_finger(const Cell& cell, int finger, double force);
+
+// The same of all fingers of a hand, which bend equally fast: where one comes to within 0.01 mm of
+// another, both stop. Fingers that touch at the begin and come apart may go on.
+//
+// throws  ArgumentError unless the robot is a hand with fingers.
+// source  as close_finger.
+std::vector<Closing> close_hand(const Cell& cell, int hand, double force);
 
 }  // namespace armlet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -9,12 +10,13 @@
 
 namespace armlet {
 
-// A hand, or a finger, that a motion presses harder than it can stand.
+// A hand, a finger, or the links of an arm, that a motion presses harder than the hand can stand.
 //
 // force   when it became too much, N; most: that it can stand, N.
 // with_friction  the sum of all contacts with friction of full size, N.
 // finger  of a hand with fingers, from 0; -1: not one of these.
-// by      what of the robot presses hardest, and on which object; of a finger the object alone.
+// by      what of the robot presses hardest, and on which object; of a finger the object alone. Not
+//         of_hand: the force is that of all links.
 struct HandOverload {
   std::int64_t t_ns = 0;
   double force = 0.0;
@@ -42,10 +44,11 @@ struct Foresight {
 };
 
 // The force that a motion may reach: what the hand can stand, or what it is pressed with already
-// where the motion begins, friction of full size included, so that it can be moved away.
+// where the motion begins, friction of full size included, so that it can be moved away. The same
+// holds for the links.
 struct PressLimit {
   int motion = -1;
-  double most = 0.0;
+  std::array<double, 2> most{};  // of the hand, of the links
 };
 
 }  // namespace armlet

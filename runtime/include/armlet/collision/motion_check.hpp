@@ -49,7 +49,8 @@ struct MotionScene {
 //
 // pair       of MotionScene::pairs.
 // t          when they begin to overlap by more than kSoft, s.
-// depth      the deepest seen from there on, m, and when, s.
+// depth      the deepest seen from there on, m, and when, s; at_least: it may be more, as of meshes
+//            that are not convex (is_whole_depth).
 // p_world    where that is.
 // higher     how far the first body would have to pass higher to stay clear of the second, m;
 //            negative: more than a metre. Certain as the meetings are where the second one stands.
@@ -58,6 +59,7 @@ struct Meeting {
   std::size_t pair = 0;
   double t = 0.0;
   double depth = 0.0;
+  bool at_least = false;
   double t_deepest = 0.0;
   Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
   double higher = 0.0;

@@ -125,6 +125,7 @@ inline constexpr std::string_view kMeshFormats = "OBJ, 3DS, VRML 2.0, STL, DAE, 
 // T_world_thing  where it is, z up; what is scaled or sheared is so in its triangles.
 // look, color  the colour of its first material, linear and as "#rrggbb"; empty: none.
 // mass, fixed  what `extras` of the node say, if anything; kg.
+// node, shape  its number in the file, and how the axes of its mesh lie in those of the thing.
 struct GlbThing {
   std::string name;
   Eigen::Isometry3d T_world_thing = Eigen::Isometry3d::Identity();
@@ -132,6 +133,8 @@ struct GlbThing {
   std::string color{};
   std::optional<double> mass{};
   std::optional<bool> fixed{};
+  std::size_t node = 0;
+  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();
   TriangleMesh triangles;
 };
 
@@ -143,8 +146,12 @@ inline constexpr std::size_t kMostThings = 10'000;
 Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes,
                                               const std::string& only = {});
 
-// A file of one thing at the origin, every triangle flat, in its colour if it has one.
-std::string write_glb(const GlbThing& thing);
+// A file of one thing at the origin as it is drawn in the file that it was read from: its materials,
+// and of the pictures and arrays those that it uses. A picture that is broken, or lies in another
+// file, is left out.
+//
+// throws  ArgumentError for a thing that is not of this file.
+std::string cut_glb(std::string_view bytes, const GlbThing& thing);
 
 // Whether a file is one by its name, ".glb" in whatever case.
 bool is_glb_name(std::string_view name);

@@ -124,6 +124,7 @@ struct HostOptions {
   // The folder below which the program may write files; empty: none.
   std::filesystem::path folder{};
   MeshConverter convert_mesh{};  // null: of meshes, only GLB is read
+  std::function<bool()> is_cancelled{};  // whether the program is to stop; null: never
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
   std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
@@ -201,8 +202,9 @@ class Host : public Timeline {
                                                         std::string_view content) const;
 
   // The bytes of a mesh as GLB, found as has_mesh finds it; 128 MB at most.
-  [[nodiscard]] Result<std::string> load_mesh(const std::string& file,
-                                              const std::string& mesh) const;
+  // unit  m in one unit of it; 0: as its format says.
+  [[nodiscard]] Result<std::string> load_mesh(const std::string& file, const std::string& mesh,
+                                              double unit = 0.0) const;
   // The same for a file of the program, as load_file finds it.
   // unit  m in one unit of the file; 0: as its format says.
   [[nodiscard]] Result<std::string> load_shape(const std::string& name, double unit) const;
