@@ -67,9 +67,9 @@ Result<std::shared_ptr<const TriangleMesh>> read_mesh(const std::string& folder,
   const std::string path = find_mesh(folder, {}, mesh);
   const std::size_t slash = path.rfind('/');
   const Result<std::string> bytes =
-      is_glb_name(path) ? armlet::read_file(path, kMostBytes)
-                        : mesh_converter()(path.substr(0, slash + 1), path.substr(slash + 1), 0.0,
-                                           {});
+      is_glb_name(path)
+          ? armlet::read_file(path, kMostBytes)
+          : mesh_converter()(path.substr(0, slash + 1), path.substr(slash + 1), 0.0, {});
   if (!bytes.ok() && bytes.error().code == "converter") {
     progress(fmt::format("{} is left out: {}", mesh, bytes.error().message));
     return made;

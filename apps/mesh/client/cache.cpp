@@ -58,8 +58,7 @@ void Cache::make_room() const {
        each.increment(failed)) {
     std::error_code gone;
     if (!fs::is_regular_file(each->symlink_status(gone))) continue;
-    File file{each->last_write_time(gone), each->path().filename().string(),
-              each->file_size(gone)};
+    File file{each->last_write_time(gone), each->path().filename().string(), each->file_size(gone)};
     if (gone || !(file.name.ends_with(".glb") || file.name.ends_with(".names"))) continue;
     sum += file.size;
     files.push_back(std::move(file));

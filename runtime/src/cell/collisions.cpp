@@ -417,9 +417,8 @@ std::optional<ObjectOverlap> deepest_overlap(const World& world, const Object& o
     const Gap gap = gap_between(body, solid);
     const double depth = -gap.distance;
     if (depth > kRestTolerance && (!deepest || depth > deepest->depth)) {
-      deepest = ObjectOverlap{.other = other.name,
-                              .depth = depth,
-                              .at_least = !is_whole_depth(body, solid, gap)};
+      deepest = ObjectOverlap{
+          .other = other.name, .depth = depth, .at_least = !is_whole_depth(body, solid, gap)};
     }
   }
   return deepest;
@@ -433,8 +432,7 @@ ComparedBodies compared_bodies(const Cell& cell, int robot, const Trajectory& mo
   return all;
 }
 
-Clearance nearest_between(const Cell& cell, const CellBody& a, const CellBody& b,
-                          Carried carried) {
+Clearance nearest_between(const Cell& cell, const CellBody& a, const CellBody& b, Carried carried) {
   const PlacedThing first = thing_now(cell, a, carried), second = thing_now(cell, b, carried);
   Clearance nearest;
   for (std::size_t i = 0; i < first.solids.size(); ++i) {

@@ -94,7 +94,8 @@ double gap_between_links(const std::vector<Solid>& links, const std::vector<Soli
   double least = std::numeric_limits<double>::infinity();
   for (const Solid& link : links) {
     for (const Solid& other : others) {
-      if (least < std::numeric_limits<double>::infinity() && !may_meet(link, other, least)) continue;
+      if (least < std::numeric_limits<double>::infinity() && !may_meet(link, other, least))
+        continue;
       least = std::min(least, gap_between(link, other).distance);
     }
   }

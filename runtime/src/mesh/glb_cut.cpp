@@ -97,7 +97,8 @@ class NodeCut {
     }
     if (given.contains("indices")) part["indices"] = accessor(Document::member(given, "indices"));
     if (given.contains("mode")) part["mode"] = Document::number(given, "mode");
-    if (given.contains("material")) part["material"] = material(Document::number(given, "material"));
+    if (given.contains("material"))
+      part["material"] = material(Document::number(given, "material"));
     parts.push_back(std::move(part));
   }
 

@@ -152,11 +152,11 @@ class SceneReader {
         T.linear() = up() * at.R.transpose() * up().transpose() * at.T.linear();
         add_mesh(Document::number(node, "mesh"), T);
         if (triangles_.empty()) return;
-        things.push_back({.name = name,
-                          .node = static_cast<std::size_t>(number),
-                          .shape = T.linear(),
-                          .triangles = {std::exchange(vertices_, {}),
-                                        std::exchange(triangles_, {})}});
+        things.push_back(
+            {.name = name,
+             .node = static_cast<std::size_t>(number),
+             .shape = T.linear(),
+             .triangles = {std::exchange(vertices_, {}), std::exchange(triangles_, {})}});
         read_look(Document::number(node, "mesh"), things.back());
         things.back().T_world_thing.translation() = at.T.translation();
         things.back().T_world_thing.linear() = up() * at.R * up().transpose();

@@ -137,8 +137,7 @@ void report_collisions(Vm& vm, const MoveCall& call, int motion,
   for (const PossibleCollision& each : possible) {
     const CellCollision& met = each.met;
     if (report.state == MotionState::kStopped && met.t >= duration) continue;
-    if (each.last &&
-        has_started(cell, met.other.robot, *each.last, report.start_ns + to_ns(met.t)))
+    if (each.last && has_started(cell, met.other.robot, *each.last, report.start_ns + to_ns(met.t)))
       continue;
     if (each.guarded && is_felt(cell, met) &&
         -distance_between(cell, met.body, met.other, Carried::kLeftOut) <= kPressed)

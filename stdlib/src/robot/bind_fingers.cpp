@@ -316,7 +316,8 @@ constexpr NativeFunction kFingerFunctions[] = {
     def<close_hand>(
         "closeHand(h: robot, force: force?)",
         "Closes each finger until it presses with this force, 10 N unless told otherwise, has come "
-        "to another finger, or to its end. A gripper closes to the width of what is between its fingers, as grasp() "
+        "to another finger, or to its end. A gripper closes to the width of what is between its "
+        "fingers, as grasp() "
         "does.",
         HAND "hand.closeHand(force: 8N)", {.pauses = true}),
     def<open_hand>("openHand(h: robot)",

@@ -294,7 +294,8 @@ constexpr NativeFunction kModelFunctions[] = {
         "robot.joint.prismatic(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = "
         "0rad, limits: length[]?, maxSpeed: speed?, maxAccel: accel?, maxJerk: accel/time?, "
         "maxForce: force?, mass: mass = 0kg, com: length[]?, inertia: double[][]?, friction: "
-        "double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: string?, meshUnit: length?, "
+        "double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: string?, meshUnit: "
+        "length?, "
         "meshScale: double = 1.0) -> jointRow",
         "A joint that slides, with its Denavit-Hartenberg row; d is its zero.",
         "joint prismatic(limits: [0mm, 150mm])", {.check = check_prismatic_row}),

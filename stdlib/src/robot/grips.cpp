@@ -48,8 +48,8 @@ std::string part_text(const Cell& cell, int robot, const Press& by) {
   }
   return by.carried.empty()
              ? body_text(cell, body)
-             : fmt::format("{} {} `{}`", body_text(cell, body), by.of_hand ? "in the hand of" : "on",
-                           cell.robot(robot).name);
+             : fmt::format("{} {} `{}`", body_text(cell, body),
+                           by.of_hand ? "in the hand of" : "on", cell.robot(robot).name);
 }
 
 std::string finger_text(const Cell& cell, int hand, int finger) {
@@ -93,8 +93,7 @@ Answer<void> check_overload(Vm& vm, const MoveCall& call, const MotionReport& re
   const int hand = fingered_hand(cell, report.robot);
   const bool is_finger = over.finger >= 0 && hand >= 0;
   const double now =
-      is_finger ? hardest_finger(cell, hand).force
-                : force_on(cell, report.robot, over.by.of_hand);
+      is_finger ? hardest_finger(cell, hand).force : force_on(cell, report.robot, over.by.of_hand);
   std::string why = fmt::format(
       "on \"{}\" it came to {} N at t = {:.6g} s, {} s after the start of this motion, which began "
       "to stop there",

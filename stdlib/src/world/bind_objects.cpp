@@ -228,13 +228,12 @@ Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int6
   if (arm.on >= 0) {
     // The joints of a hand move its fingers; its palm is where the flange of the arm is.
     if (link && *link != 0) {
-      return failure(vm, row("R0631"),
-                     fmt::format("things are mounted on the palm of `{}`, which is its link 0",
-                                 arm.name),
-                     parameter);
+      return failure(
+          vm, row("R0631"),
+          fmt::format("things are mounted on the palm of `{}`, which is its link 0", arm.name),
+          parameter);
     }
-    return Mount{
-        .base = FrameBase::kCarrier, .on = cell.robot(arm.on).name, .carrier = arm.on};
+    return Mount{.base = FrameBase::kCarrier, .on = cell.robot(arm.on).name, .carrier = arm.on};
   }
   const int n = arm.model->n();
   if (link && (*link < 0 || *link > n)) {

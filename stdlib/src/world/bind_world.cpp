@@ -204,10 +204,10 @@ Answer<RecordObj*> closest_points(Vm& vm, const A& a, const B& b) {
     return object != nullptr;
   };
   fields[kDistance].d = found.distance;
-  const bool whole =
-      set(kFrom, new_posc(vm, point(found.p_body))) &&
-      set(kTo, new_posc(vm, point(found.p_other))) &&
-      set(kBody, new_text(vm, name(found.body))) && set(kOther, new_text(vm, name(found.other)));
+  const bool whole = set(kFrom, new_posc(vm, point(found.p_body))) &&
+                     set(kTo, new_posc(vm, point(found.p_other))) &&
+                     set(kBody, new_text(vm, name(found.body))) &&
+                     set(kOther, new_text(vm, name(found.other)));
   if (whole) return record;
   release(vm, record);
   return Failed{};
@@ -234,7 +234,8 @@ Answer<PosC> top_grasp(Vm& vm, const ObjectRef& o, double yaw) {
 }
 
 constexpr std::string_view kClosestHelp =
-    "The distance of two things, the points of both that it lies between, and what these belong to: "
+    "The distance of two things, the points of both that it lies between, and what these belong "
+    "to: "
     "an object, mounted or held ones too, or a part of a robot.";
 
 constexpr NativeFunction kWorldFunctions[] = {
@@ -257,7 +258,8 @@ constexpr NativeFunction kWorldFunctions[] = {
         "shape",
         "The body whose surface is in a file of the program's folder, or in the node of it that "
         "part names: GLB, or OBJ, 3DS, VRML 2.0, STL, DAE, PLY and glTF, which are converted. Its "
-        "frame is in the middle of the box around it, z up. With a density its objects have a mass; "
+        "frame is in the middle of the box around it, z up. With a density its objects have a "
+        "mass; "
         "unit is the length of one unit of a file that does not say so, such as 1mm of an STL, and "
         "scale makes the body larger.",
         "mesh(\"part.glb\", density: 2700kg/m^3)"),

@@ -389,8 +389,8 @@ TEST_CASE("a hand that closes stops where its fingers touch, and nothing of it p
     }
     CAPTURE(round);
     CHECK(least > -1e-8);
-    const bool stopped = std::ranges::any_of(
-        closings, [&](const Closing& each) { return each.bend < end; });
+    const bool stopped =
+        std::ranges::any_of(closings, [&](const Closing& each) { return each.bend < end; });
     CHECK(stopped == (least < 2e-5));
     ++(stopped ? met : free);
   }
@@ -420,9 +420,8 @@ TEST_CASE("motions of fingers that meet are found, as many samples say") {
     const VectorXd q0 = some(), q1 = some();
     bench.cell.set_joints(bench.hand, q0);
     if (least_gap() < 0.0) continue;  // it may be left
-    const MotionPlan plan =
-        plan_joint_move(PlannerSet(), *bench.cell.robot(bench.hand).model,
-                        {.q0 = q0, .q1 = q1, .planner = "Syn", .speed = 1.0});
+    const MotionPlan plan = plan_joint_move(PlannerSet(), *bench.cell.robot(bench.hand).model,
+                                            {.q0 = q0, .q1 = q1, .planner = "Syn", .speed = 1.0});
     REQUIRE(plan.trajectory);
     const auto found = find_collisions(bench.cell, bench.hand, *plan.trajectory);
     double least = 1.0;
@@ -457,12 +456,11 @@ TEST_CASE("of two fingers that begin at once one is compared with the other") {
     VectorXd to = q;
     to[i + 1] = deg_to_rad(110.0);
     const CellRobot& finger = bench.cell.robot(bench.finger(i));
-    motions.push_back(*plan_joint_move(PlannerSet(), *finger.model,
-                                       {.q0 = finger.q,
-                                        .q1 = finger_joints(i, to),
-                                        .planner = "Syn",
-                                        .speed = 1.0})
-                           .trajectory);
+    motions.push_back(
+        *plan_joint_move(
+             PlannerSet(), *finger.model,
+             {.q0 = finger.q, .q1 = finger_joints(i, to), .planner = "Syn", .speed = 1.0})
+             .trajectory);
   }
   const int first = bench.finger(0), second = bench.finger(1);
   // Alone each passes where the other one is open.

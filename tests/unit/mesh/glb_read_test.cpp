@@ -263,7 +263,8 @@ TEST_CASE("a picture that is not in the file, or none, is left out of what is cu
   // Of the view that does not fit, the reference is dropped with all that follows.
   const nlohmann::json json = description_of(whole);
   const std::string source = R"("textures":[{"source":0},{"source":1}])";
-  const nlohmann::json broken = cut_of(changed(whole, source, R"("textures":[{"source":0},{"source":7}])"));
+  const nlohmann::json broken =
+      cut_of(changed(whole, source, R"("textures":[{"source":0},{"source":7}])"));
   CHECK_FALSE(broken.contains("images"));
   CHECK_FALSE(broken.at("materials")[0].at("pbrMetallicRoughness").contains("baseColorTexture"));
   CHECK(cut_of(whole).at("materials")[0].at("pbrMetallicRoughness").contains("baseColorTexture"));
@@ -281,7 +282,8 @@ TEST_CASE("a long name is cut between letters") {
   CHECK(read_glb(cut_glb(whole, things->front())).ok());
 }
 
-TEST_CASE("whatever is changed in a description, a node is cut out or refused, and what is cut is read") {
+TEST_CASE(
+    "whatever is changed in a description, a node is cut out or refused, and what is cut is read") {
   const std::string whole = two_boxes();
   const std::size_t json = u32_at(whole, 12);
   Random random(147);
