@@ -14,6 +14,21 @@ endforeach()
 # In front of every source of ours: what emscripten's C++ library lacks.
 set(ARMLET_COMPILE_OPTIONS "SHELL:-include ${here}/missing_cxx20.hpp")
 
+# Streams without locales, in front of those of emscripten's C++ library; paths do without them.
+set(streams ${PROJECT_BINARY_DIR}/streams)
+function(armlet_write_header name)
+  list(JOIN ARGN "\n" lines)
+  file(CONFIGURE OUTPUT ${streams}/${name} CONTENT "#pragma once\n#pragma GCC system_header\n${lines}\n" @ONLY)
+endfunction()
+foreach(header ios iomanip iostream istream ostream sstream streambuf fstream)
+  armlet_write_header(${header} "#include <bare_streams.hpp>")
+endforeach()
+armlet_write_header(iosfwd "#include <bare_iosfwd.hpp>")
+armlet_write_header(locale "#include <bare_locale.hpp>")
+armlet_write_header(codecvt "#include <bare_locale.hpp>")
+armlet_write_header(filesystem "#define _LIBCPP_HAS_NO_LOCALIZATION" "#include_next <filesystem>" "#undef _LIBCPP_HAS_NO_LOCALIZATION")
+include_directories(BEFORE SYSTEM ${streams} ${here} ${ARMLET_WASM_SOURCES}/include)
+
 foreach(headers Eigen3::Eigen nlohmann_json::nlohmann_json)
   string(REGEX REPLACE ".*:" "armlet_wasm_" target ${headers})
   add_library(${target} INTERFACE)
@@ -21,15 +36,22 @@ foreach(headers Eigen3::Eigen nlohmann_json::nlohmann_json)
   target_include_directories(${target} SYSTEM INTERFACE ${ARMLET_WASM_SOURCES}/include)
 endforeach()
 
-add_library(armlet_wasm_fmt STATIC ${ARMLET_WASM_SOURCES}/fmt/src/format.cc ${here}/missing_charconv.cpp)
+# Texts to the screen or a file, and streams of JSON, are not wanted here.
+target_compile_definitions(armlet_wasm_nlohmann_json INTERFACE JSON_NO_IO)
+
+add_library(armlet_wasm_fmt STATIC ${ARMLET_WASM_SOURCES}/fmt/src/format.cc ${here}/missing_charconv.cpp ${here}/missing_sorting.cpp)
 add_library(fmt::fmt ALIAS armlet_wasm_fmt)
 target_include_directories(armlet_wasm_fmt SYSTEM PUBLIC ${ARMLET_WASM_SOURCES}/fmt/include)
 target_compile_features(armlet_wasm_fmt PUBLIC cxx_std_20)
 target_compile_options(armlet_wasm_fmt PRIVATE ${ARMLET_COMPILE_OPTIONS})
+# No locale has a say in how numbers are written.
+target_compile_definitions(armlet_wasm_fmt PRIVATE FMT_STATIC_THOUSANDS_SEPARATOR=',')
 
 set(antlr4-runtime_VERSION 4.9)
 set(ANTLR4_INCLUDE_DIR ${ARMLET_WASM_SOURCES}/antlr4/runtime/src)
 file(GLOB_RECURSE sources ${ANTLR4_INCLUDE_DIR}/*.cpp)
+# What reads streams and files, which nothing here does.
+list(FILTER sources EXCLUDE REGEX "/(ANTLRFileStream|UnbufferedCharStream|InterpreterDataReader|TokenStreamRewriter)\\.cpp$")
 add_library(antlr4_static STATIC ${sources})
 set_target_properties(antlr4_static PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
 # Its constructor from text is declared in one way for C++14 and in two for C++17.
@@ -39,22 +61,42 @@ target_compile_options(antlr4_static PRIVATE -w)
 target_compile_features(antlr4_static PRIVATE cxx_std_17)
 target_include_directories(antlr4_static SYSTEM PUBLIC ${ANTLR4_INCLUDE_DIR} ${ARMLET_WASM_SOURCES}/include)
 
-# A page waits for the module to arrive, so what is not said here is compiled to be as small as can be: texts, checks and bindings, which
-# call much and compute little. (emscripten says -fno-inline-functions with -Oz, which makes C++ larger; the preset says otherwise.) The
-# layers that compute are small where calls are worth it, and quick where programs spend their time: kinematics, dynamics, the
-# machine's instructions and its heap, and the search for habits of other languages in a text that is wrong.
+# A page waits for the module to arrive, so what is not said here is compiled to be as small as can be: texts, checks, bindings and plans,
+# which call much and compute little. (emscripten says -fno-inline-functions with -Oz, which makes C++ larger; the preset says otherwise.)
+# Quick is where programs spend their time: kinematics, dynamics, what happens while time passes, the machine's instructions and its
+# heap, and the search for habits of other languages in a text that is wrong.
 function(armlet_hurry_hot_code)
   set(calls_are_worth_it "SHELL:-mllvm -inline-threshold=250")
   # Nested loops that are written to be unrolled would be 60 to 140 kB of code for each kernel of any number of joints.
   foreach(layer math chain kinematics dynamics)
     target_compile_options(armlet_layer_${layer} PRIVATE -O2 ${calls_are_worth_it} "SHELL:-mllvm -pragma-unroll-threshold=150")
   endforeach()
-  foreach(layer model trajectory world collision planning grasp backend cell)
-    target_compile_options(armlet_layer_${layer} PRIVATE -Os ${calls_are_worth_it})
+  set(ARMLET_QUICK -O2)
+  armlet_hurry(layer_trajectory runtime/src/trajectory/ trajectory roots motion_forces part sample_table)
+  armlet_hurry(layer_collision runtime/src/collision/ nearest_point solid gap scene_pose segment_check)
+  armlet_hurry(layer_cell runtime/src/cell/ cell_time contacts carried_load)
+  armlet_hurry(layer_backend runtime/src/backend/ event fan_out run_hash)
+  # What the linker would inline into the machine makes it a sixth slower.
+  list(APPEND ARMLET_QUICK -fno-lto)
+  armlet_hurry(interpreter interpreter/src/habits/ pattern)
+  armlet_hurry(interpreter interpreter/src/vm/host/ natives host_calls)
+  armlet_hurry(interpreter interpreter/src/vm/heap/ *)
+  armlet_hurry(interpreter interpreter/src/vm/instructions/ *)
+
+  # All else but kinematics and dynamics is linked as a whole: the linker sees what throws nothing, and leaves out what would be done if
+  # it did.
+  foreach(target antlr4_static armlet_grammar armlet_interpreter armlet_stdlib armlet_laboratory armlet_module armlet_layer_model
+      armlet_layer_trajectory armlet_layer_world armlet_layer_collision armlet_layer_planning armlet_layer_grasp armlet_layer_backend
+      armlet_layer_cell armlet_layer_mesh armlet_layer_plot)
+    target_compile_options(${target} PRIVATE -flto)
   endforeach()
-  set(machine ${PROJECT_SOURCE_DIR}/interpreter/src/vm)
-  file(GLOB hot ${machine}/heap/*.cpp ${machine}/instructions/*.cpp ${machine}/host/natives.cpp ${machine}/host/host_calls.cpp
-    ${PROJECT_SOURCE_DIR}/interpreter/src/habits/pattern.cpp)
-  set_source_files_properties(${hot} TARGET_DIRECTORY armlet_interpreter PROPERTIES
-    COMPILE_OPTIONS -O2 SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# Sources of the library armlet_TARGET, in FOLDER, that have to be quick: compiled with ARMLET_QUICK.
+function(armlet_hurry target folder)
+  list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/${folder})
+  list(TRANSFORM ARGN APPEND .cpp)
+  file(GLOB sources ${ARGN})
+  set_source_files_properties(${sources} TARGET_DIRECTORY armlet_${target} PROPERTIES
+    COMPILE_OPTIONS "${ARMLET_QUICK}" SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

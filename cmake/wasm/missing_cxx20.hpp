@@ -8,6 +8,8 @@
 // WebAssembly. What is wrong with one is still found by every other build.
 #if defined(__wasm__) && defined(__clang_major__) && __clang_major__ < 15
 #define consteval constexpr
+// As a constexpr constructor it would look at its format whenever it runs.
+#define FMT_CONSTEVAL
 #endif
 
 #if __cplusplus >= 202002L && __has_include(<version>)
@@ -22,6 +24,7 @@
 #include <utility>
 
 #include "missing_charconv.hpp"
+#include "missing_sorting.hpp"
 
 namespace std {
 
@@ -89,13 +92,20 @@ ARMLET_WITH_PREDICATE(none_of);
 ARMLET_WITH_PREDICATE(find_if);
 ARMLET_WITH_PREDICATE(find_if_not);
 ARMLET_WITH_PREDICATE(count_if);
-ARMLET_WITH_ORDER(sort);
-ARMLET_WITH_ORDER(stable_sort);
 ARMLET_WITH_ORDER(is_sorted);
 ARMLET_WITH_ORDER(max_element);
 ARMLET_WITH_ORDER(min_element);
 #undef ARMLET_WITH_PREDICATE
 #undef ARMLET_WITH_ORDER
+
+struct sort_fn {
+  template <class R, class Less = ranges::less, class Proj = identity>
+  constexpr void operator()(R&& range, Less less = {}, Proj proj = {}) const {
+    missing::sort(std::begin(range), std::end(range), missing::order(less, proj));
+  }
+};
+inline constexpr sort_fn sort{};
+inline constexpr sort_fn stable_sort{};
 
 struct minmax_element_fn {
   template <class R, class Less = ranges::less, class Proj = identity>

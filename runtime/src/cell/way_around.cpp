@@ -50,9 +50,8 @@ std::vector<BlockingBodies> blocking_of(const Way& way, const ComparedBodies& co
     add(all, compared.pairs[each.pair], 0.0,
         static_cast<double>(each.times) / static_cast<double>(whole));
   }
-  std::stable_sort(all.begin(), all.end(), [](const BlockingBodies& a, const BlockingBodies& b) {
-    return a.share > b.share;
-  });
+  std::ranges::stable_sort(
+      all, [](const BlockingBodies& a, const BlockingBodies& b) { return a.share > b.share; });
   return all;
 }
 

@@ -88,8 +88,8 @@ std::vector<Overlap> SegmentCheck::overlaps(const Eigen::VectorXd& q) {
     const double gap = gap_between(a, b).distance;
     if (gap < std::min(-kSoft, keep_[i])) all.push_back({.pair = i, .depth = -gap});
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Overlap& a, const Overlap& b) { return a.depth > b.depth; });
+  std::ranges::stable_sort(all,
+                           [](const Overlap& a, const Overlap& b) { return a.depth > b.depth; });
   return all;
 }
 

@@ -40,9 +40,8 @@ Error not_found() { return {"overflow", "the iteration for its eigenvalues did n
 std::vector<Index> ascending(const VectorXd& re, const VectorXd& im) {
   std::vector<Index> order(static_cast<std::size_t>(re.size()));
   std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return re[a] != re[b] ? re[a] < re[b] : im[a] < im[b];
-  });
+  std::ranges::stable_sort(
+      order, [&](Index a, Index b) { return re[a] != re[b] ? re[a] < re[b] : im[a] < im[b]; });
   return order;
 }
 

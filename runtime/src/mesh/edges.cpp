@@ -32,7 +32,7 @@ std::vector<HalfEdge> half_edges(std::span<const Corners> triangles) {
                        .opposite = c[(k + 2) % 3]});
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+  std::ranges::sort(edges, [](const HalfEdge& a, const HalfEdge& b) {
     return a.ends != b.ends ? a.ends < b.ends : a.triangle < b.triangle;
   });
   return edges;

@@ -133,7 +133,7 @@ void TriangleMesh::drop_doubles() {
   for (std::uint32_t i = 0; i < vertices_.size(); ++i) {
     if (used[i]) order.push_back(i);
   }
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
     if (comes_before(vertices_[a], vertices_[b])) return true;
     return !comes_before(vertices_[b], vertices_[a]) && a < b;
   });

@@ -1,5 +1,6 @@
 // In place of urdf_read.cpp where urdfdom cannot be had.
 
+#include "armlet/model/serial_arm.hpp"
 #include "armlet/model/urdf.hpp"
 
 namespace armlet {
@@ -13,5 +14,9 @@ Result<Mechanism> read_urdf(std::string_view, const UrdfOptions&) {
 }
 
 Result<std::vector<UrdfLink>> read_urdf_scene(std::string_view) { return read_urdf({}).error(); }
+
+Result<RobotSpec> serial_arm_of_urdf(std::string_view, const UrdfOptions&, std::string_view) {
+  return read_urdf({}).error();
+}
 
 }  // namespace armlet

@@ -17,6 +17,7 @@
 
 #include "armlet/core/platform.hpp"
 #include "armlet/math/pose.hpp"
+#include "armlet/model/serial_arm.hpp"
 #include "armlet/model/urdf.hpp"
 #include "urdf_faults.hpp"
 #include "xml_guard.hpp"
@@ -463,9 +464,10 @@ Result<std::vector<UrdfLink>> read_urdf_scene(std::string_view text) {
     for (const auto& joint : link->child_joints) {
       const bool is_free = joint->type == urdf::Joint::FLOATING;
       if (joint->type != urdf::Joint::FIXED && !is_free) {
-        return broken(fmt::format("joint `{}` moves; a world has only joints that are fixed or "
-                                  "float, a robot is declared by a program: urdf(\"...\")",
-                                  joint->name));
+        return broken(
+            fmt::format("joint `{}` moves; a world has only joints that are fixed or "
+                        "float, a robot is declared by a program: urdf(\"...\")",
+                        joint->name));
       }
       const auto child = (*model)->getLink(joint->child_link_name);
       const Isometry3d T = links[static_cast<std::size_t>(index)].T_world_link *
@@ -487,6 +489,13 @@ Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options) {
   } catch (const ArgumentError& error) {
     return broken(error.what());
   }
+}
+
+Result<RobotSpec> serial_arm_of_urdf(std::string_view text, const UrdfOptions& options,
+                                     std::string_view tip) {
+  const Result<Mechanism> mechanism = read_urdf(text, options);
+  if (!mechanism.ok()) return mechanism.error();
+  return serial_arm(*mechanism, tip);
 }
 
 }  // namespace armlet

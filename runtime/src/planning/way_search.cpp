@@ -262,8 +262,8 @@ std::vector<InTheWay> most_often(const std::vector<std::uint64_t>& blocked) {
   for (std::size_t i = 0; i < blocked.size(); ++i) {
     if (blocked[i] > 0) all.push_back({.pair = i, .times = blocked[i]});
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const InTheWay& a, const InTheWay& b) { return a.times > b.times; });
+  std::ranges::stable_sort(all,
+                           [](const InTheWay& a, const InTheWay& b) { return a.times > b.times; });
   return all;
 }
 

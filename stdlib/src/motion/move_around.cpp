@@ -76,8 +76,8 @@ Failed fail_end(Vm& vm, const MoveCall& call, const WayAround& around, std::size
   const Cell& cell = Host::of(vm).cell();
   const bool at_start = around.way.status == WayStatus::kStartCollides;
   std::vector<NamedPair> pairs = named(cell, around.blocking);
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const NamedPair& a, const NamedPair& b) { return a.depth > b.depth; });
+  std::ranges::stable_sort(
+      pairs, [](const NamedPair& a, const NamedPair& b) { return a.depth > b.depth; });
   Failure f = about(vm, call);
   f.headline = {
       row("R0643"),
@@ -98,8 +98,8 @@ std::string most_in_the_way(const Cell& cell, const std::vector<BlockingBodies>&
   constexpr std::size_t kMost = 3;
   constexpr double kSeldom = 0.005;
   std::vector<NamedPair> pairs = named(cell, blocking);
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const NamedPair& a, const NamedPair& b) { return a.share > b.share; });
+  std::ranges::stable_sort(
+      pairs, [](const NamedPair& a, const NamedPair& b) { return a.share > b.share; });
   std::string text;
   for (std::size_t k = 0; k < std::min(pairs.size(), kMost) && pairs[k].share > kSeldom; ++k) {
     text +=

@@ -239,16 +239,14 @@ Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::s
   options.inertia_check = inertia_check_of(inertias);
   options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
   options.load_mesh = [&](const std::string& mesh) { return load_link_mesh(vm, path, mesh); };
-  const Result<Mechanism> mechanism = read_urdf(*text, options);
-  if (!mechanism.ok()) {
+  Result<RobotSpec> spec = serial_arm_of_urdf(*text, options, tip.value_or(""));
+  if (!spec.ok()) {
     UrdfOptions published = options;
     published.inertia_check = InertiaCheck::kPublished;
-    const bool inertia_only = read_urdf(*text, published).ok();
-    return failure_of(vm, row("R0630"), ArgumentError(mechanism.error().message), kPath,
+    const bool inertia_only = !read_urdf(*text, options).ok() && read_urdf(*text, published).ok();
+    return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), kPath,
                       inertia_only ? kKeepInertias : "");
   }
-  Result<RobotSpec> spec = serial_arm(*mechanism, tip.value_or(""));
-  if (!spec.ok()) return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), kPath);
   return add_robot(vm, finished(Robot(std::move(spec).value()), base, tool, name));
 } catch (const ArgumentError& error) {
   return failure_of(vm, row("R0630"), error);

@@ -5,6 +5,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/model/mechanism.hpp"
+#include "armlet/model/urdf.hpp"
 
 namespace armlet {
 
@@ -23,5 +24,11 @@ MechanismSpec mechanism_of(const Robot& robot);
 // source   J. Denavit and R. Hartenberg 1955: common normals of the axes; two axes within 1e-8 rad
 //          of parallel count as parallel.
 Result<RobotSpec> serial_arm(const Mechanism& mechanism, std::string_view tip = {});
+
+// The same of a robot description.
+//
+// returns  an error as read_urdf and serial_arm.
+Result<RobotSpec> serial_arm_of_urdf(std::string_view text, const UrdfOptions& options,
+                                     std::string_view tip = {});
 
 }  // namespace armlet

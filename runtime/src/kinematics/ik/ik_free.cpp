@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/angles.hpp"
@@ -78,7 +79,7 @@ Division divide(const Members& members, double delta) {
     knots[count++] = m.away;
     if (std::isfinite(most)) knots[count++] = m.away + most;
   }
-  std::sort(knots.begin(), knots.begin() + static_cast<std::ptrdiff_t>(count));
+  std::ranges::sort(std::span(knots).first(count));
   if (all < wanted) {
     out.left_over = wanted - all;
     out.change = knots[count - 1];

@@ -118,9 +118,9 @@ IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
     report.branches.push_back(report_branch(
         robot, seed, solution.branch, taken ? report.result.q : to_vector(solution.q, robot.n())));
   }
-  std::stable_sort(
-      report.branches.begin(), report.branches.end(),
-      [](const BranchReport& a, const BranchReport& b) { return a.change < b.change; });
+  std::ranges::stable_sort(report.branches, [](const BranchReport& a, const BranchReport& b) {
+    return a.change < b.change;
+  });
   return report;
 }
 

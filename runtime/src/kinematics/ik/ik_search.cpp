@@ -146,10 +146,9 @@ struct Nearness {
 
 void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,
                       std::vector<Eigen::VectorXd>& solutions) {
-  std::stable_sort(solutions.begin(), solutions.end(),
-                   [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-                     return Nearness(robot, seed, a.data()) < Nearness(robot, seed, b.data());
-                   });
+  std::ranges::stable_sort(solutions, [&](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return Nearness(robot, seed, a.data()) < Nearness(robot, seed, b.data());
+  });
 }
 
 const FormulaSolution& nearest_branch(const Robot& robot, const Eigen::VectorXd& seed,
