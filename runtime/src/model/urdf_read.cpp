@@ -18,7 +18,6 @@
 #include "armlet/core/platform.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/serial_arm.hpp"
-#include "armlet/model/urdf.hpp"
 #include "urdf_faults.hpp"
 #include "xml_guard.hpp"
 
