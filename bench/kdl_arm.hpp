@@ -18,8 +18,8 @@ struct KdlJoint {
   double lower = 0.0, upper = 0.0;
 };
 
-// The rigid body behind a joint, in the frame behind Tx(a) Rx(alpha): mass, centre, and inertia about
-// the centre by xx, yy, zz, xy, xz, yz.
+// The rigid body behind a joint, in the frame behind Tx(a) Rx(alpha): mass, centre, and inertia
+// about the centre by xx, yy, zz, xy, xz, yz.
 struct KdlBody {
   double mass = 0.0;
   std::array<double, 3> com{};

@@ -185,11 +185,13 @@ function(armlet_add_deletions)
   target_link_libraries(token_deletions PRIVATE armlet::stdlib fmt::fmt)
 endfunction()
 
-# The platform of WebAssembly compiled for this machine, in place of this machine's; and the module itself, if there is one.
+# The platform of WebAssembly and its sort compiled for this machine, in place of this machine's; and the module itself, if there is one.
 function(armlet_add_wasm_tests)
   armlet_add_unit_tests(bare armlet::core ${PROJECT_SOURCE_DIR}/runtime/src)
   target_sources(test_bare PRIVATE ${PROJECT_SOURCE_DIR}/runtime/src/core/bare/files.cpp
-                                   ${PROJECT_SOURCE_DIR}/runtime/src/core/bare/platform.cpp)
+                                   ${PROJECT_SOURCE_DIR}/runtime/src/core/bare/platform.cpp
+                                   ${PROJECT_SOURCE_DIR}/cmake/wasm/missing_sorting.cpp)
+  target_include_directories(test_bare PRIVATE ${PROJECT_SOURCE_DIR}/cmake/wasm)
   add_test(NAME wasm.programs COMMAND ${PROJECT_SOURCE_DIR}/tests/wasm/run.sh
            $<TARGET_FILE:armlet> $<TARGET_FILE:write_programs> 200)
   set_tests_properties(wasm.programs PROPERTIES SKIP_RETURN_CODE 77)

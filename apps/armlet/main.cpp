@@ -21,9 +21,10 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
                   "the robot of programs that declare none (default: scara)")
       ->type_name("NAME");
   command
-      .add_option("--world", options.world,
-                  "the world: a .rbt file that declares objects, or a scene as GLB or URDF (default: a "
-                  "table with a cube and a cylinder)")
+      .add_option(
+          "--world", options.world,
+          "the world: a .rbt file that declares objects, or a scene as GLB or URDF (default: a "
+          "table with a cube and a cylinder)")
       ->type_name("FILE");
   command
       .add_option("--steps", options.steps,
@@ -73,9 +74,10 @@ struct Asked {
 void add_prompt_options(CLI::App& app, Asked& asked) {
   app.add_option("--robot", asked.prompt.program.robot, "of the prompt: the robot (default: scara)")
       ->type_name("NAME");
-  app.add_option("--world", asked.prompt.program.world,
-                 "of the prompt: the world, a .rbt file that declares objects, or a scene as GLB or "
-                 "URDF (default: a table with a cube and a cylinder)")
+  app.add_option(
+         "--world", asked.prompt.program.world,
+         "of the prompt: the world, a .rbt file that declares objects, or a scene as GLB or "
+         "URDF (default: a table with a cube and a cylinder)")
       ->type_name("FILE");
   app.add_option("--record", asked.prompt.record,
                  "of the prompt: leave what `armlet replay` needs to take the session again in an "

@@ -24,27 +24,28 @@ struct codecvt_utf8_utf16;
 template <class Form, class Wide = wchar_t>
 class wstring_convert;
 
+template <class Text, class Convert>
+Text converted(const char* fault, Convert convert) {
+  Text text;
+  try {
+    convert(back_inserter(text));
+  } catch (const utf8::exception&) {
+    throw range_error(fault);
+  }
+  return text;
+}
+
 // UTF-8 and UTF-32.
 template <class Wide>
 class wstring_convert<codecvt_utf8<Wide>, Wide> {
  public:
   basic_string<Wide> from_bytes(const char* first, const char* last) {
-    basic_string<Wide> wide;
-    try {
-      utf8::utf8to32(first, last, back_inserter(wide));
-    } catch (const utf8::exception&) {
-      throw range_error("not UTF-8");
-    }
-    return wide;
+    return converted<basic_string<Wide>>("not UTF-8",
+                                         [=](auto out) { utf8::utf8to32(first, last, out); });
   }
   string to_bytes(const basic_string<Wide>& wide) {
-    string text;
-    try {
-      utf8::utf32to8(wide.begin(), wide.end(), back_inserter(text));
-    } catch (const utf8::exception&) {
-      throw range_error("not UTF-32");
-    }
-    return text;
+    return converted<string>("not UTF-32",
+                             [&](auto out) { utf8::utf32to8(wide.begin(), wide.end(), out); });
   }
 };
 
@@ -53,22 +54,12 @@ template <class Wide>
 class wstring_convert<codecvt_utf8_utf16<Wide>, Wide> {
  public:
   basic_string<Wide> from_bytes(const string& text) {
-    basic_string<Wide> wide;
-    try {
-      utf8::utf8to16(text.begin(), text.end(), back_inserter(wide));
-    } catch (const utf8::exception&) {
-      throw range_error("not UTF-8");
-    }
-    return wide;
+    return converted<basic_string<Wide>>(
+        "not UTF-8", [&](auto out) { utf8::utf8to16(text.begin(), text.end(), out); });
   }
   string to_bytes(const basic_string<Wide>& wide) {
-    string text;
-    try {
-      utf8::utf16to8(wide.begin(), wide.end(), back_inserter(text));
-    } catch (const utf8::exception&) {
-      throw range_error("not UTF-16");
-    }
-    return text;
+    return converted<string>("not UTF-16",
+                             [&](auto out) { utf8::utf16to8(wide.begin(), wide.end(), out); });
   }
 };
 

@@ -1,10 +1,8 @@
+#include "missing_sorting.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <vector>
-
-#include "missing_cxx20.hpp"
-
-#ifdef ARMLET_MISSING_SORTING
 
 namespace std {
 namespace ranges {
@@ -52,10 +50,12 @@ void sort_row(const void* row, uint32_t count, const Sorted& sorted) {
   uint32_t* const order = count > kFew ? many.data() : few;
   std::iota(order, order + count, 0U);
   sort_numbers(row, sorted.less, order, order + count, order + count);
-  // The element for place i has been swapped away if its number is below i.
+  // The element for place i has been swapped away if its number is below i: to where the one came
+  // from that took its place, which `order` says of places that are done.
   for (uint32_t i = 0; i < count; ++i) {
     uint32_t from = order[i];
     while (from < i) from = order[from];
+    order[i] = from;
     if (from != i) sorted.swap(row, i, from);
   }
 }
@@ -63,5 +63,3 @@ void sort_row(const void* row, uint32_t count, const Sorted& sorted) {
 }  // namespace missing
 }  // namespace ranges
 }  // namespace std
-
-#endif

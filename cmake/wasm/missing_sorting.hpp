@@ -3,8 +3,6 @@
 // Sorting for a C++ library without the algorithms of ranges. It is one function for elements of
 // all types, which knows them by their numbers; a sort for each type takes 2 kB of code.
 
-#define ARMLET_MISSING_SORTING 1
-
 #include <cstdint>
 #include <iterator>
 #include <utility>

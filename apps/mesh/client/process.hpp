@@ -29,7 +29,8 @@ struct ConverterRun {
 };
 
 // The GLB, or the reason as a sentence without an end: what the converter says, which limit it
-// exceeded, that it was cancelled, or that it ended by a signal. The process has ended in each case.
+// exceeded, that it was cancelled, or that it ended by a signal. The process has ended in each
+// case.
 [[nodiscard]] Result<std::string> run_converter(const ConverterRun& run);
 
 }  // namespace armlet::mesh

@@ -75,9 +75,9 @@ void check_only_declares(Checker& checker, const CompileOptions& options, Diagno
                     (stmt->kind == ast::StmtKind::kVar && stmt->as<ast::VarStmt>().fixed);
     if (stmt->kind == ast::StmtKind::kObject) {
       const ast::TypeExpr& type = *stmt->as<ast::ObjectStmt>().type;
-      declares = type.form == ast::TypeForm::kNamed && type.path.size() == 1 &&
-                 std::ranges::find(options.only_blocks, type.path[0].text) !=
-                     options.only_blocks.end();
+      declares =
+          type.form == ast::TypeForm::kNamed && type.path.size() == 1 &&
+          std::ranges::find(options.only_blocks, type.path[0].text) != options.only_blocks.end();
     }
     sink.begin_statement();
     if (!declares) sink.report(options.refuse(stmt->span));

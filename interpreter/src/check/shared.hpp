@@ -55,7 +55,7 @@ struct Shared {
         signatures(registry, *into.types),
         error_type(into.types->library_record("error")) {}
 
-  Learnt* learnt = nullptr;       // what editors ask for; null: nobody does
+  Learnt* learnt = nullptr;  // what editors ask for; null: nobody does
   DiagnosticSink& sink;
   std::vector<Checker*> files{};  // imported ones before those that import them
   Earlier earlier;

@@ -169,9 +169,7 @@ struct TypePool::Earlier {
   }
 };
 
-TypePool::TypePool() : library_records_(std::make_shared<RecordsByName>()) {
-  name_basic_types();
-}
+TypePool::TypePool() : library_records_(std::make_shared<RecordsByName>()) { name_basic_types(); }
 
 TypePool::TypePool(const TypePool* before)
     : earlier_(before->earlier_),

@@ -36,8 +36,8 @@ std::shared_ptr<const Robot> loaded_arm(const std::shared_ptr<const Robot>& mode
   };
   const Payload carried = sum_of(world, carrier, at_flange);
   if (carried.mass != 0.0) {
-    loaded = std::make_shared<const Robot>(
-        model->with_payload(together(model->payload(), carried)));
+    loaded =
+        std::make_shared<const Robot>(model->with_payload(together(model->payload(), carried)));
   }
   if (!world.has_mounted(carrier)) return loaded;
   for (int frame = 1; frame < model->n(); ++frame) {

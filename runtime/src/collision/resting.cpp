@@ -112,7 +112,7 @@ class Descent {
       return;
     }
     const bool split_a = !is_leaf(a_, a) && (is_leaf(b_, b) || (of_a.high - of_a.low).norm() >
-                                                                    (of_b.high - of_b.low).norm());
+                                                                   (of_b.high - of_b.low).norm());
     std::vector<std::pair<double, std::uint32_t>> parts;
     for (const std::uint32_t child : split_a ? children(a_, a) : children(b_, b)) {
       const Extent e = split_a ? extent(a_, child) : extent(b_, child);
@@ -120,8 +120,7 @@ class Descent {
     }
     // What can rest highest first.
     std::ranges::sort(parts);
-    for (const auto& [height, child] : parts)
-      split_a ? visit(child, b) : visit(a, child);
+    for (const auto& [height, child] : parts) split_a ? visit(child, b) : visit(a, child);
   }
 
   template <class Visit>

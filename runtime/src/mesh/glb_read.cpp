@@ -370,8 +370,7 @@ class SceneReader {
 
 }  // namespace
 
-Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes,
-                                              const std::string& only) try {
+Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes, const std::string& only) try {
   const Chunks chunks = chunks_of(bytes);
   const Document document(chunks.json);
   return SceneReader(document, chunks.binary).read_things(only);

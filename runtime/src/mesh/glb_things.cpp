@@ -1,8 +1,8 @@
 #include "mesh/glb_things.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -23,9 +23,8 @@ Eigen::Matrix3d rotation_in(const Eigen::Matrix3d& linear) {
 }
 
 std::string unique_name(std::string name, std::uint64_t number, std::set<std::string>& names) {
-  std::erase_if(name, [](char c) {
-    return static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\\';
-  });
+  std::erase_if(
+      name, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '"' || c == '\\'; });
   std::size_t end = std::min<std::size_t>(name.size(), 100);
   while (end < name.size() && end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0U) == 0x80U)
     --end;
@@ -49,7 +48,7 @@ std::string shown_color(const double linear[3]) {
 void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_node_mesh, GlbPart& part) {
   for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
     const Eigen::Vector3d a = T_node_mesh * mesh.corner(i, 0), b = T_node_mesh * mesh.corner(i, 1),
-                         c = T_node_mesh * mesh.corner(i, 2);
+                          c = T_node_mesh * mesh.corner(i, 2);
     const Eigen::Vector3f n = (b - a).cross(c - a).stableNormalized().cast<float>();
     for (const Eigen::Vector3d& each : {a, b, c}) {
       part.corners.push_back(static_cast<std::uint32_t>(part.positions.size()));

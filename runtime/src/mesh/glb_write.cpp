@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "armlet/core/error.hpp"
-#include "armlet/mesh/pictures.hpp"
 #include "armlet/mesh/glb.hpp"
+#include "armlet/mesh/pictures.hpp"
 #include "mesh/glb_format.hpp"
 
 namespace armlet {
@@ -35,13 +35,12 @@ void check_part(const GlbScene& scene, const GlbNode& node, const GlbPart& part)
   const auto fits_all = [&](std::size_t size) {
     return size == 0 || size == part.positions.size();
   };
-  const bool fits = part.positions.size() == part.normals.size() && part.corners.size() % 3 == 0 &&
-                    fits_all(part.on_image.size()) && fits_all(part.colors.size()) &&
-                    !part.corners.empty() && part.material >= -1 &&
-                    part.material < static_cast<int>(scene.materials.size()) &&
-                    std::ranges::all_of(part.corners, [&](std::uint32_t i) {
-                      return in_range(i, part.positions.size());
-                    });
+  const bool fits =
+      part.positions.size() == part.normals.size() && part.corners.size() % 3 == 0 &&
+      fits_all(part.on_image.size()) && fits_all(part.colors.size()) && !part.corners.empty() &&
+      part.material >= -1 && part.material < static_cast<int>(scene.materials.size()) &&
+      std::ranges::all_of(part.corners,
+                          [&](std::uint32_t i) { return in_range(i, part.positions.size()); });
   if (!fits)
     throw ArgumentError(fmt::format("A part of node \"{}\" does not fit together.", node.name));
 }

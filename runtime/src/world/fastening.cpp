@@ -84,8 +84,8 @@ void World::bring_fastened(const Body& lower) {
   }
 }
 
-// What was fastened on a body that is removed belongs to nothing any more. What is fixed stays where
-// it is, so that it does not count among what falls.
+// What was fastened on a body that is removed belongs to nothing any more. What is fixed stays
+// where it is, so that it does not count among what falls.
 void World::let_loose(std::string_view removed, std::vector<std::string>& above) {
   for (Body& each : bodies_) {
     if (fastened_ == 0 || each.fastened_on != removed) continue;

@@ -12,6 +12,7 @@
 namespace armlet {
 namespace {
 
+// clang-format off
 constexpr auto kColors = std::to_array<std::string_view>({
     "aliceblue", "antiquewhite", "aqua", "aquamarine", "azure", "beige", "bisque", "black",
     "blanchedalmond", "blue", "blueviolet", "brown", "burlywood", "cadetblue", "chartreuse",
@@ -36,6 +37,7 @@ constexpr auto kColors = std::to_array<std::string_view>({
     "springgreen", "steelblue", "tan", "teal", "thistle", "tomato", "turquoise", "violet",
     "wheat", "white", "whitesmoke", "yellow", "yellowgreen",
 });
+// clang-format on
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
@@ -43,9 +45,8 @@ char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned 
 
 bool is_color(std::string_view text) {
   if (text.size() == 7 && text[0] == '#') {
-    return std::ranges::all_of(text.substr(1), [](char c) {
-      return std::isxdigit(static_cast<unsigned char>(c)) != 0;
-    });
+    return std::ranges::all_of(
+        text.substr(1), [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; });
   }
   std::string name(text);
   std::ranges::transform(name, name.begin(), lower);

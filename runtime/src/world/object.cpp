@@ -124,7 +124,8 @@ struct GraspLine {
 
 // An inertia is that of a body if its principal values satisfy the triangle inequality.
 void check_inertia(const Object& object) {
-  if (object.p_obj_com) check_finite("the centre of mass of \"" + object.name + "\"", *object.p_obj_com);
+  if (object.p_obj_com)
+    check_finite("the centre of mass of \"" + object.name + "\"", *object.p_obj_com);
   if (!object.inertia_com) return;
   const Eigen::Matrix3d& I = *object.inertia_com;
   const bool is_symmetric = I.allFinite() && (I - I.transpose()).cwiseAbs().maxCoeff() <=
@@ -134,10 +135,10 @@ void check_inertia(const Object& object) {
   const bool is_body =
       is_symmetric && (second + slack * Eigen::Matrix3d::Identity()).llt().info() == Eigen::Success;
   if (is_body || (is_symmetric && I.isZero(0.0))) return;
-  throw ArgumentError(fmt::format(
-      "The inertia of \"{}\" is that of no body: {}.", object.name,
-      is_symmetric ? "one of its principal values is more than the sum of the others"
-                   : "it is not symmetric"));
+  throw ArgumentError(
+      fmt::format("The inertia of \"{}\" is that of no body: {}.", object.name,
+                  is_symmetric ? "one of its principal values is more than the sum of the others"
+                               : "it is not symmetric"));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace armlet {
 // Distance of the lowest point of a body below the origin of its frame, m.
 double half_height(const Object& object);
 
-// Whether the footprint of a body says all about where others rest on it: spheres, upright cylinders,
-// boxes and planes with a vertical axis.
+// Whether the footprint of a body says all about where others rest on it: spheres, upright
+// cylinders, boxes and planes with a vertical axis.
 bool has_plain_footprint(const Object& object);
 
 // z of the centre of `falling` when it rests on `below`, moving only along z; nothing if it passes

@@ -15,7 +15,8 @@ namespace armlet::bind {
 // Whether this will be a collision shows when the move is over.
 //
 // guarded  the move may be stopped before, and what the hand presses into is felt.
-// last     of another robot: the number of its last motion that this one was compared with; nothing:
+// last     of another robot: the number of its last motion that this one was compared with;
+// nothing:
 //          the other one is no robot, or all of its motion is known.
 struct PossibleCollision {
   CellCollision met;
@@ -32,9 +33,9 @@ inline constexpr std::string_view kCloseHand = "closeHand";
 // in the same instant, and a guard may stop the move before.
 //
 // beside  as for find_collisions.
-Answer<std::vector<PossibleCollision>> check_collisions(
-    Vm& vm, const MoveCall& call, const Trajectory& motion,
-    std::span<const MotionBeside> beside = {});
+Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& call,
+                                                        const Trajectory& motion,
+                                                        std::span<const MotionBeside> beside = {});
 
 // Says what has come true of them, when the motion of that number is over.
 void report_collisions(Vm& vm, const MoveCall& call, int motion,

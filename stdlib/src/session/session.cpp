@@ -36,9 +36,7 @@ class OneCompilation {
 // While it lives files are those of a world; after it those of the program again.
 class FillingWorld {
  public:
-  FillingWorld(Host& host, const WorldText& world) : host_(host) {
-    host.begin_world(world.folder);
-  }
+  FillingWorld(Host& host, const WorldText& world) : host_(host) { host.begin_world(world.folder); }
   ~FillingWorld() { host_.end_world(); }
   FillingWorld(const FillingWorld&) = delete;
   FillingWorld& operator=(const FillingWorld&) = delete;

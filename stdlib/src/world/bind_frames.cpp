@@ -118,10 +118,9 @@ constexpr NativeFunction kFrameFunctions[] = {
                         "frame bench { at: xyz(x: 300mm) } frame corner { at: xyz(y: 50mm); on: "
                         "bench }",
                         {.acts = true}),
-    def<frame_on_robot>("frame{}(name: string, at: posC, on: robot, link: int?) -> frame",
-                        kFrameHelp,
-                        "robot arm = robots.ur5(); frame probe { at: xyz(z: 80mm); on: arm }",
-                        {.acts = true}),
+    def<frame_on_robot>(
+        "frame{}(name: string, at: posC, on: robot, link: int?) -> frame", kFrameHelp,
+        "robot arm = robots.ur5(); frame probe { at: xyz(z: 80mm); on: arm }", {.acts = true}),
     def<frame_named>("frame(name: string) -> frame", "The frame of that name.",
                      "frame bench { at: xyz(x: 300mm) } print(frame(\"bench\"))"),
     def<frame_name>("frame.name(f: frame) -> string", "The name.",

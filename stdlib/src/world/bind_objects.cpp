@@ -35,7 +35,8 @@ void report_color(Vm& vm, std::string_view color, int parameter) {
   Failure advice;
   advice.headline = {row("W0744"), {std::string(color)}};
   advice.mark_parameter = parameter;
-  if (const auto meant = similar_color(color)) advice.fix = fmt::format("did you mean \"{}\"?", *meant);
+  if (const auto meant = similar_color(color))
+    advice.fix = fmt::format("did you mean \"{}\"?", *meant);
   vm.advise(advice);
 }
 
@@ -52,10 +53,10 @@ Answer<void> weigh(Vm& vm, const Fields& fields, Object& object) {
   }
   const double volume = volume_of(object.shape);
   if (volume == 0.0) {
-    return failure(vm, row("R0631"),
-                   fmt::format("a plane has no volume, so the density of \"{}\" gives no mass",
-                               object.name),
-                   fields.first + 1, {}, "give it a mass");
+    return failure(
+        vm, row("R0631"),
+        fmt::format("a plane has no volume, so the density of \"{}\" gives no mass", object.name),
+        fields.first + 1, {}, "give it a mass");
   }
   if (!mass) {
     object.mass = *density * volume;
@@ -152,10 +153,10 @@ Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& 
 }
 template <class On>
 Answer<ObjectRef> object_on(Vm& vm, std::string_view name, const ShapeValue& shape, const PosC& at,
-                            const On& on, std::optional<double> mass,
-                            std::optional<double> density, Numbers com, NumberRows inertia,
-                            double friction, double stiffness, std::string_view color,
-                            std::optional<std::string_view> texture, bool fixed) {
+                            const On& on, std::optional<double> mass, std::optional<double> density,
+                            Numbers com, NumberRows inertia, double friction, double stiffness,
+                            std::string_view color, std::optional<std::string_view> texture,
+                            bool fixed) {
   const auto mount = mount_on(vm, on);
   if (!mount) return Failed{};
   return make_object(vm, name, shape, at,
@@ -181,36 +182,37 @@ Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, cons
   return make_object(vm, name, s, at, {.mass = mass, .color = color, .first = -2});
 }
 
-#define ARMLET_OBJECT_FIELDS                                                                      \
+#define ARMLET_OBJECT_FIELDS                                                                       \
   "mass: mass?, density: density?, com: length[]?, inertia: double[][]?, friction: double = 0.5, " \
   "stiffness: force/length = 50N/mm, color: string = \"gray\", texture: string?, fixed: bool = "   \
   "false) -> object"
 
 constexpr std::string_view kObjectHelp =
     "Adds an object to the world; a fixed one cannot be grasped. What is pressed into it feels "
-    "stiffness times the depth, and friction. On an object, a frame or a link of a robot, its flange "
+    "stiffness times the depth, and friction. On an object, a frame or a link of a robot, its "
+    "flange "
     "unless told otherwise, it goes where that goes, and at is seen from there.";
 
 constexpr NativeFunction kObjectFunctions[] = {
-    def<object_block>("object{}(name: string, shape: shape, at: posC, " ARMLET_OBJECT_FIELDS,
-                      kObjectHelp,
-                      "object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }",
-                      {.acts = true}),
+    def<object_block>(
+        "object{}(name: string, shape: shape, at: posC, " ARMLET_OBJECT_FIELDS, kObjectHelp,
+        "object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }", {.acts = true}),
     def<object_on_robot>(
-        "object{}(name: string, shape: shape, at: posC, on: robot, link: int?, " ARMLET_OBJECT_FIELDS,
+        "object{}(name: string, shape: shape, at: posC, on: robot, link: "
+        "int?, " ARMLET_OBJECT_FIELDS,
         kObjectHelp,
         "robot arm = robots.ur5(); object bracket { shape: box(40mm, 20mm, 10mm); at: xyz(z: 5mm); "
         "on: arm; fixed: true }",
         {.acts = true}),
     def<object_on<ObjectRef>>(
         "object{}(name: string, shape: shape, at: posC, on: object, " ARMLET_OBJECT_FIELDS,
-        kObjectHelp,
-        "object knob { shape: sphere(5mm); at: xyz(z: 25mm); on: object(\"cube\") }",
+        kObjectHelp, "object knob { shape: sphere(5mm); at: xyz(z: 25mm); on: object(\"cube\") }",
         {.acts = true}),
     def<object_on<FrameRef>>(
         "object{}(name: string, shape: shape, at: posC, on: frame, " ARMLET_OBJECT_FIELDS,
         kObjectHelp,
-        "frame bench { at: xyz(300mm, 200mm, 300mm) } object part { shape: sphere(15mm); at: xyz(); "
+        "frame bench { at: xyz(300mm, 200mm, 300mm) } object part { shape: sphere(15mm); at: "
+        "xyz(); "
         "on: bench }",
         {.acts = true}),
     def<spawn>(
@@ -237,10 +239,10 @@ Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int6
   }
   const int n = arm.model->n();
   if (link && (*link < 0 || *link > n)) {
-    return failure(vm, row("R0631"),
-                   fmt::format("`{}` has the links 0, its base, to {}, but no link {}", arm.name, n,
-                               *link),
-                   parameter);
+    return failure(
+        vm, row("R0631"),
+        fmt::format("`{}` has the links 0, its base, to {}, but no link {}", arm.name, n, *link),
+        parameter);
   }
   return Mount{.base = FrameBase::kCarrier,
                .on = arm.name,

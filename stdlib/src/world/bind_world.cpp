@@ -235,8 +235,7 @@ Answer<PosC> top_grasp(Vm& vm, const ObjectRef& o, double yaw) {
 
 constexpr std::string_view kClosestHelp =
     "The distance of two things, the points of both that it lies between, and what these belong "
-    "to: "
-    "an object, mounted or held ones too, or a part of a robot.";
+    "to: an object, mounted or held ones too, or a part of a robot.";
 
 constexpr NativeFunction kWorldFunctions[] = {
     def<box>("box(x: length, y: length, z: length) -> shape",

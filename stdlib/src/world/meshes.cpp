@@ -92,8 +92,8 @@ Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<doubl
                               double scale) try {
   const std::string file(path);
   if (density && !(std::isfinite(*density) && *density > 0.0)) {
-    return fail_mesh(vm, file,
-                     fmt::format("its density is {} kg/m^3; expected more than 0", *density), {}, 1);
+    return fail_mesh(
+        vm, file, fmt::format("its density is {} kg/m^3; expected more than 0", *density), {}, 1);
   }
   if (unit && !(std::isfinite(*unit) && *unit > 0.0)) {
     return fail_mesh(vm, file, fmt::format("its unit is {} m; expected more than 0", *unit), {}, 2);

@@ -64,7 +64,8 @@ class Names {
   std::string make(std::string_view name) {
     std::string clean;
     for (const char c : name.substr(0, 60)) {
-      const bool fits = std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128;
+      const bool fits =
+          std::isalnum(static_cast<unsigned char>(c)) != 0 && static_cast<unsigned char>(c) < 128;
       clean += fits ? c : '_';
     }
     if (clean.empty() || std::isdigit(static_cast<unsigned char>(clean[0])) != 0 ||
@@ -117,9 +118,10 @@ Result<std::string> text_of_glb(const std::string& bytes, const std::string& fil
                                 each.name, each.triangles.open_because()));
     }
     const Vector3d middle = 0.5 * (each.triangles.low() + each.triangles.high());
-    Declared object{.name = names.make(each.name),
-                    .shape = fmt::format("mesh({}, part: {})", in_quotes(file), in_quotes(each.name)),
-                    .T_on_obj = each.T_world_thing * Eigen::Translation3d(middle)};
+    Declared object{
+        .name = names.make(each.name),
+        .shape = fmt::format("mesh({}, part: {})", in_quotes(file), in_quotes(each.name)),
+        .T_on_obj = each.T_world_thing * Eigen::Translation3d(middle)};
     if (each.mass) object.rest += fmt::format("; mass: {}kg", digits(*each.mass));
     if (!each.color.empty()) object.rest += fmt::format("; color: \"{}\"", each.color);
     if (each.fixed.value_or(false)) object.rest += "; fixed: true";
@@ -170,10 +172,10 @@ class UrdfText {
       if (!shape.ok()) return shape.error();
       const Isometry3d T_world_obj = link.T_world_link * part.T_link_part * shape->T_part_obj;
       const bool is_on = !at.is_fixed && !at.object.empty();
-      Declared object{.name = names_.make(link.name),
-                      .shape = std::move(shape->text),
-                      .T_on_obj = is_on ? Isometry3d(at.T_world_obj.inverse() * T_world_obj)
-                                        : T_world_obj};
+      Declared object{
+          .name = names_.make(link.name),
+          .shape = std::move(shape->text),
+          .T_on_obj = is_on ? Isometry3d(at.T_world_obj.inverse() * T_world_obj) : T_world_obj};
       if (is_on) object.rest += "; on: " + at.object;
       if (first && link.link.mass > 0.0)
         object.rest += mass_text(link, T_world_obj.inverse() * link.T_world_link);
@@ -190,9 +192,8 @@ class UrdfText {
 
   static std::string mass_text(const UrdfLink& link, const Isometry3d& T_obj_link) {
     const Vector3d com = T_obj_link * link.link.com;
-    std::string text =
-        fmt::format("; mass: {}kg; com: [{}m, {}m, {}m]", digits(link.link.mass), digits(com.x()),
-                    digits(com.y()), digits(com.z()));
+    std::string text = fmt::format("; mass: {}kg; com: [{}m, {}m, {}m]", digits(link.link.mass),
+                                   digits(com.x()), digits(com.y()), digits(com.z()));
     if (link.link.inertia.isZero(0.0)) return text;
     const Eigen::Matrix3d turned =
         T_obj_link.linear() * link.link.inertia * T_obj_link.linear().transpose();
@@ -217,8 +218,8 @@ class UrdfText {
         return ShapeText{fmt::format("box({}m, {}m, {}m)", digits(size.x()), digits(size.y()),
                                      digits(size.z()))};
       case LinkSolidKind::kCylinder:
-        return ShapeText{fmt::format("cylinder(radius: {}m, height: {}m)", digits(size.x()),
-                                     digits(size.y()))};
+        return ShapeText{
+            fmt::format("cylinder(radius: {}m, height: {}m)", digits(size.x()), digits(size.y()))};
       case LinkSolidKind::kSphere:
         return ShapeText{fmt::format("sphere({}m)", digits(size.x()))};
     }
@@ -284,8 +285,8 @@ Result<WorldText> load_world(const std::string& path, const MeshConverter& conve
   if (is_glb) text = text_of_glb(*text, file.filename().string());
   if (is_urdf) text = text_of_urdf(*text, folder, convert);
   if (!text.ok()) return text.error();
-  const std::string name = is_glb || is_urdf || ending == ".rbt" ? file.stem().string()
-                                                                 : file.filename().string();
+  const std::string name =
+      is_glb || is_urdf || ending == ".rbt" ? file.stem().string() : file.filename().string();
   return WorldText{.name = name, .text = std::move(text).value(), .folder = folder};
 }
 

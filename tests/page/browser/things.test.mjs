@@ -87,9 +87,8 @@ arm.moveJ(posJ(30deg, 30deg), time: 1s)
     await shows(page, "red", RED, 300);
   }, { "sign.glb": boxGlb(SIZE), "link.glb": boxGlb([0.2, 0.2, 0.2], { picture: twoColours([230, 10, 10], [230, 10, 10]) }) }));
 
-test("an object of a plain shape has the picture that the program names; a part of a file has its colour", () =>
-  withLab(`object card { shape: box(400mm, 300mm, 50mm); at: xyz(0mm, 300mm, 100mm); texture: "card.png" }
-object sign { shape: mesh("sign.glb", part: "node 0"); at: xyz(0mm, -300mm, 100mm); color: "lime" }
+const showsRedAndGreen = (objects, files) =>
+  withLab(`${objects}
 robot arm = robots.scara()
 arm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)
 `, async (open) => {
@@ -97,18 +96,16 @@ arm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)
     await untilStatus(page, /1\.00 s/);
     await shows(page, "red", RED, 300);
     await shows(page, "green", GREEN, 300);
-  }, { "card.png": twoColours([230, 10, 10], [230, 10, 10]), "sign.glb": boxGlb(SIZE) }));
+  }, files);
+
+test("an object of a plain shape has the picture that the program names; a part of a file has its colour", () =>
+  showsRedAndGreen(`object card { shape: box(400mm, 300mm, 50mm); at: xyz(0mm, 300mm, 100mm); texture: "card.png" }
+object sign { shape: mesh("sign.glb", part: "node 0"); at: xyz(0mm, -300mm, 100mm); color: "lime" }`,
+    { "card.png": twoColours([230, 10, 10], [230, 10, 10]), "sign.glb": boxGlb(SIZE) }));
 
 test("a part of a file has its picture", () =>
-  withLab(`object sign { shape: mesh("sign.glb", part: "node 0"); at: xyz(0mm, -300mm, 100mm) }
-robot arm = robots.scara()
-arm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)
-`, async (open) => {
-    const page = await open();
-    await untilStatus(page, /1\.00 s/);
-    await shows(page, "red", RED, 300);
-    await shows(page, "green", GREEN, 300);
-  }, { "sign.glb": boxGlb(SIZE, { picture }) }));
+  showsRedAndGreen(`object sign { shape: mesh("sign.glb", part: "node 0"); at: xyz(0mm, -300mm, 100mm) }`,
+    { "sign.glb": boxGlb(SIZE, { picture }) }));
 
 test("broken pictures and pictures elsewhere are left out, nothing is asked for, and the page goes on", () =>
   withLab(`object a { shape: mesh("a.glb"); at: xyz(-300mm, 0mm, 100mm) }

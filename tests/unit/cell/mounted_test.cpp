@@ -71,8 +71,8 @@ TEST_CASE("what is on a link is where the link is, at every instant, and is told
     cell.advance_to(step * 20'000'000LL);
     const CellRobot& now = cell.robot(arm);
     for (int frame = 0; frame <= 6; ++frame) {
-      const Isometry3d T = frame == 0 ? now.model->T_world_base()
-                                      : link_frame(*now.model, now.q, frame);
+      const Isometry3d T =
+          frame == 0 ? now.model->T_world_base() : link_frame(*now.model, now.q, frame);
       const std::string number = std::to_string(frame);
       CHECK(apart(cell.world().at("b" + number).T_world_obj,
                   T * make_translation({0.01, 0.02, 0.03})) < 1e-14);
@@ -112,7 +112,8 @@ TEST_CASE("what is mounted weighs on the arm, on its own link") {
     Eigen::VectorXd a = q, b = q;
     a[joint] -= kStep;
     b[joint] += kStep;
-    const double rise = link_frame(arm, b, 3).translation().z() - link_frame(arm, a, 3).translation().z();
+    const double rise =
+        link_frame(arm, b, 3).translation().z() - link_frame(arm, a, 3).translation().z();
     CHECK(more[joint] == doctest::Approx(3.0 * kGravity * rise / (2.0 * kStep)).epsilon(1e-4));
   }
 }
@@ -149,7 +150,8 @@ TEST_CASE("an arm meets what stands on its own first link") {
   Eigen::VectorXd over = q;
   over[1] -= 0.8;
   // Where the tool comes by.
-  const Vector3d p = T_1.inverse() * forward(*cell.robot(arm).model, 0.5 * (q + over)).translation();
+  const Vector3d p =
+      T_1.inverse() * forward(*cell.robot(arm).model, 0.5 * (q + over)).translation();
   cell.insert(brick("post", p, {0.05, 0.05, 0.05}), on_link(arm, 1));
   const auto found = find_collisions(cell, arm, way_to(cell, arm, over, 1.0));
   REQUIRE_FALSE(found.empty());
@@ -170,9 +172,10 @@ TEST_CASE("a hand takes what stands on a tray of its own arm and puts it there a
   const Drop drop = cell.let_go(arm);
   CHECK(drop.support == "tray");
   CHECK(cell.world().attachment("cup")->mounted);
-  CHECK_THROWS_AS(cell.insert(brick("x", {0, 0, 0}, {0.1, 0.1, 0.1}), on_link(arm, 5)), ArgumentError);
-  CHECK_THROWS_AS(cell.insert(brick("x", {0, 0, 0}, {0.1, 0.1, 0.1}),
-                              {.base = FrameBase::kObject, .on = "no"}),
+  CHECK_THROWS_AS(cell.insert(brick("x", {0, 0, 0}, {0.1, 0.1, 0.1}), on_link(arm, 5)),
                   ArgumentError);
+  CHECK_THROWS_AS(
+      cell.insert(brick("x", {0, 0, 0}, {0.1, 0.1, 0.1}), {.base = FrameBase::kObject, .on = "no"}),
+      ArgumentError);
   CHECK(cell.world().find("x") == nullptr);
 }

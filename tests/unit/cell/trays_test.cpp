@@ -40,7 +40,8 @@ struct TrayScene {
   std::vector<std::string> names;  // of what is on the tray, from below
 };
 
-// A tray in the air, far above the floor, with a tower on it whose top may lean: each let fall onto what is below.
+// A tray in the air, far above the floor, with a tower on it whose top may lean: each let fall onto
+// what is below.
 void build(TrayScene& scene, Random& random) {
   scene.cell.insert({.name = "tray",
                      .shape = Box{{0.4, 0.4, 0.02}},
@@ -50,11 +51,12 @@ void build(TrayScene& scene, Random& random) {
   World scratch = scene.cell.world();
   for (int i = 0; i < height; ++i) {
     const bool top = i + 1 == height;
-    Object object{.name = "b" + std::to_string(i), .shape = random_shape(random, !top), .mass = 0.1};
+    Object object{
+        .name = "b" + std::to_string(i), .shape = random_shape(random, !top), .mass = 0.1};
     const Vector3d lean(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), 0.0);
-    object.T_world_obj = pose_from_rpy(
-        {0.4 + random.uniform(-0.005, 0.005), random.uniform(-0.005, 0.005), 1.0},
-        {top ? lean.x() : 0.0, top ? lean.y() : 0.0, random.uniform(-3.0, 3.0)});
+    object.T_world_obj =
+        pose_from_rpy({0.4 + random.uniform(-0.005, 0.005), random.uniform(-0.005, 0.005), 1.0},
+                      {top ? lean.x() : 0.0, top ? lean.y() : 0.0, random.uniform(-3.0, 3.0)});
     scratch.insert(object);
     (void)scratch.drop(object.name);
     scene.names.push_back(object.name);
@@ -124,13 +126,13 @@ TEST_CASE("a tray that is taken, tilted and carried keeps all that is on it, to 
           doctest::Approx(1.0 + 0.1 * static_cast<double>(scene.names.size())));
     // Let go, nothing is carried any more.
     (void)scene.cell.let_go(arm);
-    for (const std::string& name : scene.names)
-      CHECK_FALSE(scene.cell.world().attachment(name));
+    for (const std::string& name : scene.names) CHECK_FALSE(scene.cell.world().attachment(name));
     check_at_rest(scene);
   }
 }
 
-TEST_CASE("a tower on a tray that is on a robot rides on it; without the tray it falls, from below") {
+TEST_CASE(
+    "a tower on a tray that is on a robot rides on it; without the tray it falls, from below") {
   Random random(114);
   for (int round = 0; round < 40; ++round) {
     Cell cell(World(0.0));
@@ -155,8 +157,8 @@ TEST_CASE("a tower on a tray that is on a robot rides on it; without the tray it
     q[1] += random.uniform(-1.0, 1.0);
     cell.set_joints(arm, q);
     CHECK(far_apart(cell.world().at("tray").T_world_obj.inverse() *
-                         cell.world().at(model.names.back()).T_world_obj,
-                     T_top) < 1e-13);
+                        cell.world().at(model.names.back()).T_world_obj,
+                    T_top) < 1e-13);
     const auto falls = cell.remove("tray");
     CHECK(falls.size() == model.names.size());
     CHECK(cell.world().resting_on(model.names.front()) == "floor");

@@ -82,7 +82,8 @@ TEST_CASE("things rest on the triangles of a mesh: in its hollow, not on the box
 
 TEST_CASE("the roof of a mesh carries what is above it, not what is below") {
   // One leg stands, the other one is a roof from x = -0.03 to 0.05 at z from 0.03 to 0.05.
-  const Object shelter = body(make_mesh(test::angle_iron()), {0.0, 0.0, 0.0}, {-M_PI / 2, 0.0, 0.0});
+  const Object shelter =
+      body(make_mesh(test::angle_iron()), {0.0, 0.0, 0.0}, {-M_PI / 2, 0.0, 0.0});
   const double roof = 0.05;
   CHECK(z(resting_height_of_shapes(body(Sphere{0.01}, {0.02, 0.0, 0.5}), shelter)) ==
         doctest::Approx(roof + 0.01).epsilon(1e-7));

@@ -75,7 +75,8 @@ inline const Engine& script_engine() {
 }
 
 inline Compilation compile_script(const std::string& text, bool optimise = true) {
-  return compile_text(script_engine().registry(), text, "test.rbt", {.open = false}, {.optimise = optimise});
+  return compile_text(script_engine().registry(), text, "test.rbt", {.open = false},
+                      {.optimise = optimise});
 }
 
 // What a program prints and how it ends, as a text.

@@ -122,10 +122,10 @@ TEST_CASE("objects at exactly the same pose have a depth that frees them, of eve
   for (const char* a : shapes) {
     for (const char* b : shapes) {
       const Ended told = run(std::string("object a { shape: ") + a +
-                            "; at: xyz(400mm, 0mm, 300mm) }\nobject b { shape: " + b +
-                            "; at: xyz(400mm, 0mm, 300mm) }\n"
-                            "let d = distance(a, b) / 1mm\n"
-                            "assert(d <= 1e-9 && d >= -40.0001)\nprint(touching(a, b))\n");
+                             "; at: xyz(400mm, 0mm, 300mm) }\nobject b { shape: " + b +
+                             "; at: xyz(400mm, 0mm, 300mm) }\n"
+                             "let d = distance(a, b) / 1mm\n"
+                             "assert(d <= 1e-9 && d >= -40.0001)\nprint(touching(a, b))\n");
       CAPTURE(a);
       CAPTURE(b);
       CHECK(told.failure.empty());
@@ -167,9 +167,9 @@ TEST_CASE("sizes and positions that cannot be computed with are refused, and say
   };
   for (const Case& each : cases) {
     const Ended told = run(std::string(kCube) +
-                          "fn same(x: double) -> double { return x }\nlet nan = same(0.0) / 0.0\n"
-                          "let p = xyz(300mm, 0mm, 100mm)\n" +
-                          each.what + "\n");
+                           "fn same(x: double) -> double { return x }\nlet nan = same(0.0) / 0.0\n"
+                           "let p = xyz(300mm, 0mm, 100mm)\n" +
+                           each.what + "\n");
     CAPTURE(std::string(each.what));
     CAPTURE(told.failure);
     CHECK(has(told.failure, each.said));

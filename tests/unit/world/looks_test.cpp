@@ -33,10 +33,12 @@ std::string jpeg(unsigned width, unsigned height) {
 
 }  // namespace
 
-TEST_CASE("pictures are looked at no further than their sizes, and whatever is cut off is refused") {
+TEST_CASE(
+    "pictures are looked at no further than their sizes, and whatever is cut off is refused") {
   CHECK(picture_fault(png(640, 480)).empty());
   CHECK(picture_fault(jpeg(640, 480)).empty());
-  CHECK(picture_fault(png(8193, 1)) == "it has 8193 x 1 pixels; expected 1 to 8192 in each direction");
+  CHECK(picture_fault(png(8193, 1)) ==
+        "it has 8193 x 1 pixels; expected 1 to 8192 in each direction");
   CHECK(picture_fault(png(0xffffffff, 2)).starts_with("it has 4294967295 x 2 pixels"));
   CHECK(picture_fault(jpeg(0, 5)).starts_with("it has 0 x 5 pixels"));
   CHECK(picture_fault(jpeg(9000, 5)).starts_with("it has 9000 x 5 pixels"));

@@ -59,7 +59,7 @@ class Program {
   [[nodiscard]] bool is_entry() const;
   [[nodiscard]] const std::shared_ptr<const Program>& after() const;
   [[nodiscard]] std::string disassemble() const;
-  // The type of a record of the library, or of `name<S>{...}` in signatures with `of` for S; or null.
+  // A record of the library, or of `name<S>{...}` in signatures with `of` for S; null if none.
   [[nodiscard]] const Type* library_record(std::string_view name, const Type* of = nullptr) const;
   [[nodiscard]] const Code& compiled() const { return *compiled_; }
 

@@ -47,7 +47,8 @@ bool count_slowly(VmState& state);
 // Whether the slice is over, at a place where the run may return to the host: not inside a call of
 // the program by the host.
 [[nodiscard]] bool may_pause(VmState& state);
-// Whether the run pauses before the statement whose MARK is next. Otherwise the statement has begun.
+// Whether the run pauses before the statement whose MARK is next. Otherwise the statement has
+// begun.
 [[nodiscard]] bool stops_at_mark(VmState& state);
 // Makes room for a frame of `callee` at `frame` with its slots at `window`. False: calls are nested
 // too deep or the heap is full, and the failure is set.

@@ -27,13 +27,13 @@ struct ArmSolid {
          role == LinkShapeRole::kFingerRight;
 }
 
-// Worked out once for an arm: `robot.derived<ArmSolids>()`. Links that have meshes or simple bodies are these. The
-// other bodies are those of link_shapes,
-// without the rings that only mark joints, and rods of sliding joints only up to the next frame.
-// The end of an arm without a hand of a length of its own is a point in this table, around which
-// things are taken; no hand is drawn for it there that could be right. What turns and slides on the
-// last axis is as thin as a stick then, and the other links leave room for a hand of 150 mm. A tool
-// that is a point alone is a needle from the flange to it.
+// Worked out once for an arm: `robot.derived<ArmSolids>()`. Links that have meshes or simple bodies
+// are these. The other bodies are those of link_shapes, without the rings that only mark joints,
+// and rods of sliding joints only up to the next frame. The end of an arm without a hand of a
+// length of its own is a point in this table, around which things are taken; no hand is drawn for
+// it there that could be right. What turns and slides on the last axis is as thin as a stick then,
+// and the other links leave room for a hand of 150 mm. A tool that is a point alone is a needle
+// from the flange to it.
 class ArmSolids {
  public:
   explicit ArmSolids(const Robot& robot);

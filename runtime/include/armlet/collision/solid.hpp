@@ -80,9 +80,9 @@ struct Gap {
 //         chapter 4.
 Gap gap_between(const Solid& a, const Solid& b);
 
-// Of two bodies that overlap so: whether they are free when `a` has moved as far as the gap says, so
-// that the depth is all of it. It always is of convex bodies; of meshes that are not, finely cut ones
-// for example, it may be a lower bound.
+// Of two bodies that overlap so: whether they are free when `a` has moved as far as the gap says,
+// so that the depth is all of it. It always is of convex bodies; of meshes that are not, finely cut
+// ones for example, it may be a lower bound.
 bool is_whole_depth(const Solid& a, const Solid& b, const Gap& gap);
 
 // Whether they are more than `distance` apart, distance >= 0; quicker than gap_between. Never true

@@ -100,7 +100,8 @@ void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_node_mes
 //          needs, and what TriangleMesh refuses.
 // source   as write_glb.
 Result<TriangleMesh> read_glb(std::string_view bytes);
-inline constexpr std::size_t kMostGlbBytes = std::size_t{128} << 20;  // of a file that a program names
+inline constexpr std::size_t kMostGlbBytes = std::size_t{128}
+                                             << 20;  // of a file that a program names
 
 // A GLB of a description and its binary part, with notes as GlbScene has them.
 //
@@ -143,12 +144,11 @@ struct GlbThing {
 // returns  an error as read_glb, which names the node where one is at fault; also for more than
 //          kMostThings nodes with triangles, and a name that no node has.
 inline constexpr std::size_t kMostThings = 10'000;
-Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes,
-                                              const std::string& only = {});
+Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes, const std::string& only = {});
 
-// A file of one thing at the origin as it is drawn in the file that it was read from: its materials,
-// and of the pictures and arrays those that it uses. A picture that is broken, or lies in another
-// file, is left out.
+// A file of one thing at the origin as it is drawn in the file that it was read from: its
+// materials, and of the pictures and arrays those that it uses. A picture that is broken, or lies
+// in another file, is left out.
 //
 // throws  ArgumentError for a thing that is not of this file.
 std::string cut_glb(std::string_view bytes, const GlbThing& thing);

@@ -24,7 +24,8 @@ struct PictureSize {
 // Of a PNG, which is looked at to its end, or a JPEG, up to where it says how large it is; nothing
 // if it is neither, or not whole.
 //
-// source  W3C, Portable Network Graphics, 2003, chapters 5 and 11; ITU-T T.81 (JPEG), 1992, annex B.
+// source  W3C, Portable Network Graphics, 2003, chapters 5 and 11; ITU-T T.81 (JPEG), 1992, annex
+// B.
 std::optional<PictureSize> picture_size(std::string_view bytes);
 
 }  // namespace armlet

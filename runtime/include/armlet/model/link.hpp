@@ -52,10 +52,10 @@ struct Link {
   double motor_inertia = 0.0;                         // of the rotor, kg m^2
   double gear = 1.0;                                  // motor turns per joint turn, may be negative
   Friction friction;
-  std::string mesh;              // file of the shape; empty: none
-  double mesh_unit = 0.0;        // m in one unit of it; 0: as the file says
-  double mesh_scale = 1.0;       // of the shape that it gives
-  std::vector<LinkMesh> bodies;  // what was read of it: in the place of shapes from the table
+  std::string mesh;               // file of the shape; empty: none
+  double mesh_unit = 0.0;         // m in one unit of it; 0: as the file says
+  double mesh_scale = 1.0;        // of the shape that it gives
+  std::vector<LinkMesh> bodies;   // what was read of it: in the place of shapes from the table
   std::vector<LinkSolid> solids;  // simple bodies, likewise
 };
 

@@ -74,8 +74,8 @@ struct NamedFrame {
   Eigen::Isometry3d T_world_carrier = Eigen::Isometry3d::Identity();
 };
 
-// Where a body that moves straight down comes to rest on another one: the height of its frame in the
-// world, m; nothing if it passes.
+// Where a body that moves straight down comes to rest on another one: the height of its frame in
+// the world, m; nothing if it passes.
 using RestingHeight = std::optional<double> (*)(const Object& falling, const Object& below);
 
 // Bodies by name, in the order in which they were inserted, and frames, whose names are their own.
@@ -111,8 +111,8 @@ class World {
   // The existing name most like a mistyped one, for "did you mean"; nothing if none is similar.
   [[nodiscard]] std::optional<std::string> similar_name(std::string_view name) const;
 
-  // Puts a body somewhere; one that is carried or fastened is let go first, unless it is fixed: that
-  // stays on what it is on, from there. Returns what fell, as `remove` does.
+  // Puts a body somewhere; one that is carried or fastened is let go first, unless it is fixed:
+  // that stays on what it is on, from there. Returns what fell, as `remove` does.
   std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
   // The body keeps its present pose relative to the carrier from now on; what rests on it, directly
@@ -142,8 +142,7 @@ class World {
   // takes it or it is put elsewhere. Of a body that is removed it is let go, and falls.
   // throws  ArgumentError if the other one is the body itself or fastened on it.
   void fasten(std::string_view name, std::string_view on);
-  void mount(std::string_view name, int carrier, int frame,
-             const Eigen::Isometry3d& T_world_frame);
+  void mount(std::string_view name, int carrier, int frame, const Eigen::Isometry3d& T_world_frame);
   // Whether anything was ever mounted on a carrier, bodies or frames.
   [[nodiscard]] bool has_mounted(int carrier) const;
   // Name of the body that it is fastened on; empty: none.

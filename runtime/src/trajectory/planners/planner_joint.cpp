@@ -142,7 +142,8 @@ Plan plan_limited_jerk(const MoveRequest& request) {
 
 PhasedMove phased_move(const MoveRequest& request, std::span<const AxisLimits> limits) {
   const std::size_t n = limits.size();
-  PhasedMove move{.from = std::vector<AxisState>(n), .to = std::vector<double>(n),
+  PhasedMove move{.from = std::vector<AxisState>(n),
+                  .to = std::vector<double>(n),
                   .profiles = std::vector<JerkProfile>(n)};
   for (std::size_t i = 0; i < n; ++i) {
     const int joint = static_cast<int>(i);

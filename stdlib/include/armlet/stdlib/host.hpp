@@ -123,7 +123,7 @@ struct HostOptions {
   std::function<bool(std::int64_t t_ns)> pace;
   // The folder below which the program may write files; empty: none.
   std::filesystem::path folder{};
-  MeshConverter convert_mesh{};  // null: of meshes, only GLB is read
+  MeshConverter convert_mesh{};          // null: of meshes, only GLB is read
   std::function<bool()> is_cancelled{};  // whether the program is to stop; null: never
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
@@ -168,7 +168,8 @@ class Host : public Timeline {
   void set_world_name(std::string name) { world_name_ = std::move(name); }
   [[nodiscard]] const std::string& world_name() const { return world_name_; }
   [[nodiscard]] bool has_world() const { return !world_name_.empty(); }
-  // While the world is filled: files are read from this folder, if it has a name, and each mesh once.
+  // While the world is filled: files are read from this folder, if it has a name, and each mesh
+  // once.
   void begin_world(std::filesystem::path folder) {
     world_folder_ = std::move(folder);
     fills_world_ = true;

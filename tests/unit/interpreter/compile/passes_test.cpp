@@ -54,7 +54,7 @@ TEST_CASE("a row that stays the same is looked up before the loop") {
   const std::string tried = "try { print(cell(m, m, 7, 9, 2)) } catch (e) { print(e.message) }\n";
   outputs(kMultiply + rows + tried, "list index 7 is outside 0 to 1\n");
   outputs(kMultiply + rows + "try { print(cell(m, m, 1, 9, 2)) } catch (e) { print(e.message) }",
-         "list index 9 is outside 0 to 1\n");
+          "list index 9 is outside 0 to 1\n");
 }
 
 TEST_CASE("a row is looked up in every pass when something in the loop could change it") {
@@ -82,7 +82,7 @@ TEST_CASE("fields of one element share the way to it") {
   CHECK(count(code, "LDF") == 0);
   outputs(kFar + "print(far(ps, 0, 2.0))", "8.0\n");
   outputs(kFar + "try { print(far(ps, 1, 2.0)) } catch (e) { print(e.message) }",
-         "list index 1 is outside 0 to 0\n");
+          "list index 1 is outside 0 to 0\n");
 }
 
 TEST_CASE("changes to one element make it the program's own once") {
@@ -91,9 +91,9 @@ TEST_CASE("changes to one element make it the program's own once") {
   CHECK(count(code, "MADDF") == 2);
   CHECK(count(code, "SETF") == 1);
   outputs(kMove + "let old = ps\nlet first = ps[0]\nmove(0, 2.0, 8.0)\nprint(ps, old, first)",
-         "[P(x: 17.0, y: 66.0, z: 8.0)] [P(x: 1.0, y: 2.0, z: 3.0)] P(x: 1.0, y: 2.0, z: 3.0)\n");
+          "[P(x: 17.0, y: 66.0, z: 8.0)] [P(x: 1.0, y: 2.0, z: 3.0)] P(x: 1.0, y: 2.0, z: 3.0)\n");
   outputs(kMove + "try { move(1, 2.0, 8.0) } catch (e) { print(e.message, ps) }",
-         "list index 1 is outside 0 to 0 [P(x: 1.0, y: 2.0, z: 3.0)]\n");
+          "list index 1 is outside 0 to 0 [P(x: 1.0, y: 2.0, z: 3.0)]\n");
 }
 
 TEST_CASE("an element that may have become another is looked up again") {
