@@ -75,6 +75,8 @@ void add_run(Parcel& parcel, const RunRecord& run, KnownOfRun& known) {
             [&](auto first, auto count) { return write_moves(run, first, count); });
   add_items(parcel, known.ways, run.ways.size(),
             [&](auto first, auto count) { return write_ways(run, first, count); });
+  add_items(parcel, known.stretches, run.stretches.size(),
+            [&](auto first, auto count) { return write_stretches(run, first, count); });
   add_items(parcel, known.lines, run.lines.size(),
             [&](auto first, auto count) { return write_lines(run, first, count); });
   add_items(parcel, known.texts, run.texts.size(),

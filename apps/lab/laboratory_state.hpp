@@ -23,6 +23,7 @@ struct Look {
   LookAt place{};
   std::optional<StepHow> step;
   bool moves_cursor = false;
+  bool looks_only = false;  // the values of elements come with the instant
   bool has_stepped = false;
 };
 

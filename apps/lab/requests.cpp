@@ -146,7 +146,8 @@ void Laboratory::State::handle(Page& page, Seq seq, const GoTo& go) {
                .run = run->number,
                .place = {.t_ns = to_ns(std::min(go.t, run->t_end)), .statements = {}},
                .step = {},
-               .moves_cursor = pages.is_holder(page.number)});
+               .moves_cursor = pages.is_holder(page.number) && !go.looks,
+               .looks_only = go.looks});
 }
 
 void Laboratory::State::handle(Page& page, Seq seq, const Step& step) {

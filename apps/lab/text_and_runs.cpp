@@ -339,7 +339,9 @@ void Laboratory::State::end_look() {
     values = element_values(looker.session(), *run->lab);
   if (cursor && looks.now->moves_cursor)
     cursor->elements = write_elements({}, seen.run, seen.t, values);
-  if (page != nullptr) {
+  if (page != nullptr && looks.now->looks_only) {
+    pages.answer(*page, write_instant(looks.now->seq, seen, false, &values));
+  } else if (page != nullptr) {
     pages.answer(*page, write_elements({}, seen.run, seen.t, values));
     pages.answer(*page, write_instant(looks.now->seq, seen, looks.now->moves_cursor));
     if (looks.now->moves_cursor) page->known.cursor = versions.cursor;

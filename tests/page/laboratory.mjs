@@ -137,6 +137,14 @@ export async function untilClock(page, pattern) {
   await until(async () => pattern.test(await clock(page).innerText()), async () => `the clock reads ${await clock(page).innerText()}, not ${pattern}`);
 }
 
+// A button over the 3D view; in a narrow one some are behind another.
+export async function viewTool(page, name) {
+  await page.locator(".scene-tools").waitFor();
+  const button = page.locator(".scene-tools").getByRole("button", { name, exact: true });
+  if (!(await button.isVisible())) await page.getByRole("button", { name: "More tools" }).click();
+  return button;
+}
+
 export const lineOf = (page, text) => page.locator(".cm-line", { hasText: text }).first();
 
 // Where a word of the program is on the screen.

@@ -16,6 +16,9 @@ const { fixed, rollPitchYaw, shownUnit } = await source("elements/units.ts");
 const { textToHash, hashToText } = await source("shell/link.ts");
 const { positionText, poseText } = await source("shell/scene_tools.ts");
 const { rulerStep } = await source("timebar/bar.ts");
+const { lanesOf } = await source("timebar/lanes.ts");
+const { Run } = await source("store/run.ts");
+const { textOf } = await source("scene/things.ts");
 const { placeOfName } = await source("editor/names.ts");
 const { nameForObject, objectText, placeForObject } = await source("editor/new_object.ts");
 const { fromBase85, toBase85 } = await source("protocol/base85.ts");
@@ -114,10 +117,48 @@ test("a plot as a file has its units, and its texts cannot become markup", () =>
   assert.ok(!svg.includes("<script>") && !svg.includes("<b>"));
 });
 
+test("speeds and forces of joints are shown in their units", () => {
+  assert.deepEqual(["rad/s", "m/s", "rad/s^2", "m/s^2", "Nm", "N"].map((unit) => shownUnit(unit).unit), ["deg/s", "mm/s", "deg/s²", "mm/s²", "N m", "N"]);
+  assert.equal(shownUnit("m/s").factor, 1000);
+});
+
 test("quantities are shown in degrees and millimetres", () => {
   assert.equal(shownUnit("rad", "/s").unit, "deg/s");
   assert.equal(shownUnit("m").factor, 1000);
   assert.equal(shownUnit("N").unit, "N");
+});
+
+test("tasks and signals have lanes behind those of robots, and say what they are", () => {
+  const run = new Run(1);
+  run.robots = [{ name: "arm" }, { name: "a very long name" }];
+  run.moves = [{ robot: 1, span: [2, 0, 2, 9], t0: 0, t1: 2, text: "arm moveJ" }];
+  run.textVersion = 4;
+  run.stretches = [
+    { kind: "signal", name: "lamp", t0: 0, t1: 1, value: false },
+    { kind: "task", name: "branch 2 of parallel on line 12", t0: 0, t1: 1, span: [13, 0, 13, 4] },
+    { kind: "task", name: "", t0: 0, t1: 2, span: [12, 0, 14, 1] },
+    { kind: "task", name: "cell.go", t0: 1, t1: 2, span: [2, 0, 2, 4] },
+    { kind: "signal", name: "lamp", t0: 1, t1: 2, value: true },
+    { kind: "signal", name: "speed", t0: 0, t1: 2, value: 2.5 },
+  ];
+  const state = { text: "first\n  second line  \n", textVersion: 4 };
+  const lanes = lanesOf(run, state);
+  assert.deepEqual(lanes.map((lane) => lane.name), ["arm", "a very lo…", "program", "part 2 :12", "go", "lamp", "speed"]);
+  assert.deepEqual(lanes.map((lane) => lane.blocks.length), [0, 1, 1, 1, 1, 2, 1]);
+  assert.equal(lanes[4].blocks[0].text, "cell.go, line 2: second line");
+  assert.deepEqual(lanes[5].blocks.map((block) => [block.name, block.low]), [["off", true], ["on", false]]);
+  assert.equal(lanes[6].blocks[0].text, "signal speed is 2.5");
+  assert.deepEqual(lanes[2].blocks[0].lines, [12, 14]);
+  // The text of another version is not that of the run.
+  assert.equal(lanesOf(run, { ...state, textVersion: 5 })[4].blocks[0].text, "cell.go, line 2: ");
+  assert.equal(lanesOf(null, state).length, 1);
+});
+
+test("a depth that is a lower bound is told as one", () => {
+  const pair = (more) => ({ distance: -0.02, body: { text: "link 3 of `arm`", at: [0, 0, 0] }, other: { text: "`shell`", at: [0, 0, 0] }, ...more });
+  assert.equal(textOf(pair()), "link 3 of arm is 20 mm deep in shell");
+  assert.equal(textOf(pair({ at_least: true })), "link 3 of arm is at least 20 mm deep in shell");
+  assert.equal(textOf(pair({ at_least: true, felt: true, distance: -0.004 })), "link 3 of arm presses at least 4.0 mm into shell");
 });
 
 test("a program travels in an address and comes back; what is not one is refused", async () => {
@@ -158,6 +199,12 @@ test("tables are read in degrees and millimetres, with units in the header or be
   assert.deepEqual(shownTable([[1, 2], [3, 4]], "", ["x", "y"]), { header: ["x", "y"], rows: [["1", "2"], ["3", "4"]] });
   assert.deepEqual(shownTable([1], undefined), { header: [], rows: [["1"]] });
   assert.deepEqual(shownTable(undefined, undefined, ["x"]), { header: ["x"], rows: [] });
+});
+
+test("numbers of one cell that have several units have each its own", () => {
+  const { header, rows } = shownTable([{ w: [Math.PI, 0.5], n: 2 }], [{ w: ["rad/s", "m/s"], n: "" }]);
+  assert.deepEqual(header, ["w", "n"]);
+  assert.deepEqual(rows, [["[180 deg/s, 500 mm/s]", "2"]]);
 });
 
 test("what is zero when it is rounded has no sign", () => {

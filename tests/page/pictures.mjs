@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { root } from "./modules.mjs";
 import { smallPng } from "./small_png.mjs";
 import { boxGlb, gearGlb } from "./small_glb.mjs";
-import { closeBrowser, placeOf, untilStatus, withLab } from "./laboratory.mjs";
+import { closeBrowser, placeOf, untilStatus, withLab, viewTool } from "./laboratory.mjs";
 
 const images = join(root, "docs/images");
 
@@ -102,7 +102,7 @@ try {
   await make("world_meshes", MESHES, { ...world, files: things });
   await make("world_frames", FRAMES, world);
   await make("world_force", FORCE, world);
-  await make("world_clearance", CLEARANCE, world, (page) => page.getByRole("button", { name: "Clearance" }).click());
+  await make("world_clearance", CLEARANCE, world, async (page) => (await viewTool(page, "Clearance")).click());
   await make("world_way", readFileSync(join(root, "examples/22_around_a_wall.rbt"), "utf8"), world, (page) => at(page, 0.43));
   await make("lab_handover", readFileSync(join(root, "examples/06_handover.rbt"), "utf8"), {}, half);
   for (const folder of ["examples/figures", "examples/labs", "examples"]) {

@@ -59,6 +59,38 @@ inline TriangleMesh angle_iron() {
   return prism({{0.02, 0.02}, {0.02, 0.1}, {0.0, 0.1}, {0.0, 0.0}, {0.1, 0.0}, {0.1, 0.02}}, 0.05);
 }
 
+// A box without its inside: walls of 2 mm, each face of n x n squares.
+inline TriangleMesh hollow_box(double size, int n) {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<Corners> triangles;
+  const auto shell = [&](double half, bool inward) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double side : {-1.0, 1.0}) {
+        const auto at = [&](int i, int k) {
+          Eigen::Vector3d p;
+          p[axis] = side * half;
+          p[(axis + 1) % 3] = half * (2.0 * i / n - 1.0);
+          p[(axis + 2) % 3] = half * (2.0 * k / n - 1.0);
+          vertices.push_back(p);
+          return static_cast<std::uint32_t>(vertices.size() - 1);
+        };
+        for (int i = 0; i < n; ++i) {
+          for (int k = 0; k < n; ++k) {
+            const std::uint32_t a = at(i, k), b = at(i + 1, k), c = at(i + 1, k + 1),
+                                d = at(i, k + 1);
+            const bool turn = (side < 0.0) != inward;
+            triangles.push_back(turn ? Corners{a, c, b} : Corners{a, b, c});
+            triangles.push_back(turn ? Corners{a, d, c} : Corners{a, c, d});
+          }
+        }
+      }
+    }
+  };
+  shell(0.5 * size, false);
+  shell(0.5 * size - 0.002, true);
+  return {std::move(vertices), std::move(triangles)};
+}
+
 // Bands from pole to pole.
 inline TriangleMesh ball_mesh(double radius, int bands) {
   std::vector<Eigen::Vector3d> corners{{0.0, 0.0, -radius}};

@@ -133,23 +133,73 @@ void add_files(const Visitor& visitor, const SavedJson& told, SavedJson& recordi
     add(object, "file");
     add(object, "texture");
   }
+  for (const SavedJson& element : told.at("elements")) add(element, "file");
   for (const SavedJson& robot : told.at("robots")) {
     for (const SavedJson& picture : robot.at("pictures")) add(picture, "file");
   }
 }
 
+// When what a page asks for is looked at: at even times, and where moves begin and end.
+std::vector<double> times_to_look(double t_end, const std::vector<SavedJson>& moves) {
+  constexpr int kEven = 240;
+  constexpr std::size_t kMost = 600;
+  std::vector<double> times;
+  for (int i = 0; i <= kEven; ++i) times.push_back(t_end * i / kEven);
+  for (const SavedJson& each : moves) {
+    if (times.size() + 2 > kMost) break;
+    for (const char* at : {"t0", "t1"}) times.push_back(std::min(each.at(at).get<double>(), t_end));
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+// What changes of an object of JSON, which then becomes the known one.
+SavedJson changes_of(SavedJson now, SavedJson& known) {
+  SavedJson changed = SavedJson::object();
+  for (const auto& [name, value] : now.items())
+    if (!known.contains(name) || known[name] != value) changed[name] = value;
+  known = std::move(now);
+  return changed;
+}
+
+// What pages ask for at an instant, along a run; each as far as it differs from the one before.
+SavedJson looks_of(Visitor& visitor, int run, const std::vector<double>& times) {
+  SavedJson looks = {{"type", "looks"}, {"run", run}, {"items", SavedJson::array()}};
+  SavedJson known = SavedJson::object(), known_values = SavedJson::object();
+  for (const double t : times) {
+    if (interrupted()) break;
+    SavedJson instant = visitor.ask(
+        {{"type", "goto"}, {"t", t}, {"run", run}, {"looks", true}, {"seq", 1}}, "instant");
+    SavedJson values = instant.value("values", SavedJson::object());
+    for (const char* own : {"type", "to", "run", "t", "cursor", "values"}) instant.erase(own);
+    looks["items"].push_back({{"t", t},
+                              {"instant", changes_of(std::move(instant), known)},
+                              {"values", changes_of(std::move(values), known_values)}});
+  }
+  return looks;
+}
+
 std::string recorded_page(Visitor& visitor) {
   visitor.ask({{"type", "goto"}, {"t", 0.0}}, "instant");
   SavedJson recording = SavedJson::array();
+  std::vector<SavedJson> moves;
+  SavedJson run;
   for (const lab::Message& each : visitor.send({{"type", "hello"}, {"protocol", 1}})) {
     if (each.is_binary) {
       recording.push_back({{"binary", base64(each.bytes)}});
     } else {
       SavedJson told = SavedJson::parse(each.bytes);
       if (told["type"] == "description") add_files(visitor, told, recording);
+      if (told["type"] == "run") run = told;
+      if (told["type"] == "moves")
+        moves.insert(moves.end(), told["items"].begin(), told["items"].end());
       recording.push_back(std::move(told));
     }
   }
+  if (run.is_object())
+    recording.push_back(looks_of(visitor, run.at("run").get<int>(),
+                                 times_to_look(run.at("t_end").get<double>(), moves)));
   return with_element(std::string(lab::built_in_page()), kPlace,
                       "<script type=\"application/json\" id=\"armlet-recording\">" +
                           in_page(recording) + "</script>");

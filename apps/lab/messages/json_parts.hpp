@@ -42,6 +42,7 @@ inline OrderedJson pose_json(const Eigen::Isometry3d& T) {
 OrderedJson json_of(const TextMessage& message);
 // Numbers in SI; what has a name of its own as a text.
 OrderedJson value_json(const Value& value);
+OrderedJson values_json(const std::vector<ElementValue>& values);
 
 // Numbers that are not finite become null, bytes that are no text a sign for that.
 inline Message message_of(const OrderedJson& json) {

@@ -171,6 +171,7 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
   if (type == "goto") {
     GoTo out{number(field(message, "t"), "t")};
     if (has(message, "run")) out.run = small(message, "run");
+    out.looks = has(message, "looks") && truth(message, "looks");
     return out;
   }
   if (type == "step") return step(message);

@@ -33,9 +33,11 @@ struct AskText {
   TextPlace at{};
 };
 struct FormatText {};
+// looks  the cursor stays where it is, whoever asks.
 struct GoTo {
   double t = 0.0;  // s
   std::optional<int> run{};
+  bool looks = false;
 };
 enum class StepHow : std::uint8_t { kInto, kOver, kOut, kBack, kContinue };
 struct Step {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "armlet/collision/arm_solids.hpp"
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
 #include "json_parts.hpp"
@@ -40,6 +41,44 @@ std::vector<LinkShape> shapes_of(const std::shared_ptr<const Robot>& model) {
   return model == nullptr ? std::vector<LinkShape>() : link_shapes(*model);
 }
 
+// The bodies with which collisions are found, in the frames of shapes; those that are meshes are
+// drawn as such.
+OrderedJson solids_json(const std::shared_ptr<const Robot>& model, const RobotInfo& info) {
+  OrderedJson out = OrderedJson::array();
+  if (model == nullptr || model->spec().role != RobotRole::kArm) return out;
+  for (const ArmSolid& each : model->derived<ArmSolids>().solids()) {
+    const Solid& solid = each.solid;
+    const auto joint = static_cast<std::size_t>(each.frame) - 1;
+    if (solid.is_empty() || (each.frame > 0 && joint >= info.joints.size())) continue;
+    const Eigen::Isometry3d T =
+        each.frame > 0 ? info.joints[joint].T_joint_link * solid.T : solid.T;
+    OrderedJson body = {
+        {"link", each.frame}, {"kind", ""}, {"role", to_text(each.role)}, {"T", matrix_json(T)}};
+    const Eigen::Vector3d half = solid.half + Eigen::Vector3d::Constant(solid.margin);
+    switch (solid.core) {
+      case Solid::Core::kPoint:
+      case Solid::Core::kSegment:
+        body["kind"] = "capsule";
+        body["radius"] = solid.margin;
+        body["length"] = 2.0 * solid.half.z();
+        break;
+      case Solid::Core::kBox:
+        body["kind"] = "box";
+        body["size"] = {2.0 * half.x(), 2.0 * half.y(), 2.0 * half.z()};
+        break;
+      case Solid::Core::kCylinder:
+        body["kind"] = "cylinder";
+        body["radius"] = half.x();
+        body["length"] = 2.0 * half.z();
+        break;
+      default:
+        continue;
+    }
+    out.push_back(std::move(body));
+  }
+  return out;
+}
+
 // What the motor of a joint gives at most; null: nobody knows.
 OrderedJson max_force_json(const std::shared_ptr<const Robot>& model, int joint) {
   if (model == nullptr || !std::isfinite(model->joint(joint).max_effort)) return {};
@@ -74,7 +113,8 @@ OrderedJson robot_json(const RecordedRobot& robot) {
     changes.push_back({{"t", change.t},
                        {"tool", tool_json(change.robot.tool)},
                        {"T_world_base", matrix_json(change.robot.T_world_base)},
-                       {"shapes", shapes_json(shapes_of(change.model))}});
+                       {"shapes", shapes_json(shapes_of(change.model))},
+                       {"solids", solids_json(change.model, change.robot)}});
   }
   return {{"name", robot.info.name},
           {"home", robot.info.home},
@@ -83,6 +123,7 @@ OrderedJson robot_json(const RecordedRobot& robot) {
           {"T_world_base", matrix_json(robot.info.T_world_base)},
           {"joints", std::move(joints)},
           {"shapes", shapes_json(shapes_of(robot.model))},
+          {"solids", solids_json(robot.model, robot.info)},
           {"pictures", pictures_json(robot)},
           {"changes", std::move(changes)}};
 }
@@ -122,6 +163,7 @@ OrderedJson element_json(const LabElements& lab, std::size_t i) {
   }
   if (row.kind == LabRowKind::kPlot && i < lab.units.size()) out["units"] = lab.units[i];
   if (row.kind == LabRowKind::kTable) out["header"] = row.header;
+  if (i < lab.pictures.size() && !lab.pictures[i].empty()) out["file"] = lab.pictures[i];
   if (row.kind == LabRowKind::kText) out["text"] = value_json(row.value);
   return out;
 }

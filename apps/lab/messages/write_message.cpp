@@ -45,10 +45,18 @@ void add_things(OrderedJson& out, const SeenThings& things) {
   for (const SeenClearance& each : things.clearances) {
     out["clearances"].push_back(
         {{"distance", each.distance},
+         {"at_least", each.is_at_least},
          {"felt", each.is_felt},
          {"body", body_json(each.robot, each.object, each.link, each.body, each.p_body)},
          {"other", body_json(each.other_robot, each.other_object, each.other_link, each.other,
                              each.p_other)}});
+  }
+  out["presses"] = OrderedJson::array();
+  for (const SeenPress& each : things.presses) {
+    out["presses"].push_back({{"robot", each.robot},
+                              {"object", each.object},
+                              {"at", {each.p.x(), each.p.y(), each.p.z()}},
+                              {"force", {each.force.x(), each.force.y(), each.force.z()}}});
   }
 }
 
@@ -201,7 +209,8 @@ Message write_breakpoints(Seq to, const std::vector<int>& lines, const std::vect
   return message_of(out);
 }
 
-Message write_instant(Seq to, const SeenInstant& instant, bool is_cursor) {
+Message write_instant(Seq to, const SeenInstant& instant, bool is_cursor,
+                      const std::vector<ElementValue>* values) {
   OrderedJson out = answer("instant", to);
   out["run"] = instant.run;
   out["t"] = instant.t;
@@ -233,6 +242,7 @@ Message write_instant(Seq to, const SeenInstant& instant, bool is_cursor) {
     out["signals"].push_back({{"name", name}, {"value", held}});
   }
   add_things(out, instant.things);
+  if (values != nullptr) out["values"] = values_json(*values);
   return message_of(out);
 }
 

@@ -59,7 +59,9 @@ struct ControlState {
                                       const std::vector<TextMessage>& problems);
 [[nodiscard]] Message write_breakpoints(Seq to, const std::vector<int>& lines,
                                         const std::vector<int>& known);
-[[nodiscard]] Message write_instant(Seq to, const SeenInstant& instant, bool is_cursor);
+// values  of elements, where they are not told by themselves; null: they are.
+[[nodiscard]] Message write_instant(Seq to, const SeenInstant& instant, bool is_cursor,
+                                    const std::vector<ElementValue>* values = nullptr);
 
 // nearest  joints and pose, where there is no solution.
 struct InverseAnswer {
@@ -95,6 +97,7 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 // Pieces of lists, from `first` and at most so many.
 [[nodiscard]] Message write_moves(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_ways(const RunRecord& run, std::size_t first, std::size_t count);
+[[nodiscard]] Message write_stretches(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_lines(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_events(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_notes(const RunRecord& run, std::size_t first, std::size_t count);

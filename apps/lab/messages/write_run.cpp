@@ -128,6 +128,23 @@ Message write_ways(const RunRecord& run, std::size_t first, std::size_t count) {
   return message_of(out);
 }
 
+Message write_stretches(const RunRecord& run, std::size_t first, std::size_t count) {
+  OrderedJson out = piece("stretches", run, first);
+  for (std::size_t i = first; i < first + count; ++i) {
+    const RecordedStretch& each = run.stretches[i];
+    const bool is_task = each.kind == RecordedStretch::Kind::kTask;
+    OrderedJson item = {{"kind", is_task ? "task" : "signal"},
+                        {"name", each.name},
+                        {"t0", each.t0},
+                        {"t1", each.t1}};
+    if (is_task) item["span"] = json_of(each.span);
+    if (each.value)
+      item["value"] = std::visit([](auto held) { return OrderedJson(held); }, *each.value);
+    out["items"].push_back(std::move(item));
+  }
+  return message_of(out);
+}
+
 Message write_lines(const RunRecord& run, std::size_t first, std::size_t count) {
   OrderedJson out = piece("statements", run, first);
   for (std::size_t i = first; i < first + count; ++i)
@@ -155,6 +172,7 @@ Message write_notes(const RunRecord& run, std::size_t first, std::size_t count) 
                             {"kind", to_text(note.kind)},
                             {"text", note.text},
                             {"span", json_of(note.span)}});
+    if (!note.element.empty()) out["items"].back()["element"] = note.element;
   }
   return message_of(out);
 }
@@ -167,16 +185,21 @@ Message write_figure(const RunRecord& run, const RecordedFigure& figure) {
                      {"svg", figure.svg}});
 }
 
+OrderedJson values_json(const std::vector<ElementValue>& values) {
+  OrderedJson out = OrderedJson::object();
+  for (const ElementValue& each : values) {
+    out[each.name] = each.fault.empty() ? OrderedJson{{"value", value_json(each.value)},
+                                                      {"units", units_json(each.value)}}
+                                        : OrderedJson{{"error", each.fault}};
+  }
+  return out;
+}
+
 Message write_elements(Seq to, int run, double t, const std::vector<ElementValue>& values) {
   OrderedJson out = answer("elements", to);
   out["run"] = run;
   out["t"] = t;
-  out["values"] = OrderedJson::object();
-  for (const ElementValue& each : values) {
-    out["values"][each.name] = each.fault.empty() ? OrderedJson{{"value", value_json(each.value)},
-                                                                {"units", units_json(each.value)}}
-                                                  : OrderedJson{{"error", each.fault}};
-  }
+  out["values"] = values_json(values);
   return message_of(out);
 }
 

@@ -19,9 +19,12 @@ const HERE: Record<string, string> = {
     dispose() {}
   }`,
   "renderers/webgl/WebGLEnvironments.js": "export class WebGLEnvironments { get(map) { return map; } dispose() {} }",
+  "renderers/webgl/WebGLUniformsGroups.js": "export function WebGLUniformsGroups() { return { bind() {}, update() {}, dispose() {} }; }",
+  "loaders/FileLoader.js": "export class FileLoader { setPath() {} setRequestHeader() {} setPriority() {} setCache() {} setResponseType() {} setWithCredentials() {} }",
   "animation/PropertyBinding.js": 'export class PropertyBinding { static sanitizeNodeName(name) { return name.replace(/[\\s.:/[\\]]/g, "_"); } }',
   ...Object.fromEntries([
     ...emptyClasses("animation", ["AnimationClip", "KeyframeTrack"]),
+    ...emptyClasses("cameras", ["CubeCamera"]),
     ...emptyClasses("objects", ["SkinnedMesh", "Skeleton"]),
     ...emptyClasses("materials", ["MeshPhysicalMaterial"]),
     ...["backgroundCube", "cube", "distance", "equirect", "linedashed", "meshmatcap", "meshnormal", "meshphong", "meshtoon", "points", "sprite", "vsm"].map(

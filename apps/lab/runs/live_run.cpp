@@ -153,6 +153,7 @@ void LiveRun::take_rows() {
   record_.lab = lab_of(*session_, record_.lab);
   if (record_.lab && record_.lab->is_new) {
     record_.lab->is_new = false;
+    recording_.keep_pictures(*record_.lab);
     ++record_.described;
   }
 }

@@ -11,6 +11,7 @@
 
 #include "armlet/backend/event.hpp"
 #include "armlet/backend/run_marks.hpp"
+#include "armlet/cell/signals.hpp"
 #include "armlet/model/link_shapes.hpp"
 #include "armlet/model/robot.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
@@ -89,6 +90,20 @@ struct RecordedMove {
   bool stopped = false;
   Eigen::Vector3d p_end = Eigen::Vector3d::Zero();  // of the tool point, in the world
 };
+// What a task did, or a signal was, for a time that has ended.
+//
+// name   of the task, empty for the program itself, or of the signal.
+// span   the statement of the task.
+// value  of the signal.
+struct RecordedStretch {
+  enum class Kind : std::uint8_t { kTask, kSignal };
+  Kind kind = Kind::kTask;
+  std::string name;
+  double t0 = 0.0;
+  double t1 = 0.0;
+  std::optional<TextSpan> span;
+  std::optional<SignalValue> value;
+};
 struct RecordedLine {
   double t = 0.0;
   int line = 0;
@@ -100,11 +115,13 @@ struct RecordedChange {
   int object = 0;
   int robot = -1;
 };
+// element  the button whose function says so; empty: the program does.
 struct RecordedText {
   double t = 0.0;
   NoteKind kind = NoteKind::kOutput;
   std::string text;
   std::optional<TextSpan> span;
+  std::string element;
 };
 struct RecordedFigure {
   int index = 0;
@@ -121,6 +138,7 @@ struct LabElements {
   std::vector<std::vector<std::array<double, 2>>> ranges;
   std::vector<std::vector<std::string>> units;  // SI, of the columns of plots that have been read
   std::vector<std::optional<TextSpan>> places;  // of the rows in the text
+  std::vector<std::string> pictures;            // names of the files of rows; empty: none
   bool has_block = false;
   bool is_new = true;
 };
@@ -139,6 +157,7 @@ struct RunHead {
   RunState state = RunState::kRunning;
   double t_end = 0.0;
   std::string label;
+  std::string world;  // its name; empty: the program has asked for none
   std::optional<int> parent;
   std::optional<double> parts_at;
   std::int64_t text_version = 0;
@@ -151,7 +170,6 @@ struct RunHead {
 };
 
 struct RunRecord : RunHead {
-  std::string world;  // its name; empty: the program has asked for none
   std::vector<RecordedRobot> robots;
   std::vector<ObjectInfo> objects;
   std::vector<ObjectFiles> object_files;
@@ -162,6 +180,7 @@ struct RunRecord : RunHead {
   std::vector<Rows> object_rows;
   std::vector<RecordedMove> moves;
   std::vector<RecordedWay> ways;
+  std::vector<RecordedStretch> stretches;
   std::vector<RecordedLine> lines;
   std::vector<RecordedChange> events;
   std::vector<RecordedText> texts;
@@ -201,6 +220,8 @@ class Recording : public Backend {
   void on_end();
   // Reads off what the cell knows beside its events: models of the robots, the name of the world.
   void look_at_models();
+  // The same of the pictures of a page.
+  void keep_pictures(LabElements& lab);
   // The same of objects: where the program declares those that were there when the run began. While
   // the session has paused.
   void look_at_objects();
@@ -220,6 +241,7 @@ class Recording : public Backend {
   void end_motion(int robot);
   std::string keep_file(FileBytes& bytes);
   void take_ways();
+  void take_stretches(double t);
   void take_contacts(int robot, double t);
   void take_forces(const JointSample& sample);
   void take_forces_at_rest(double t);
@@ -245,8 +267,22 @@ class Recording : public Backend {
     bool is_touching = false;
   };
 
+  // A stretch that goes on.
+  struct Going {
+    RecordedStretch::Kind kind = RecordedStretch::Kind::kTask;
+    std::string name;
+    Span at{};
+    std::optional<SignalValue> value;
+    double t0 = 0.0;
+    [[nodiscard]] bool is_same(const Going& other) const {
+      return kind == other.kind && name == other.name && at == other.at && value == other.value;
+    }
+  };
+  void end_stretch(const Going& going, double t);
+
   RunRecord& record_;
   ShownFiles& files_;
+  std::vector<Going> going_;
   Session* session_ = nullptr;
   std::vector<Motion> motions_;  // of each robot
   std::vector<Forces> forces_;   // the same

@@ -45,20 +45,28 @@ std::optional<TextSpan> Recording::here() const {
 void Recording::on_press(const PressReport& report) {
   if (!report.failure) return;
   const TextMessage told = resolved(*report.failure, session_->sources());
-  record_.texts.push_back({to_seconds(report.end_ns), NoteKind::kMessage,
-                           report.button + ": " + told.message, told.place.span});
+  record_.texts.push_back({to_seconds(report.end_ns), NoteKind::kMessage, told.message,
+                           told.place.span, report.button});
 }
 
 void Recording::on_wait() {
   const double t = to_seconds(session_->host()->now_ns());
   note_line(t);
   take_ways();
+  take_stretches(t);
   take_forces_at_rest(t);
 }
 
 void Recording::on_end() {
   take_ways();
-  if (session_->host() != nullptr) take_forces_at_rest(to_seconds(session_->host()->now_ns()));
+  if (session_->host() == nullptr) return;
+  const double t = to_seconds(session_->host()->now_ns());
+  take_forces_at_rest(t);
+  // What lasts is told as far as the run has come; one that goes on tells the rest.
+  for (Going& each : going_) {
+    end_stretch(each, t);
+    each.t0 = t;
+  }
 }
 
 void Recording::note_line(double t) {
@@ -87,6 +95,11 @@ std::string Recording::keep_file(FileBytes& bytes) {
   std::string name = files_.keep(bytes);
   if (bytes == given) record_.file_bytes += bytes->size();
   return name;
+}
+
+void Recording::keep_pictures(LabElements& lab) {
+  lab.pictures.clear();
+  for (LabRow& row : lab.rows.rows) lab.pictures.push_back(keep_file(row.picture));
 }
 
 void Recording::add_robot(const RobotInfo& robot) {
@@ -169,6 +182,8 @@ void Recording::on_move(const MoveReport& report) {
   motion.move.t1 = report.start + report.duration;
   motion.move.text = report.function;
   motion.move.stopped = report.stopped;
+  // The task whose move has ended goes on now; when it began, another one may have run last.
+  if (const std::optional<TextSpan> place = here()) motion.move.span = place;
   end_motion(*robot);
 }
 
@@ -225,7 +240,7 @@ void Recording::take(const ObjectEvent& event) {
 // ---- texts and figures ----------------------------------------------------------------------
 
 void Recording::take(const Note& note) {
-  record_.texts.push_back({to_seconds(note.t_ns), note.kind, std::string(note.text), here()});
+  record_.texts.push_back({to_seconds(note.t_ns), note.kind, std::string(note.text), here(), {}});
 }
 
 }  // namespace armlet::lab

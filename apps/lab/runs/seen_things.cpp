@@ -3,13 +3,15 @@
 #include <cmath>
 
 #include "armlet/cell/clearance.hpp"
+#include "armlet/cell/fingers.hpp"
 
 namespace armlet::lab {
 namespace {
 
 constexpr std::size_t kMostFrames = 200;
 constexpr std::size_t kMostTouching = 8;  // of a robot
-constexpr double kReach = 0.25;           // m: what is farther away is not near
+constexpr std::size_t kMostPresses = 64;
+constexpr double kReach = 0.25;  // m: what is farther away is not near
 
 // The object that carries the frame, through the frames that it is on; empty: none.
 std::string carrier_of(const World& world, const NamedFrame* frame) {
@@ -59,9 +61,23 @@ SeenThings things_of(const Cell& cell) {
                                  .other_link = link_of(cell, each.other),
                                  .other = body_text(cell, each.other),
                                  .distance = each.distance,
+                                 .is_at_least = each.at_least,
                                  .is_felt = feels(cell, each.body) && !each.other.object.empty(),
                                  .p_body = each.p_body,
                                  .p_other = each.p_other});
+    }
+  }
+  for (int i = 0; i < cell.robot_count(); ++i) {
+    for (const Press& each : cell.presses(i)) {
+      if (seen.presses.size() >= kMostPresses || !each.p.allFinite() || !each.force.allFinite())
+        continue;
+      seen.presses.push_back({.robot = i, .object = each.object, .p = each.p, .force = each.force});
+    }
+    if (cell.robot(i).model->spec().role != RobotRole::kHand) continue;
+    for (const FingerContact& each : finger_contacts(cell, i)) {
+      if (seen.presses.size() >= kMostPresses || !(each.force > 0.0)) continue;
+      seen.presses.push_back(
+          {.robot = i, .object = each.object, .p = each.p, .force = -each.force * each.inward});
     }
   }
   return seen;

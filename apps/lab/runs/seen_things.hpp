@@ -34,15 +34,29 @@ struct SeenClearance {
   std::string other_object;
   int other_link = 0;
   std::string other;
-  double distance = 0.0;  // m, below zero if they overlap
-  bool is_felt = false;   // it is the hand that presses into the other one, which it feels
+  double distance = 0.0;     // m, below zero if they overlap
+  bool is_at_least = false;  // they may overlap by more
+  bool is_felt = false;      // it is the hand that presses into the other one, which it feels
   Eigen::Vector3d p_body = Eigen::Vector3d::Zero();
   Eigen::Vector3d p_other = Eigen::Vector3d::Zero();
+};
+
+// A place where a robot presses on something.
+//
+// robot, object  whose body it is, and what it presses on; `object` is empty where that is another
+//                body of a robot.
+// p, force       in the world: where, and what the other one exerts there, m and N.
+struct SeenPress {
+  int robot = -1;
+  std::string object;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
 };
 
 struct SeenThings {
   std::vector<SeenFrame> frames{};
   std::vector<SeenClearance> clearances{};
+  std::vector<SeenPress> presses{};
 };
 
 [[nodiscard]] SeenThings things_of(const Cell& cell);

@@ -77,7 +77,11 @@ std::vector<Clearance> clearances(const Cell& cell, int robot, double reach, std
                         .p_body = gap.p_a,
                         .p_other = gap.p_b};
     if (gap.distance <= kInTouch) {
-      if (Clearance& known = among(touching, now); now.distance < known.distance) known = now;
+      Clearance& known = among(touching, now);
+      if (now.distance <= known.distance) {
+        known = now;
+        known.at_least = gap.distance < -kInTouch && !is_whole_depth(a, b, gap);
+      }
     } else if (!is_own(now.other, robot) && gap.distance < reach &&
                (!nearest || gap.distance < nearest->distance)) {
       nearest = now;

@@ -12,6 +12,7 @@
 #include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
+#include "armlet/world/looks.hpp"
 #include "laboratory/lab_rules.hpp"
 #include "laboratory/lab_values.hpp"
 #include "messages/library_messages.hpp"
@@ -103,16 +104,30 @@ LabRow button(Vm& vm, Text label, FunctionValue, Text name) {
   return row_of(vm, LabRowKind::kButton, name, label);
 }
 
-LabRow plot(Vm& vm, FunctionValue, OptionalWord label, Text name) {
+// "rad/s,m/s", as the check before the run writes them.
+std::vector<Dim> dims_in(Text units) {
+  std::vector<Dim> dims;
+  for (std::size_t at = 0; at <= units.size() && !units.empty();) {
+    const std::size_t end = std::min(units.find(',', at), units.size());
+    const auto unit = parse_unit(units.substr(at, end - at));
+    dims.push_back(unit ? unit->dim : Dim{});
+    at = end + 1;
+  }
+  return dims;
+}
+
+LabRow plot(Vm& vm, FunctionValue, OptionalWord label, OptionalWord units, Text name) {
   LabRow made = row_of(vm, LabRowKind::kPlot, name, label);
   made.is_read = true;
+  made.dims = dims_in(units.value_or(""));
   return made;
 }
 
 LabRow table(Vm& vm, FunctionValue, std::optional<std::span<const Slot>> header, OptionalWord label,
-             Text name) {
+             OptionalWord units, Text name) {
   LabRow made = row_of(vm, LabRowKind::kTable, name, label);
   made.is_read = true;
+  made.dims = dims_in(units.value_or(""));
   for (const Slot& each : header.value_or(std::span<const Slot>()))
     made.header.emplace_back(text_value(each));
   return made;
@@ -127,6 +142,18 @@ LabRow fixed_text(Vm& vm, Text value, Text name) {
 LabRow changing_text(Vm& vm, FunctionValue, Text name) {
   LabRow made = row_of(vm, LabRowKind::kText, name, {});
   made.is_read = true;
+  return made;
+}
+
+// A picture beside the program.
+Answer<LabRow> picture(Vm& vm, Text file, OptionalWord label, Text name) {
+  constexpr std::size_t kMostBytes = 16 << 20;
+  LabRow made = row_of(vm, LabRowKind::kImage, name, label);
+  Result<std::string> bytes = Host::of(vm).load_file(std::string(file), kMostBytes);
+  if (!bytes.ok()) return refuse_row(vm, made.kind, bytes.error().message, 0);
+  if (const std::string fault = picture_fault(*bytes); !fault.empty())
+    return refuse_row(vm, made.kind, fmt::format("\"{}\": {}", file, fault), 0);
+  made.picture = std::make_shared<const std::string>(std::move(bytes).value());
   return made;
 }
 
@@ -197,11 +224,13 @@ constexpr NativeFunction kLabFunctions[] = {
     def<button>("lab.button.NAME(label: string, value: fn() -> void, name: string) -> labRow",
                 "A button; pressing it starts the function as a task of its own, which may move.",
                 "button away(\"Away\", fn() { arm.moveJ(home()) })", {.starts = true}),
-    def<plot>("lab.plot.NAME(value: fn() -> T, label: string?, name: string) -> labRow",
-              "What the function gives over time: a number, numbers in a list, joint values.",
-              "plot angles(fn() => arm.joints())", {.check = check_plot}),
-    def<table>("lab.table.NAME(value: fn() -> T, header: string[]?, label: string?, name: string) "
-               "-> labRow",
+    def<plot>(
+        "lab.plot.NAME(value: fn() -> T, label: string?, valueUnits: string?, name: string) -> "
+        "labRow",
+        "What the function gives over time: a number, numbers in a list, joint values.",
+        "plot angles(fn() => arm.joints())", {.check = check_plot}),
+    def<table>("lab.table.NAME(value: fn() -> T, header: string[]?, label: string?, valueUnits: "
+               "string?, name: string) -> labRow",
                "What the function gives now, as a table: a matrix, a list of rows, a table.",
                "table dh(fn() => arm.dhTable(), header: [\"theta\", \"d\", \"a\", \"alpha\"])",
                {.check = check_table}),
@@ -213,6 +242,9 @@ constexpr NativeFunction kLabFunctions[] = {
                        "A text in Markdown, with formulas between $ signs; a function gives one "
                        "that changes.",
                        "text where(fn() => f\"The hand is at {arm.here()}.\")"),
+    def<picture>("lab.image.NAME(file: string, label: string?, name: string) -> labRow",
+                 "A picture, PNG or JPEG, in the folder of the program.",
+                 "text intro(\"A file `cell.png` is shown by: image photo(\\\"cell.png\\\")\")"),
     def<trail>("lab.trail.NAME(of: robot, label: string?, name: string) -> labRow",
                "The path of the hand of a robot, in the view of the cell.", "trail way(of: arm)"),
     def<torques>("lab.torques.NAME(of: robot, label: string?, name: string) -> labRow",

@@ -100,6 +100,48 @@ Value shown(Value value) {
   return out;
 }
 
+// Units for the numbers of a value that have none, one for each thing in it; a matrix becomes a
+// list of its rows. False: it holds fewer or more things.
+bool give_units(Value& value, std::span<const Dim>& dims) {
+  if (const auto* list = value.get_if<Value::List>()) {
+    Value::List out = *list;
+    for (Value& each : out)
+      if (!give_units(each, dims)) return false;
+    value = std::move(out);
+    return true;
+  }
+  if (const auto* record = value.get_if<Value::Record>()) {
+    Value::Record out = *record;
+    for (auto& [name, field] : out.fields)
+      if (!give_units(field, dims)) return false;
+    value = std::move(out);
+    return true;
+  }
+  if (const auto* matrix = value.get_if<Value::Matrix>()) {
+    if (dims.size() < matrix->elements.size()) return false;
+    Value::List rows(matrix->rows);
+    for (std::size_t i = 0; i < matrix->elements.size(); ++i) {
+      Value& row = rows[i / matrix->cols];
+      Value::List numbers = row.get_if<Value::List>() ? *row.get_if<Value::List>() : Value::List();
+      numbers.push_back(Value::Number{matrix->elements[i], dims[i]});
+      row = std::move(numbers);
+    }
+    dims = dims.subspan(matrix->elements.size());
+    value = std::move(rows);
+    return true;
+  }
+  if (dims.empty()) return false;
+  const auto* number = value.get_if<Value::Number>();
+  if (number != nullptr && number->dim.is_none()) value = Value::Number{number->si, dims.front()};
+  dims = dims.subspan(1);
+  return true;
+}
+
+Value with_units(const Value& value, std::span<const Dim> dims) {
+  Value out = value;
+  return give_units(out, dims) && dims.empty() ? out : value;
+}
+
 }  // namespace
 
 const LabRows* LabControls::rows() const {
@@ -163,7 +205,7 @@ Result<Value> LabControls::read(std::string_view name) {
     Result<Value> value =
         read_function(*session_.run_->vm, fmt::format("{}.{}", rows()->name, name));
     if (!value) return value;
-    return shown(*std::move(value));
+    return with_units(shown(*std::move(value)), row->dims);
   } catch (const ArgumentError& error) {
     return Error{"failed", error.what()};
   }

@@ -154,15 +154,17 @@ constexpr std::string_view kJacobianDot =
     "the rate of the Jacobian times qd, three values in m/s^2 and three in rad/s^2, in the world.";
 
 constexpr NativeFunction kRobotFunctions[] = {
-    def<joints>("joints(r: robot) -> posJ", "The joint values now.", "joints()"),
+    def<joints>("joints(r: robot) -> posJ", "The joint values now.", "joints()",
+                {.check = note_positions}),
     def<joint_speeds>("jointSpeeds(r: robot) -> double[]", "The joint speeds now, rad/s and m/s.",
-                      "jointSpeeds()"),
+                      "jointSpeeds()", {.check = note_speeds}),
     def<joint_accels>("jointAccels(r: robot) -> double[]",
-                      "The joint accelerations now, rad/s^2 and m/s^2.", "jointAccels()"),
+                      "The joint accelerations now, rad/s^2 and m/s^2.", "jointAccels()",
+                      {.check = note_accels}),
     def<here>("here(r: robot) -> posC", "The tool point now, in the world.", "here()"),
     def<tcp_speed>("tcpSpeed(r: robot) -> double[]",
                    "The velocity of the tool point: vx, vy, vz in m/s and wx, wy, wz in rad/s.",
-                   "tcpSpeed()"),
+                   "tcpSpeed()", {.check = note_twist}),
     def<force>("force(r: robot, load: bool = false) -> Wrench",
                "What the surroundings exert on the tool point, in the axes of the world; with load "
                "also what the hand holds does, by its weight and as it is moved.",
@@ -201,12 +203,15 @@ constexpr NativeFunction kRobotFunctions[] = {
         "jacobian(r: robot, q: double[], frame: string = \"world\") -> matrix", kJacobian,
         "jacobian([0.0, 0.5, 0.1, 0.0], frame: \"tool\")", {.check = check_joint_list<1>}),
     def<jacobian_dot<Joints, JointList>>("jacobianDot(r: robot, q: posJ, qd: double[]) -> double[]",
-                                         kJacobianDot, "jacobianDot(joints(), jointSpeeds())"),
+                                         kJacobianDot, "jacobianDot(joints(), jointSpeeds())",
+                                         {.check = note_twist_rate}),
     def<jacobian_dot<Joints, Joints>>("jacobianDot(r: robot, q: posJ, qd: posJ) -> double[]",
-                                      kJacobianDot, "jacobianDot(joints(), joints())"),
+                                      kJacobianDot, "jacobianDot(joints(), joints())",
+                                      {.check = note_twist_rate}),
     def<jacobian_dot<JointList, JointList>>(
         "jacobianDot(r: robot, q: double[], qd: double[]) -> double[]", kJacobianDot,
-        "jacobianDot([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])", {.check = check_joint_list<1>}),
+        "jacobianDot([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])",
+        {.check = check_all_of<check_joint_list<1>, note_twist_rate>}),
     def<jacobian_rate_of<Joints>>("jacobianRate(r: robot, q: posJ, qd: double[]) -> matrix",
                                   kJacobianRate, "jacobianRate(joints(), jointSpeeds())"),
     def<jacobian_rate_of<JointList>>(
@@ -215,7 +220,7 @@ constexpr NativeFunction kRobotFunctions[] = {
     def<dh_table>("dhTable(r: robot) -> matrix",
                   "The Denavit-Hartenberg parameters, one row theta, d, a, alpha for each joint, "
                   "in rad and m.",
-                  "dhTable()"),
+                  "dhTable()", {.check = note_dh_table}),
     def<random_joints>("randomJoints(r: robot) -> posJ",
                        "Joint values drawn evenly within the limits; the same ones in every run.",
                        "randomJoints()"),

@@ -100,6 +100,24 @@ void check_object_name(CheckCall& call);
 // Joint values in parameter `parameter`, of a call whose first one is the robot.
 void check_list_of_joints(CheckCall& call, int parameter);
 
+// What a list with a number for each joint holds, of a call whose first parameter is the robot:
+// its numbers get their units where the robot's joints are known (DimsFact).
+void note_positions(CheckCall& call);
+void note_speeds(CheckCall& call);
+void note_accels(CheckCall& call);
+void note_forces(CheckCall& call);
+// A table with a row (theta, d, a, alpha) for each joint.
+void note_dh_table(CheckCall& call);
+// Three numbers along the axes and three about them: tcpSpeed, jacobianDot.
+void note_twist(CheckCall& call);
+void note_twist_rate(CheckCall& call);
+
+// Several rules, one after the other.
+template <void (*... kRules)(CheckCall&)>
+void check_all_of(CheckCall& call) {
+  (kRules(call), ...);
+}
+
 template <int kParameter>
 void check_joint_list(CheckCall& call) {
   check_list_of_joints(call, kParameter);

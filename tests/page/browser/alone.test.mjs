@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, wri
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test, { after } from "node:test";
-import { clock, closeBrowser, lineOf, openPage, placeOf, typeAtEnd, until, untilStatus, violations } from "../laboratory.mjs";
+import { clock, closeBrowser, lineOf, openPage, placeOf, typeAtEnd, until, untilStatus, violations, viewTool } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
 import { STEPS, stepThrough } from "../stepping.mjs";
 
@@ -200,6 +200,44 @@ for (const [how, ending, why] of [["--record", [], false], ["--export", ["--engi
     }
   });
 }
+
+test("a recording has variables, tables and what is near along the run", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "armlet-record-"));
+  try {
+    writeFileSync(join(folder, "a.rbt"), `robot arm = robots.scara()
+object post { shape: box(60mm, 60mm, 400mm); at: xyz(350mm, 250mm, 200mm); fixed: true }
+lab cell { table q(fn() => [arm.joints()]) }
+var n = 0
+arm.moveJ(posJ(0deg, 60deg, 0mm, 0deg), time: 1s)
+n = 1
+arm.moveJ(posJ(20deg, 40deg, 0mm, 0deg), time: 2s)
+n = 2
+`);
+    execFileSync(process.env.ARMLET_COMMAND, ["lab", "a.rbt", "--record", "a.html"], { cwd: folder, stdio: "pipe" });
+    await opened(join(folder, "a.html"), async (page) => {
+      await untilStatus(page, /recording, 2 moves, 3\.00 s/);
+      await page.getByRole("tab", { name: "Variables" }).click();
+      const bar = await page.locator(".bar").boundingBox();
+      const goTo = (t) => page.mouse.click(bar.x + 76 + (t / 3) * (bar.width - 90), bar.y + 30);
+      const n = page.locator(".variables tr", { hasText: /^n/ }).locator(".value");
+      const q2 = page.locator(".element", { hasText: "q" }).locator("td").nth(1);
+      for (const [t, value] of [[0.5, "0"], [2, "1"], [0.2, "0"], [3, "2"]]) {
+        await goTo(t);
+        await until(async () => (await n.innerText()) === value, async () => `n is ${await n.innerText()} at ${t}, not ${value}`);
+      }
+      await until(async () => /^40 deg/.test(await q2.innerText()), () => q2.innerText());
+      await goTo(1);
+      await until(async () => /^60 deg|^59\.[5-9]/.test(await q2.innerText()), () => q2.innerText());
+      await goTo(3);
+      await page.locator(".labels .label", { hasText: / deep in "?post/ }).first().waitFor();
+      await (await viewTool(page, "Clearance")).click();
+      await goTo(1.8);
+      await page.locator(".labels .label", { hasText: / mm to / }).first().waitFor();
+    });
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+});
 
 test("a run is recorded by the command as a page that needs nothing", async () => {
   const folder = mkdtempSync(join(tmpdir(), "armlet-record-"));

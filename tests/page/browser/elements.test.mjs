@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test, { after } from "node:test";
-import { closeBrowser, openPage, recordingFile, saved, typeAtEnd, until, untilStatus, violations, withLab } from "../laboratory.mjs";
+import { closeBrowser, openPage, recordingFile, saved, typeAtEnd, until, untilStatus, violations, withLab, viewTool } from "../laboratory.mjs";
+import { twoColours } from "../small_glb.mjs";
 
 after(closeBrowser);
 
@@ -91,6 +92,7 @@ test("a plot is saved as CSV, PNG and SVG, the view as PNG; a click goes to its 
   assert.match(String(await savedAs("Save Angles as SVG")), /<polyline/);
   const isPng = (data) => data.subarray(1, 4).toString() === "PNG" && data.length > 1000;
   assert.ok(isPng(await savedAs("Save Angles as PNG")));
+  await viewTool(page, "PNG");
   assert.ok(isPng(await savedAs(/^PNG$/)));
   const over = await page.locator(".plot .u-over").boundingBox();
   await page.mouse.click(over.x + over.width / 2, over.y + over.height / 2);
@@ -185,11 +187,71 @@ test("a run is recorded as a page that shows it from a disk", () =>
     await alone.context().close();
   }));
 
+test("speeds and torques of joints are plotted in their units, each on its own axis", () =>
+  withLab(`robot arm = robots.scara()
+robot puma = robots.puma560(base: xyz(2m, 0mm, 0mm))
+struct Now { w: double[]; tau: double }
+lab cell {
+    plot speeds(fn() => arm.jointSpeeds())
+    plot tau(fn() => puma.torques())
+    table now(fn() => [Now(arm.jointSpeeds(), puma.torques()[1])])
+}
+arm.moveJ(posJ(90deg, 0deg, 100mm, 0deg), time: 1s)
+`, async (open) => {
+    const page = await open({ acceptDownloads: true });
+    await untilStatus(page, /1\.00 s/);
+    const head = async (name) => {
+      const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: `Save ${name} as CSV` }).click()]);
+      return readFileSync(await download.path(), "utf8").split("\n");
+    };
+    await page.locator(".u-over").nth(1).waitFor();
+    const speeds = await head("speeds");
+    assert.equal(speeds[0], "t [s],speeds 1 [deg/s],speeds 2 [deg/s],speeds 3 [mm/s],speeds 4 [deg/s]");
+    // 90 degrees and 100 mm in a second.
+    const most = (k) => Math.max(...speeds.slice(1, -1).map((line) => Number(line.split(",")[k])));
+    assert.ok(most(1) > 90 && most(1) < 400, `${most(1)} deg/s`);
+    assert.ok(Math.abs(most(3) / most(1) - 100 / 90) < 1e-3, `${most(3)} mm/s`);
+    assert.match((await head("tau"))[0], /^t \[s\],tau 1 \[N m\]/);
+    const table = page.locator(".element", { hasText: "now" });
+    await table.locator("th", { hasText: "tau [N m]" }).waitFor();
+    await table.locator("td", { hasText: /^\[0 deg\/s, 0 deg\/s, 0 mm\/s, 0 deg\/s\]$/ }).waitFor();
+  }));
+
+test("a picture beside the program is an element, and is part of a recording", () =>
+  withLab(`lab cell { image photo("cell.png", label: "The cell") }\nwait(1s)\n`, async (open) => {
+    const page = await open({ acceptDownloads: true });
+    await untilStatus(page, /1\.00 s/);
+    const width = (of) => of.locator('img[alt="The cell"]').evaluate((image) => image.naturalWidth);
+    await until(async () => (await width(page)) > 0, () => "it is not shown");
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Record" }).click()]);
+    const recorded = await openPage(`file://${await saved(download)}`);
+    await until(async () => (await width(recorded)) > 0, () => "it is not in the recording");
+    assert.deepEqual(recorded.problems, []);
+    await recorded.context().close();
+  }, { "cell.png": twoColours([230, 10, 10], [10, 200, 10]) }));
+
+test("the tools over the view stand in one line in a narrow view, and those that are on stay", () =>
+  withLab("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+    const page = await open();
+    await untilStatus(page, /1\.00 s/);
+    const tools = page.locator(".scene-tools");
+    await tools.waitFor();
+    assert.ok((await tools.boundingBox()).height < 32, "one line");
+    assert.ok(!(await tools.getByRole("button", { name: "Frames" }).isVisible()));
+    await (await viewTool(page, "Frames")).click();
+    await page.getByRole("button", { name: "More tools" }).click();
+    assert.ok(await tools.getByRole("button", { name: "Frames" }).isVisible());
+    assert.ok(!(await tools.getByRole("button", { name: "PNG" }).isVisible()));
+    await page.setViewportSize({ width: 1700, height: 800 });
+    assert.ok(await tools.getByRole("button", { name: "PNG" }).isVisible());
+    assert.ok((await tools.boundingBox()).height < 32, "one line in a wide view, too");
+  }));
+
 test("the hand is pulled in the view: the arm follows, and says why where it cannot", () =>
   withLab("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
     const page = await open();
     await untilStatus(page, /1 move, 1\.00 s/);
-    await page.getByRole("button", { name: "Frames" }).click();
+    await (await viewTool(page, "Frames")).click();
     const label = page.locator(".label", { hasText: /^tool$/ });
     await label.waitFor();
     const before = await page.locator("output.where").innerText();
@@ -222,7 +284,8 @@ test("the view is saved as a drawing, without what is hidden", () =>
     const page = await open({ acceptDownloads: true });
     await untilStatus(page, /1\.00 s/);
     await page.getByRole("toolbar", { name: "3D view" }).getByRole("button", { name: "Front" }).click();
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("toolbar", { name: "3D view" }).getByRole("button", { name: "SVG" }).click()]);
+    const tool = await viewTool(page, "SVG");
+    const [download] = await Promise.all([page.waitForEvent("download"), tool.click()]);
     const svg = readFileSync(await download.path(), "utf8");
     const colors = new Set([...svg.matchAll(/<path [^>]*fill="(#\w+)"/g)].map((found) => found[1]));
     assert.ok([...colors].some((color) => /^#[89a-f][0-9a-f]0000$/.test(color)), "the red box is there");
@@ -234,7 +297,8 @@ test("the run is saved as a film of the view", () =>
   withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
     const page = await open({ acceptDownloads: true });
     await untilStatus(page, /1 move, 1\.00 s/);
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Video", exact: true }).click()]);
+    const tool = await viewTool(page, "Video");
+    const [download] = await Promise.all([page.waitForEvent("download"), tool.click()]);
     assert.equal(download.suggestedFilename(), "view.webm");
     const film = readFileSync(await download.path());
     assert.deepEqual([...film.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]);

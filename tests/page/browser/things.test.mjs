@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileS
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test, { after } from "node:test";
-import { closeBrowser, GREEN, openPage, pixelsLike, RED, recordingFile, until, untilStatus, withLab } from "../laboratory.mjs";
+import { closeBrowser, GREEN, openPage, pixelsLike, RED, recordingFile, until, untilStatus, withLab, viewTool } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
 import { boxGlb, twoColours } from "../small_glb.mjs";
 
@@ -167,7 +167,7 @@ arm.moveJ(posJ(20deg, 40deg, 0mm, 0deg), time: 2s)
     await label(page, / is [\d.]+ mm deep in "post"/).waitFor();
     await goTo(page, 0.02);
     await until(async () => (await page.locator(".labels .label", { hasText: /mm/ }).count()) === 0, () => "something is told that is not so");
-    await page.getByRole("button", { name: "Clearance" }).click();
+    await (await viewTool(page, "Clearance")).click();
     await goTo(page, 0.6);
     await label(page, /: [\d.]+ mm to/).waitFor();
     const before = await label(page, / mm to /).innerText();
@@ -187,6 +187,34 @@ wait(2s)
     await label(page, /^[\d.]+ N$/).waitFor();
     await goTo(page, 0.05);
     await until(async () => (await page.locator(".labels .label", { hasText: /^[\d.]+ N$/ }).count()) === 0, () => "a force is shown where nothing is touched");
+  }));
+
+test("each place that is pressed is told, and arms can be seen as the bodies that collide", () =>
+  withLab(`robot arm = robots.scara(tool: parallelGripper(stroke: 60mm))
+object block { shape: box(200mm, 200mm, 100mm); at: xyz(300mm, 200mm, 50mm); fixed: true; stiffness: 20N/mm }
+arm.moveJ(xyz(300mm, 200mm, 130mm), time: 1s)
+let down = arm.moveL(xyz(300mm, 200mm, 80mm), speed: 20mm/s) until arm.force().z > 8N
+wait(2s)
+`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /\d s$/);
+    await label(page, /^[\d.]+ N$/).waitFor();
+    assert.equal(await page.locator(".labels .label", { hasText: /N on block/ }).count(), 0);
+    await (await viewTool(page, "Clearance")).click();
+    await label(page, /^[\d.]+ N on block$/).waitFor();
+    await (await viewTool(page, "Clearance")).click();
+    await page.locator(".labels .label", { hasText: /N on block/ }).first().waitFor({ state: "detached" });
+    // What lies over the view is in these pictures: nothing there is pointed at.
+    const shot = async () => {
+      await page.mouse.move(2, 2);
+      return page.locator(".stage canvas").screenshot();
+    };
+    const drawn = await shot();
+    const solids = await viewTool(page, "Solids");
+    await solids.click();
+    await until(async () => !(await shot()).equals(drawn), () => "nothing is drawn otherwise");
+    await solids.click();
+    await until(async () => (await shot()).equals(drawn), () => "it is not drawn as before");
   }));
 
 test("frames with names are where their objects are", () =>

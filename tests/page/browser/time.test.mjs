@@ -30,6 +30,73 @@ test("the pick and place of the demonstration is gone through, back to its start
     await until(async () => (await hand(page).innerText()) === end, () => "the hand is not back");
   }));
 
+const TASKS = `robot left = robots.scara()
+robot right = robots.scara(base: xyz(1500mm, 0mm, 0mm))
+lab cell {
+    plot speeds(fn() => left.jointSpeeds())
+    plot hand(fn() => norm(left.tcpSpeed()[0:3]))
+}
+setSignal("lamp", true)
+parallel {
+    {
+        left.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)
+        wait(2s)
+    }
+    right.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 1s)
+}
+`;
+
+test("tasks and signals have lanes: what they did is told, and the line lights up", () =>
+  withLab(TASKS, async (open) => {
+    const page = await open();
+    await untilStatus(page, /2 moves, 4\.00 s/);
+    const bar = await page.locator(".bar").boundingBox();
+    const note = page.locator(".bar-note");
+    const told = async (share, y, pattern) => {
+      await page.mouse.move(bar.x + 76 + share * (bar.width - 90), bar.y + y);
+      await until(async () => pattern.test(await note.innerText()), async () => `${await note.innerText()} is not ${pattern}`);
+    };
+    // Two robots, the program, two branches, a signal.
+    const tasks = 18 + 2 * 24;
+    await told(0.75, tasks + 8, /^the program, line 8: parallel/);
+    await told(0.75, tasks + 17 + 8, /^branch 1 of parallel on line 8, line 11: wait\(2s\)$/);
+    await page.locator(".line-hovered", { hasText: "wait(2s)" }).waitFor();
+    await told(0.1, tasks + 34 + 8, /^branch 2 of parallel on line 8, line 13: right\.moveJ/);
+    await told(0.9, tasks + 51 + 8, /^signal lamp is on$/);
+    await page.mouse.move(bar.x + 20, bar.y + tasks + 17 + 8);
+    await until(async () => (await note.innerText()) === "branch 1 of parallel on line 8", () => note.innerText());
+    await page.getByRole("tab", { name: "Variables" }).click();
+    await page.locator(".variables tr", { hasText: /lamp\s*signal\s*true/ }).waitFor();
+  }));
+
+test("plots lie below the bar along its time, and go back among the elements", () =>
+  withLab(TASKS, async (open) => {
+    const page = await open();
+    await untilStatus(page, /2 moves, 4\.00 s/);
+    await page.locator(".elements .u-over").nth(1).waitFor();
+    const button = page.getByRole("button", { name: "Plots below the bar of time" });
+    await button.click();
+    await page.locator(".along .u-over").nth(1).waitFor();
+    assert.equal(await page.locator(".elements .u-over").count(), 0);
+    const bar = await page.locator(".bar").boundingBox();
+    for (const over of await page.locator(".along .u-over").all()) {
+      const box = await over.boundingBox();
+      assert.ok(Math.abs(box.x - (bar.x + 76)) < 2, `it begins at ${box.x}, the bar at ${bar.x + 76}`);
+      assert.ok(Math.abs(bar.x + bar.width - box.x - box.width - 76) < 2, `it ends at ${box.x + box.width} of ${bar.x + bar.width}`);
+    }
+    // Two seconds are at the same place in both.
+    const box = await page.locator(".along .u-over").first().boundingBox();
+    await page.mouse.click(box.x + 0.5 * box.width, box.y + 30);
+    await untilClock(page, /^2\.0\d \/ 4\.00/);
+    const now = await page.locator(".along .plot-now").first().boundingBox();
+    assert.ok(Math.abs(now.x - (box.x + 0.5 * box.width)) < 3);
+    await page.reload();
+    await page.locator(".along .u-over").first().waitFor();
+    await button.click();
+    await page.locator(".elements .u-over").nth(1).waitFor();
+    assert.equal(await page.locator(".along .u-over").count(), 0);
+  }));
+
 test("playing goes from the start to the end and stops there", () =>
   withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\n", async (open) => {
     const page = await open();

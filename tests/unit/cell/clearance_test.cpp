@@ -5,6 +5,7 @@
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/model/catalog.hpp"
+#include "mesh_bodies.hpp"
 
 namespace armlet {
 namespace {
@@ -131,6 +132,26 @@ TEST_CASE("what is mounted and held counts as the arm, and the witness is named"
   // It is no part of the arm when it is asked about itself.
   CHECK(nearest_between(cell, arm, {.object = "held"}).body.object != "held");
   CHECK(nearest_between(cell, arm, {.object = "mast"}).body.object != "mast");
+}
+
+TEST_CASE("a depth that is a lower bound is told as one, and one that is whole is not") {
+  const auto look = [](const Shape& shape, const Vector3d& off) {
+    Bench bench;
+    const Vector3d p =
+        forward(*bench.cell.robot(bench.arm).model, bench.cell.robot(bench.arm).q).translation();
+    Object thing = ball("thing", 0.1, p + off);
+    thing.shape = shape;
+    bench.cell.insert(thing);
+    const std::vector<Clearance> found = bench.look();
+    REQUIRE(!found.empty());
+    REQUIRE(found[0].distance < -1e-3);
+    return found[0];
+  };
+  const Mesh hollow = make_mesh(test::hollow_box(0.4, 20));
+  const Clearance bound = look(hollow, Vector3d(0.0, 0.0, 0.0));
+  CHECK(bound.at_least);
+  CHECK(!look(Sphere{0.2}, Vector3d(0.0, 0.0, 0.0)).at_least);
+  CHECK(!look(Box{{0.4, 0.4, 0.4}}, Vector3d(0.0, 0.0, 0.0)).at_least);
 }
 
 TEST_CASE("a robot that has nothing around it is near nothing") {

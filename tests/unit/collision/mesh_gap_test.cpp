@@ -209,45 +209,9 @@ TEST_CASE("an open surface is there as a sheet") {
   CHECK(gap_between(mesh, ball).distance == doctest::Approx(-0.005));
 }
 
-namespace {
-
-// A box without its inside: walls of 2 mm, each face of n x n squares.
-TriangleMesh hollow_box(double size, int n) {
-  std::vector<Vector3d> vertices;
-  std::vector<Corners> triangles;
-  const auto shell = [&](double half, bool inward) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double side : {-1.0, 1.0}) {
-        const auto at = [&](int i, int k) {
-          Vector3d p;
-          p[axis] = side * half;
-          p[(axis + 1) % 3] = half * (2.0 * i / n - 1.0);
-          p[(axis + 2) % 3] = half * (2.0 * k / n - 1.0);
-          vertices.push_back(p);
-          return static_cast<std::uint32_t>(vertices.size() - 1);
-        };
-        for (int i = 0; i < n; ++i) {
-          for (int k = 0; k < n; ++k) {
-            const std::uint32_t a = at(i, k), b = at(i + 1, k), c = at(i + 1, k + 1),
-                                d = at(i, k + 1);
-            const bool turn = (side < 0.0) != inward;
-            triangles.push_back(turn ? Corners{a, c, b} : Corners{a, b, c});
-            triangles.push_back(turn ? Corners{a, d, c} : Corners{a, c, d});
-          }
-        }
-      }
-    }
-  };
-  shell(0.5 * size, false);
-  shell(0.5 * size - 0.002, true);
-  return {std::move(vertices), std::move(triangles)};
-}
-
-}  // namespace
-
 TEST_CASE("a depth that does not free is known to be a lower bound, one that does is whole") {
   const TriangleMesh coarse = test::angle_iron();
-  const TriangleMesh fine = hollow_box(0.2, 20);
+  const TriangleMesh fine = test::hollow_box(0.2, 20);
   REQUIRE(fine.is_closed());
   Random random(148);
   int whole = 0, bound = 0;

@@ -170,6 +170,93 @@ wait(1s)
   CHECK(lab.page.last("description")["elements"][4]["units"] == TestJson({"m", "m"}));
 }
 
+namespace {
+
+// The units of a plot of each of these functions, of a cell with a SCARA, a Puma and a rail.
+TestJson units_of_plots(const std::vector<std::string>& functions) {
+  std::string rows;
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    rows += "    plot p" + std::to_string(i) + "(" + functions[i] + ")\n";
+  Seated lab(R"(robot arm = robots.scara()
+robot puma = robots.puma560(base: xyz(2m, 0mm, 0mm))
+robot rail { joint prismatic(limits: [0mm, 900mm]); joint revolute(a: 300mm, limits: [-90deg, 90deg]) }
+fn speeds() { return arm.jointSpeeds() }
+fn declared() -> double[] { return arm.jointSpeeds() }
+fn of(r: robot) -> double[] { return r.jointSpeeds() }
+lab cell {
+)" + rows + "}\narm.moveJ(posJ(10deg, 20deg, 10mm, 0deg), time: 1s)\n");
+  TestJson units = TestJson::array();
+  CAPTURE(lab.page.last("run").dump());
+  REQUIRE(lab.page.last("diagnostics")["items"].dump() == "[]");
+  const TestJson description = lab.page.last("description");
+  REQUIRE(description["elements"].size() == functions.size());
+  for (const TestJson& each : description["elements"])
+    units.push_back(each.value("units", TestJson()));
+  return units;
+}
+
+}  // namespace
+
+TEST_CASE("numbers of joints that turn and slide have their units wherever the text shows them") {
+  const TestJson scara = {"rad/s", "rad/s", "m/s", "rad/s"};
+  const TestJson known = units_of_plots(
+      {"fn() => arm.jointSpeeds()", "fn() => puma.torques()", "fn() => rail.jointAccels()",
+       "fn() => speeds()", "speeds", "fn() => arm.jointSpeeds()[2]",
+       "fn() => arm.jointSpeeds()[1:3]", "fn() => -arm.jointSpeeds()",
+       "fn() => norm(arm.tcpSpeed()[0:3])", "fn() => max(puma.torques())",
+       "fn() => [arm.jointSpeeds()[0], arm.jointSpeeds()[2]]",
+       "fn() => puma.torques() - puma.gravity()", "fn() { let w = arm.jointSpeeds(); return w }",
+       "fn() => puma.invDyn(puma.joints(), puma.jointSpeeds(), puma.jointAccels())",
+       "fn() => abs(arm.jointSpeeds()[0])"});
+  const TestJson six = {"Nm", "Nm", "Nm", "Nm", "Nm", "Nm"};
+  CHECK(known[0] == scara);
+  CHECK(known[1] == six);
+  CHECK(known[2] == TestJson({"m/s^2", "rad/s^2"}));
+  CHECK(known[3] == scara);
+  CHECK(known[4] == scara);
+  CHECK(known[5] == TestJson({"m/s"}));
+  CHECK(known[6] == TestJson({"rad/s", "m/s"}));
+  CHECK(known[7] == scara);
+  CHECK(known[8] == TestJson({"m/s"}));
+  CHECK(known[9] == TestJson({"Nm"}));
+  CHECK(known[10] == TestJson({"rad/s", "m/s"}));
+  CHECK(known[11] == six);
+  CHECK(known[12] == scara);
+  CHECK(known[13] == six);
+  CHECK(known[14] == TestJson({"rad/s"}));
+}
+
+TEST_CASE("a table of Denavit and Hartenberg is in angles and lengths") {
+  Seated lab(
+      "robot arm = robots.scara()\nlab cell { table dh(fn() => arm.dhTable()) }\nwait(1s)\n");
+  lab.page.ask({{"type", "goto"}, {"t", 1.0}});
+  const TestJson values = lab.page.last("elements")["values"];
+  const TestJson row = {"rad", "m", "m", "rad"};
+  CHECK(values["dh"]["units"] == TestJson({row, row, row, row}));
+  CHECK(values["dh"]["value"].size() == 4);
+  CHECK(values["dh"]["value"][0].size() == 4);
+}
+
+// A factor may be there to change the unit; a robot may be any.
+TEST_CASE("numbers have no unit where the text does not show it, rather than a wrong one") {
+  const TestJson none4 = {"", "", "", ""};
+  const TestJson unknown = units_of_plots(
+      {"fn() => of(arm)", "fn() => arm.jointSpeeds() * 57.3", "fn() => arm.jointSpeeds()[0] / 2.0",
+       "fn() => max(arm.jointSpeeds())", "fn() => norm(arm.jointSpeeds())",
+       "fn() { var w = arm.jointSpeeds(); w[0] = w[0] * 57.3; return w }",
+       "fn() => toDegrees(arm.jointSpeeds()[0])", "fn() => arm.jointSpeeds()[0] + 1.0",
+       "fn() => declared()"});
+  CHECK(unknown[0] == none4);
+  CHECK(unknown[1] == none4);
+  CHECK(unknown[2] == TestJson({""}));
+  CHECK(unknown[3] == TestJson({""}));
+  CHECK(unknown[4] == TestJson({""}));
+  CHECK(unknown[5] == none4);
+  CHECK(unknown[6] == TestJson({""}));
+  CHECK(unknown[7] == TestJson({""}));
+  CHECK(unknown[8] == none4);  // its body is read later
+}
+
 TEST_CASE("the world has its name where the program asks for it, and none otherwise") {
   Seated own("object cube { shape: box(40mm, 40mm, 40mm); at: xyz(300mm, 120mm, 20mm) }\n");
   CHECK(own.page.last("description")["world"].is_null());

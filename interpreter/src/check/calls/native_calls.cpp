@@ -7,6 +7,7 @@
 
 #include "armlet/interpreter/later.hpp"
 #include "armlet/interpreter/resource.hpp"
+#include "check/blocks/number_dims.hpp"
 #include "check/calls/over_list.hpp"
 #include "check/calls/overloads.hpp"
 #include "check/checker.hpp"
@@ -33,6 +34,11 @@ bool names_result(const Parameter& parameter, const Type* type, const Type* resu
          result->host->is_handle;
 }
 
+std::string si_unit(Dim dim) {
+  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
+  return dim == dims::kAngle ? "rad" : display_unit(dim, kLarge).name;
+}
+
 // `plot(x, y)`: a text parameter xUnit that is left out gets the unit of x in SI, from its type.
 std::optional<std::string> unit_for(const Signature& signature, const Parameter& parameter,
                                     const Type* type, const Bindings& bindings, TypePool& types) {
@@ -44,8 +50,26 @@ std::optional<std::string> unit_for(const Signature& signature, const Parameter&
   const Type* measured = instantiate(signature.parameters[of].type, bindings, types);
   while (measured != nullptr && measured->is(Kind::kList)) measured = measured->element;
   if (measured == nullptr || !measured->is_quantity()) return std::string();
-  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
-  return measured->dim == dims::kAngle ? "rad" : display_unit(measured->dim, kLarge).name;
+  return si_unit(measured->dim);
+}
+
+// `lab.plot.NAME(value: fn() -> T, ...)`: a text parameter valueUnits that is left out gets the
+// units of the numbers in the value that have none by their type, as "rad/s,m/s". And as unit_for.
+std::optional<std::string> units_for(Checker& checker, const Signature& signature,
+                                     const Parameter& parameter, const Type* type,
+                                     const Bindings& bindings, std::span<hir::Expr* const> values) {
+  constexpr std::string_view kSuffix = "Units";
+  const std::string_view name = parameter.name;
+  if (!type->is(Kind::kText) || !name.ends_with(kSuffix))
+    return unit_for(signature, parameter, type, bindings, checker.types);
+  const int of = signature.index_of(name.substr(0, name.size() - kSuffix.size()));
+  if (of < 0 || values[static_cast<std::size_t>(of)] == nullptr) return std::nullopt;
+  const auto dims = dims_of_numbers(checker, *values[static_cast<std::size_t>(of)]);
+  if (!dims) return std::nullopt;
+  std::string units;
+  for (const Dim& dim : *dims) units += si_unit(dim) + ',';
+  units.pop_back();
+  return units;
 }
 
 // The type of a parameter in this call, as far as it is known.
@@ -182,7 +206,7 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
     } else if (const auto text =
                    names_result(parameter, type, result) && checker.surroundings.is_named(span)
                        ? std::optional<std::string>(checker.surroundings.name_for(span))
-                       : unit_for(signature, parameter, type, fit.bindings, checker.types)) {
+                       : units_for(checker, signature, parameter, type, fit.bindings, values)) {
       values[p] = checker.make<hir::TextExpr>(hir::ExprKind::kText, type, callee,
                                               checker.arena.copy(*text));
     } else {

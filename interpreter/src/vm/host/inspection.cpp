@@ -119,12 +119,38 @@ std::vector<SeenTask> seen_tasks(Vm& vm) {
   return out;
 }
 
-Span running_at(Vm& vm) {
-  const lang::VmState& state = vm.state();
-  const lang::Task& task = *state.running;
+namespace {
+
+Span place_of(const lang::VmState& state, const lang::Task& task) {
   const lang::Frame* frame = task.stack.top;
   while (frame > task.stack.frames && frame->is_host()) --frame;
   return frame->is_host() ? Span{} : lang::span_of(lang::as_it_stands(state, task, *frame));
+}
+
+}  // namespace
+
+namespace {
+
+// A task that the host has started is named as the variable that holds its function.
+std::string name_of(const lang::Task& task) {
+  return task.origin.started_as.empty() ? lang::task_name(task) : task.origin.started_as;
+}
+
+}  // namespace
+
+std::vector<TaskPlace> task_places(Vm& vm) {
+  const lang::VmState& state = vm.state();
+  std::vector<TaskPlace> out;
+  if (state.scheduler == nullptr) return out;
+  out.push_back({lang::task_name(state.main), place_of(state, state.main)});
+  for (const auto& task : state.tree.all())
+    if (!task->has_ended) out.push_back({name_of(*task), place_of(state, *task)});
+  return out;
+}
+
+Span running_at(Vm& vm) {
+  const lang::VmState& state = vm.state();
+  return place_of(state, *state.running);
 }
 
 }  // namespace armlet

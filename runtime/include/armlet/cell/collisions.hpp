@@ -90,10 +90,12 @@ enum class Carried { kCounts, kLeftOut };
 //
 // distance          m, below zero if they overlap, by so much.
 // p_body, p_other   in the world: their nearest points, or those that lie deepest in the other one.
+// at_least          they may overlap by more (is_whole_depth); told by `clearances`.
 struct Clearance {
   CellBody body;   // of the first: a part of the robot, or what it carries
   CellBody other;  // of the second
   double distance = std::numeric_limits<double>::infinity();
+  bool at_least = false;
   Eigen::Vector3d p_body = Eigen::Vector3d::Zero();
   Eigen::Vector3d p_other = Eigen::Vector3d::Zero();
 };

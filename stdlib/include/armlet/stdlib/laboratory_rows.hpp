@@ -2,6 +2,7 @@
 // What a `lab` block says: the page of a virtual laboratory as values, for whoever shows it.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,9 @@ enum class LabFieldType { kNumber, kInt, kBool, kText };
 // value    field: what it holds at the start. text: Markdown with formulas, where it never changes.
 // range    field: smallest and largest value, SI.
 // header   table: over its columns.
+// dims     plot, table: of the things in what is read, in their order, where their type has none,
+//          as speeds of joints in a double[]; empty: nothing is known of them.
+// picture  image: the bytes of its file, PNG or JPEG.
 // is_read  plot, table, and text that changes: LabControls::read gives what it shows now.
 // at       where the program says so; empty: it does not.
 struct LabRow {
@@ -69,6 +73,8 @@ struct LabRow {
   Value value{};
   std::optional<std::array<double, 2>> range{};
   std::vector<std::string> header{};
+  std::vector<Dim> dims{};
+  std::shared_ptr<const std::string> picture{};
   bool is_read = false;
   Span at{};
 };

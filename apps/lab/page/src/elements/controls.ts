@@ -179,8 +179,8 @@ function numberField(place: Place, label: string, reason: HTMLElement): ElementV
 // Why what a button did last until t has failed; empty: it has not.
 function failureOf(run: Run, name: string, t: number): string {
   const pressed = run.inputs.findLast((input) => input["press"] === name && Number(input["t"]) <= t + 1e-9);
-  const note = run.notes.findLast((each) => each.kind === "message" && each.text.startsWith(`${name}: `) && each.t <= t + 1e-9);
-  return pressed && note && note.t >= Number(pressed["t"]) - 1e-9 ? note.text.slice(name.length + 2) : "";
+  const note = run.notes.findLast((each) => each.element === name && each.t <= t + 1e-9);
+  return pressed && note && note.t >= Number(pressed["t"]) - 1e-9 ? note.text : "";
 }
 
 export function button(place: Place): ElementView {

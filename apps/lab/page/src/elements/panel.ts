@@ -49,13 +49,16 @@ function viewOf(place: Place, run: Run): ElementView | null {
   }
 }
 
+// below  where plots stand that go along the bar of time.
 // point  shows in the editor where the program has a row.
-export function elementPanel(host: HTMLElement, store: Store, intents: Intents, point: (element: ElementInfo) => void): void {
+export function elementPanel(host: HTMLElement, below: HTMLElement, store: Store, intents: Intents, point: (element: ElementInfo) => void): void {
   let views: ElementView[] = [];
+  let plots: HTMLElement[] = [];
   let built = "";
   const build = (run: Run) => {
     const elements = elementsOf(run);
-    const key = JSON.stringify([elements, run.robots.map((r) => [r.name, r.joints.map((j) => [j.unit, j.lower, j.upper])])]);
+    const { plotsBelow } = store.state;
+    const key = JSON.stringify([plotsBelow, elements, run.robots.map((r) => [r.name, r.joints.map((j) => [j.unit, j.lower, j.upper])])]);
     if (key === built) return;
     built = key;
     for (const view of views) view.dispose?.();
@@ -65,7 +68,10 @@ export function elementPanel(host: HTMLElement, store: Store, intents: Intents, 
     views.push(figures());
     const quiet = elements.length ? [] : [el("p", { class: "quiet element" }, "This program has no robot and no laboratory.")];
     if (run.elements.length) views.forEach((view, i) => pointing(view.root, shownElements[i], point));
-    host.replaceChildren(...quiet, ...views.map((view) => view.root));
+    plots = plotsBelow ? all.flatMap(([element, view]) => (view && element.kind === "plot" ? [view.root] : [])) : [];
+    host.replaceChildren(...quiet, ...views.map((view) => view.root).filter((root) => !plots.includes(root)));
+    below.replaceChildren(...plots);
+    below.hidden = !plots.length;
   };
   const update = (state: State) => {
     const run = shownRun(state);
@@ -74,7 +80,7 @@ export function elementPanel(host: HTMLElement, store: Store, intents: Intents, 
     const allowed = intents.live && inControl(state);
     for (const view of views) view.update(run, state, allowed);
   };
-  store.watch((s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.refusals, inControl(s)], update);
+  store.watch((s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, shownRun(s)?.values, s.refusals, inControl(s), s.plotsBelow], update);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => update(store.state));
 }
 

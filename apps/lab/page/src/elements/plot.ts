@@ -3,6 +3,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { el, save, setText } from "../shell/dom.ts";
 import type { Run } from "../store/run.ts";
+import { LEFT, rightMargin, spanOf } from "../timebar/lanes.ts";
 import { besideOf, csvOf, seriesOf, svgOf, type Series } from "./series.ts";
 import type { ElementView, Place } from "./view.ts";
 
@@ -15,8 +16,14 @@ function color(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
+// Below the bar of time a plot lies along it: `right` px are left beside it.
+interface Below {
+  span: number;
+  right: number;
+}
+
 // beside  another run, which is drawn dashed in the same colours.
-function options(series: Series, beside: Series | null, width: number, clicked: (t: number) => void, drawn: (chart: uPlot) => void): uPlot.Options {
+function options(series: Series, beside: Series | null, width: number, below: Below | null, clicked: (t: number) => void, drawn: (chart: uPlot) => void): uPlot.Options {
   const units = [...new Set(series.columns.map((c) => c.unit))];
   const lines = [...series.columns.map((c, k) => ({ c, k, of: {} })), ...(beside?.columns ?? []).map((c, k) => ({ c, k, of: { dash: [5, 4], class: "beside" } }))];
   const text = color("--quiet");
@@ -24,11 +31,12 @@ function options(series: Series, beside: Series | null, width: number, clicked: 
   const font = "11px system-ui, sans-serif";
   const palette = colors();
   const axis = (unit: string, i: number): uPlot.Axis => ({
-    scale: unit || "y", side: i ? 1 : 3, stroke: text, font, size: 52, grid: i ? { show: false } : grid, ticks: grid, label: unit, labelSize: 16, labelFont: font, gap: 2,
+    scale: unit || "y", side: i ? 1 : 3, stroke: text, font, size: below ? LEFT - 16 : 52, grid: i ? { show: false } : grid, ticks: grid, label: unit, labelSize: 16, labelFont: font, gap: 2,
   });
   return {
     width,
-    height: 168,
+    height: below ? 132 : 168,
+    ...(below ? { padding: [8, units.length > 1 ? below.right - LEFT : below.right, 0, 0] as uPlot.Padding } : {}),
     legend: { live: false },
     cursor: { drag: { x: true, y: false }, points: { size: 6 } },
     scales: { x: { time: false } },
@@ -57,6 +65,7 @@ export function plot(place: Place): ElementView {
   const dashed = el("span", { class: "dashed", title: "Dashed lines are those of this run" });
   const empty = el("p", { class: "quiet" }, "Nothing to draw yet.");
   let chart: uPlot | null = null;
+  let below: Below | null = null;
   let series: Series = { t: new Float64Array(), columns: [] };
   let drawn = "";
   let shape = "";
@@ -79,23 +88,24 @@ export function plot(place: Place): ElementView {
     if (!some) return;
     const dataOf = ({ t, columns }: Series) => [t, ...columns.map((c) => c.values)] as unknown as uPlot.AlignedData;
     const data = beside ? uPlot.join([dataOf(series), dataOf(beside)]) : dataOf(series);
-    const nextShape = `${[series, beside].map((each) => each?.columns.map((c) => c.label + c.unit).join()).join(";")} ${color("--grid")}`;
-    if (chart && shape === nextShape) {
-      chart.setData(data);
-      return;
+    const nextShape = `${below?.right} ${[series, beside].map((each) => each?.columns.map((c) => c.label + c.unit).join()).join(";")} ${color("--grid")}`;
+    if (chart && shape === nextShape) chart.setData(data);
+    else {
+      shape = nextShape;
+      chart?.destroy();
+      chart = new uPlot(options(series, beside, Math.max(200, host.clientWidth), below, (t) => intents.goTo(t), showInstant), data, host);
+      chart.over.append(now);
     }
-    shape = nextShape;
-    chart?.destroy();
-    chart = new uPlot(options(series, beside, Math.max(200, host.clientWidth), (t) => intents.goTo(t), showInstant), data, host);
-    chart.over.append(now);
+    if (below) chart.setScale("x", { min: 0, max: below.span });
   };
-  const observer = new ResizeObserver(() => host.clientWidth > 0 && chart && Math.abs(chart.width - host.clientWidth) > 1 && chart.setSize({ width: host.clientWidth, height: 168 }));
+  const observer = new ResizeObserver(() => host.clientWidth > 0 && chart && Math.abs(chart.width - host.clientWidth) > 1 && chart.setSize({ width: host.clientWidth, height: chart.height }));
   observer.observe(host);
   return {
     root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label, dashed, tools), host, empty),
     update(run, state) {
       const other = state.ghost === null || state.ghost === run.id ? null : (state.runs.get(state.ghost) ?? null);
-      const key = `${run.id} ${run.version} ${other?.id} ${other?.version} ${color("--grid")}`;
+      below = state.plotsBelow ? { span: spanOf(state), right: rightMargin(state) } : null;
+      const key = `${run.id} ${run.version} ${other?.id} ${other?.version} ${color("--grid")} ${JSON.stringify(below)}`;
       if (key !== drawn) draw(run, other);
       drawn = key;
       instant = state.t;

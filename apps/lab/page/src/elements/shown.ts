@@ -22,6 +22,7 @@ export function table({ element }: Place): ElementView {
         ...(header.length ? [el("thead", {}, el("tr", {}, ...header.map((text) => el("th", { scope: "col" }, text))))] : []),
         el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell) => el("td", {}, cell))))),
       );
+      if (!rows.length && value && !value.error) body.replaceChildren(el("caption", { class: "quiet" }, "Nothing is in it."));
       if (value?.error) body.replaceChildren(el("caption", { class: "reason" }, value.error));
     },
   };
@@ -70,13 +71,22 @@ export function text({ element }: Place): ElementView {
   };
 }
 
-export function image({ element }: Place): ElementView {
+export function image({ element, intents }: Place): ElementView {
   const label = element.label || element.name;
   const picture = el("img", { alt: label });
   const note = el("p", { class: "quiet" });
+  let own = "";
+  if (element.file) {
+    void intents.file(element.file).then(
+      (bytes) => (picture.src = own = URL.createObjectURL(new Blob([bytes]))),
+      () => setText(note, "The picture could not be had."),
+    );
+  }
   return {
     root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), picture, note),
+    dispose: () => URL.revokeObjectURL(own),
     update(run) {
+      if (element.file) return;
       const value = run.values[element.name];
       const data = value?.image ?? element.image;
       const address = data ? (data.startsWith("data:image/") ? data : `data:image/png;base64,${data}`) : "";

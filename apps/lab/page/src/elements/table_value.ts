@@ -56,6 +56,15 @@ function unitOf(units: Value): string | null {
   return all.size > 1 ? null : ([...all][0] ?? "");
 }
 
+// A cell in its unit, which is written behind it unless the header has it; with several units, number by number.
+function withUnits(cell: Value | undefined, units: Value, isInHeader: boolean): string {
+  const unit = unitOf(units);
+  if (unit === null && Array.isArray(cell)) return `[${cell.map((each, i) => withUnits(each, Array.isArray(units) ? (units[i] ?? "") : units, false)).join(", ")}]`;
+  const shown = shownUnit(unit);
+  const words = cellText(cell, shown.factor);
+  return isInHeader || !shown.unit || cell === null || cell === undefined ? words : `${words} ${shown.unit}`;
+}
+
 // The table as it is read: lengths in millimetres and angles in degrees. Units stand in the header where a column has one, and with
 // the numbers where there is no header.
 // given  a header for it.
@@ -66,11 +75,7 @@ export function shownTable(value: Value | undefined, units: Units | undefined, g
   const columns = Math.max(header.length, ...rows.map((row) => row.length));
   const shared = Array.from({ length: columns }, (_, k) => (header.length ? unitOf(unitRows.map((row) => row[k] ?? "")) : null));
   const text = (cell: Value | undefined, i: number, k: number) => {
-    if (typeof cell === "string") return cell;
-    const unit = unitOf(unitRows[i]?.[k] ?? "");
-    const shown = shownUnit(unit);
-    const words = cellText(cell, shown.factor);
-    return typeof shared[k] === "string" || !shown.unit || cell === null || cell === undefined ? words : `${words} ${shown.unit}`;
+    return typeof cell === "string" ? cell : withUnits(cell, unitRows[i]?.[k] ?? "", typeof shared[k] === "string");
   };
   return {
     header: header.map((name, k) => (shared[k] ? `${name} [${shownUnit(shared[k]).unit}]` : name)),

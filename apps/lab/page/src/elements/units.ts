@@ -11,6 +11,9 @@ const SHOWN: Record<string, Shown> = {
   m: { unit: "mm", factor: 1000, digits: 1 },
   "rad/s": { unit: "deg/s", factor: 180 / Math.PI, digits: 1 },
   "rad/s^2": { unit: "deg/s²", factor: 180 / Math.PI, digits: 1 },
+  "m/s": { unit: "mm/s", factor: 1000, digits: 1 },
+  "m/s^2": { unit: "mm/s²", factor: 1000, digits: 1 },
+  Nm: { unit: "N m", factor: 1, digits: 3 },
 };
 
 // `per` is "", "/s" or "/s^2".

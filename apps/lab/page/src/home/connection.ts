@@ -33,6 +33,7 @@ export class Refused extends Error {
 }
 
 interface Waiting {
+  isQuiet?: boolean;
   resolve(answer: Incoming): void;
   reject(reason: Error): void;
   take?(bytes: ArrayBuffer): void;
@@ -74,11 +75,11 @@ export class Connection {
     return seq;
   }
 
-  // The answer; throws Refused if the laboratory answers with an error.
-  ask<T extends Incoming["type"]>(message: Outgoing): Promise<IncomingOf<T>> {
+  // The answer; throws Refused if the laboratory answers with an error. A quiet one is told to nobody else.
+  ask<T extends Incoming["type"]>(message: Outgoing, isQuiet = false): Promise<IncomingOf<T>> {
     return new Promise((resolve, reject) => {
       const seq = this.send(message);
-      this.waiting.set(seq, { resolve: resolve as (answer: Incoming) => void, reject });
+      this.waiting.set(seq, { resolve: resolve as (answer: Incoming) => void, reject, isQuiet });
     });
   }
 
@@ -103,7 +104,7 @@ export class Connection {
       return;
     }
     if (message.type === "welcome" && message.key) keepKey(message.key);
-    events.message(message);
+    if (!question?.isQuiet) events.message(message);
     question?.resolve(message);
   }
 }

@@ -67,6 +67,7 @@ export interface RobotChange {
   tool: ToolInfo;
   T_world_base: Matrix;
   shapes?: Shape[];
+  solids?: Shape[];
 }
 export interface RobotInfo {
   name: string;
@@ -76,6 +77,7 @@ export interface RobotInfo {
   T_world_base: Matrix;
   tool: ToolInfo;
   shapes: Shape[];
+  solids?: Shape[]; // with which collisions are found
   pictures?: LinkPicture[];
   changes?: RobotChange[];
 }
@@ -110,6 +112,7 @@ export interface ElementInfo {
   units?: string[] | null;
   type?: string | null;
   image?: string | null;
+  file?: string; // of an image
   span?: Span | null;
   factor?: number | null;
   header?: string[] | null;
@@ -133,6 +136,15 @@ export interface Move {
   text: string;
   stopped?: boolean;
 }
+// What a task did, or a signal was, for a time.
+export interface Stretch {
+  kind: "task" | "signal";
+  name: string;
+  t0: number;
+  t1: number;
+  span?: Span | null;
+  value?: number | boolean;
+}
 // A way around what stood in the way, as it was planned at t; it takes `duration`, s.
 export interface PlannedWay {
   robot: number;
@@ -146,6 +158,7 @@ export interface NoteItem {
   kind: "output" | "message" | "advice";
   text: string;
   span?: Span | null;
+  element?: string; // the button whose function says so
 }
 export type RunError = Diagnostic & { t: number; when?: string | null; robot?: number | null; goal?: Pose | null; nearest?: Nearest | null };
 export type RunState = "running" | "done" | "failed" | "stopped";
@@ -234,6 +247,7 @@ export interface NearBody {
 }
 export interface NearPair {
   distance: number;
+  at_least?: boolean; // they may overlap by more
   felt?: boolean; // by the hand, which presses into the other one
   body: NearBody;
   other: NearBody;
@@ -251,6 +265,21 @@ export interface InstantMessage {
   signals?: { name: string; value: string | number | boolean | null }[];
   frames?: NamedFrame[];
   clearances?: NearPair[];
+  presses?: Press[];
+  values?: Record<string, ElementValue>; // of elements, where the question was only to look
+}
+// A place where a robot presses on something: where, m, and the force that it feels there, N.
+export interface Press {
+  robot: number;
+  object: string;
+  at: [number, number, number];
+  force: [number, number, number];
+}
+// What a recording has of an instant, as far as it differs from the one before.
+export interface Look {
+  t: number;
+  instant: Partial<InstantMessage>;
+  values: Record<string, ElementValue>;
 }
 export interface CompletionItem {
   text: string;
@@ -298,6 +327,7 @@ export type Incoming = { to?: number | null } & (
   | { type: "runs"; list: RunHead[] }
   | ({ type: "moves" } & Grown<Move>)
   | ({ type: "ways" } & Grown<PlannedWay>)
+  | ({ type: "stretches" } & Grown<Stretch>)
   | ({ type: "statements" } & Grown<[number, number]>)
   | ({ type: "objects" } & Grown<ObjectEvent>)
   | ({ type: "notes" } & Grown<NoteItem>)
@@ -310,6 +340,7 @@ export type Incoming = { to?: number | null } & (
   | { type: "definition"; span: Span | null; file?: string | null }
   | { type: "formatted"; text: string | null }
   | { type: "inverse"; ok: boolean; q?: number[] | null; reason?: string | null; nearest?: Nearest | null }
+  | { type: "looks"; run: number; items: Look[] }
   | { type: "taken"; run: number }
   | { type: "kept"; name: string; size: [number, number, number] }
   | { type: "exported"; laboratory: Record<string, unknown> }
@@ -326,7 +357,7 @@ export type Outgoing =
   | { type: "text"; text: string; version: number; run?: boolean }
   | { type: "complete" | "hover" | "signature" | "definition"; at: Position }
   | { type: "format" | "stop" | "export" | "take" }
-  | { type: "goto"; t: number; run?: number }
+  | { type: "goto"; t: number; run?: number; looks?: boolean }
   | ({ type: "input"; t?: number } & Input)
   | { type: "breakpoints"; lines: number[] }
   | { type: "step"; how: StepHow }

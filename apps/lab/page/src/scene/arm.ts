@@ -103,6 +103,8 @@ export class ArmView {
   // Links whose pictures are there; their shapes are not drawn.
   private pictured = new Map<number, Group>();
   private fingers: Mesh[] = [];
+  // Whether it is drawn as the bodies with which collisions are found.
+  asSolids = false;
 
   // round    faces of a full circle; fewer make a coarse arm, for drawings.
   // library  has the pictures of links; without it they are drawn as shapes.
@@ -125,8 +127,9 @@ export class ArmView {
 
   // Puts the arm where the joints are `q`.
   stand(q: readonly number[], change?: RobotChange): void {
-    this.build(change?.shapes ?? this.robot.shapes);
-    this.takePictures();
+    const solids = this.asSolids ? (change?.solids ?? this.robot.solids ?? []) : [];
+    this.build(solids.length ? solids : (change?.shapes ?? this.robot.shapes), solids.length > 0);
+    if (!solids.length) this.takePictures();
     const frames = shapeFrames(this.robot, q, change?.T_world_base);
     frames.forEach((frame, i) => this.links[i]?.matrix.fromArray(frame));
     this.group.updateMatrixWorld(true);
@@ -189,14 +192,14 @@ export class ArmView {
     this.group.removeFromParent();
   }
 
-  private build(shapes: Shape[]): void {
+  private build(shapes: Shape[], areSolids = false): void {
     if (shapes === this.shapes) return;
     this.shapes = shapes;
     this.marks.length = 0;
     this.fingers = [];
     for (const link of this.links) link.clear();
     this.pictured.clear();
-    for (const shape of covering(shapes)) {
+    for (const shape of areSolids ? shapes : covering(shapes)) {
       const mesh = new Mesh(geometryOf(shape, this.round), this.materialOf(shape));
       mesh.matrixAutoUpdate = false;
       mesh.matrix.fromArray(shape.T);

@@ -63,6 +63,8 @@ export class SceneView {
   showFrames = false;
   // Whether lines show how near things are; what overlaps is shown always.
   showClearance = false;
+  // Whether arms are drawn as the bodies with which collisions are found.
+  showSolids = false;
   // Whether bars show what motors give; null: of the robots for which the laboratory has a row that says so.
   showTorques: boolean | null = null;
   // Told how the camera is turned before each picture: a rotation from the world to the camera, in columns.
@@ -226,6 +228,7 @@ export class SceneView {
   private stand(state: State, run: Run): void {
     const { t, hover, pull, nearest } = state;
     this.arms.forEach((arm, i) => {
+      arm.asSolids = this.showSolids;
       arm.stand(run.qAt(i, t), run.changeAt(i, t));
       this.standFingers(run, i, arm, t);
     });
@@ -304,12 +307,16 @@ export class SceneView {
     const isNow = instant?.run === run.id && Math.abs(instant.t - t) < (playing ? LATE : 1e-6);
     const pairs = (isNow ? (instant.clearances ?? []) : []).filter((pair) => this.showClearance || overlaps(pair));
     this.clearances.show(pairs, this.palette, (body) => this.partOf(run, t, body), labels);
+    const most = (robot: number) => Math.max(1e-9, run.topContact(robot));
+    const points = (isNow ? (instant.presses ?? []) : []).map(({ robot, object, at, force }): Force => ({
+      at: new Vector3(...at), force: new Vector3(...force), share: Math.hypot(...force) / Math.max(most(robot), Math.hypot(...force)), on: object,
+    }));
     const forces = run.robots.flatMap((_, i): Force[] => {
       const force = run.contactAt(i, t);
       const tool = force && run.toolAt(i, t);
-      return force && tool ? [{ at: pointOf(tool), force: new Vector3(...force), share: Math.hypot(...force) / Math.max(1e-9, run.topContact(i)) }] : [];
+      return force && tool ? [{ at: pointOf(tool), force: new Vector3(...force), share: Math.hypot(...force) / most(i) }] : [];
     });
-    this.forces.show(forces, this.reach, this.palette, labels);
+    this.forces.show([...forces, ...points], this.showClearance, this.reach, this.palette, labels);
     this.ways.show(run, t, this.palette);
   }
 

@@ -26,8 +26,9 @@ const millimetres = (distance: number) => `${(1000 * distance).toFixed(Math.abs(
 
 export function textOf(pair: NearPair): string {
   const [body, other] = [pair.body, pair.other].map(({ text }) => text.replaceAll("`", "")) as [string, string];
-  if (overlaps(pair)) return `${body} is ${millimetres(-pair.distance)} deep in ${other}`;
-  if (pair.distance < -SOFT) return `${body} presses ${millimetres(-pair.distance)} into ${other}`;
+  const depth = `${pair.at_least ? "at least " : ""}${millimetres(-pair.distance)}`;
+  if (overlaps(pair)) return `${body} is ${depth} deep in ${other}`;
+  if (pair.distance < -SOFT) return `${body} presses ${depth} into ${other}`;
   return pair.distance <= SOFT ? `${body} touches ${other}` : `${body}: ${millimetres(pair.distance)} to ${other}`;
 }
 
@@ -118,6 +119,7 @@ export interface Force {
   at: Vector3;
   force: Vector3; // N
   share: number; // of the largest force of the run, 0 to 1
+  on?: string; // what is pressed at this one place; without it: all that a hand feels
 }
 
 const LONGEST = 0.35; // of the reach of what is shown
@@ -127,18 +129,22 @@ class ArrowView {
   readonly group = new Group();
   private readonly shaft = new Mesh(new CylinderGeometry(1, 1, 1, 12).translate(0, 0.5, 0), over(0.95));
   private readonly head = new Mesh(new ConeGeometry(1, 1, 20).translate(0, -0.5, 0), over(0.95));
+  private readonly dot = new Mesh(new SphereGeometry(1, 12, 8), over(0.95));
   private length = 0;
+  private slender = 1;
 
   constructor() {
-    this.shaft.renderOrder = this.head.renderOrder = 6;
-    this.group.add(this.shaft, this.head);
+    this.shaft.renderOrder = this.head.renderOrder = this.dot.renderOrder = 6;
+    this.group.add(this.shaft, this.head, this.dot);
   }
 
-  show({ at, force, share }: Force, reach: number, color: string): void {
-    this.length = reach * (SHORTEST + (LONGEST - SHORTEST) * Math.min(1, share));
+  show({ at, force, share, on }: Force, reach: number, color: string): void {
+    this.slender = on === undefined ? 1 : 0.6;
+    this.dot.visible = on !== undefined;
+    this.length = this.slender * reach * (SHORTEST + (LONGEST - SHORTEST) * Math.min(1, share));
     this.group.position.copy(at);
     this.group.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), force.clone().normalize());
-    for (const mesh of [this.shaft, this.head]) mesh.material.color.set(color);
+    for (const mesh of [this.shaft, this.head, this.dot]) mesh.material.color.set(color);
   }
 
   end(): Vector3 {
@@ -146,7 +152,8 @@ class ArrowView {
   }
 
   face(pixel: (at: Vector3) => number): void {
-    const size = pixel(this.group.position);
+    const size = this.slender * pixel(this.group.position);
+    this.dot.scale.setScalar(DOT * size);
     const head = Math.min(HEAD[1] * size, 0.6 * this.length);
     this.head.position.set(0, this.length, 0);
     this.head.scale.set((HEAD[0] * head) / HEAD[1], head, (HEAD[0] * head) / HEAD[1]);
@@ -154,7 +161,7 @@ class ArrowView {
   }
 
   dispose(): void {
-    for (const mesh of [this.shaft, this.head]) {
+    for (const mesh of [this.shaft, this.head, this.dot]) {
       mesh.geometry.dispose();
       mesh.material.dispose();
     }
@@ -166,14 +173,15 @@ export class Forces {
   readonly group = new Group();
   private arrows: ArrowView[] = [];
 
-  show(forces: readonly Force[], reach: number, palette: Palette, labels: Label[]): void {
+  // named  whether each place of pressure says with what it presses.
+  show(forces: readonly Force[], named: boolean, reach: number, palette: Palette, labels: Label[]): void {
     while (this.arrows.length > forces.length) this.arrows.pop()!.dispose();
     forces.forEach((force, i) => {
       const arrow = (this.arrows[i] ??= new ArrowView());
       if (!arrow.group.parent) this.group.add(arrow.group);
       arrow.show(force, reach, palette.force);
       const size = force.force.length();
-      labels.push({ text: `${size.toFixed(size < 10 ? 1 : 0)} N`, at: arrow.end(), beside: true });
+      if (force.on === undefined || named) labels.push({ text: `${size.toFixed(size < 10 ? 1 : 0)} N${force.on ? ` on ${force.on}` : ""}`, at: arrow.end(), beside: true });
     });
   }
 

@@ -1,11 +1,11 @@
 // Title, robots and world, play and speed, sharing, and which columns are open; below, who is in control.
 import type { Intents } from "../store/intents.ts";
 import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
-import { base64, filesOf, recordingOf } from "../store/recording.ts";
+import { base64, filesOf, looksOf, recordingOf, timesToLook } from "../store/recording.ts";
 import { inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { transport } from "../timebar/transport.ts";
-import { el, save, setText } from "./dom.ts";
+import { el, remember, remembered, save, setText } from "./dom.ts";
 import { icon } from "./icons.ts";
 import { hashToText, textToHash } from "./link.ts";
 import type { ColumnName } from "./page.ts";
@@ -33,6 +33,15 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     queueMicrotask(() => button.setAttribute("aria-pressed", String(actions.isOpen(name))));
     return button;
   });
+  const below = (on: boolean) => {
+    store.change((s) => (s.plotsBelow = on));
+    plots.setAttribute("aria-pressed", String(on));
+    remember("plotsBelow", on ? "yes" : "no");
+  };
+  const plots: HTMLButtonElement = el("button", {
+    class: "icon toggle desk", "aria-label": "Plots below the bar of time", title: "Plots below the bar of time", "aria-pressed": "false", onclick: () => below(!store.state.plotsBelow),
+  }, icon("below"));
+  if (remembered("plotsBelow") === "yes") below(true);
   const row = el("div", { class: "row" }, title, file, status);
   transport(row, store, intents);
   row.append(
@@ -41,7 +50,7 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     el("button", { onclick: () => save(store.state.welcome?.file.split("/").at(-1) || "program.rbt", new Blob([store.state.text], { type: "text/plain" })) }, "Save"),
     el("button", { class: "desk", hidden: !intents.live, onclick: () => void record(store.state, intents, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
     el("button", { hidden: !actions.alone, onclick: () => void handIn(intents, actions.source), title: "Save this laboratory with the program and all runs as a new file" }, "Hand in"),
-    el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles),
+    el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles, plots),
     el("button", { class: "icon desk", "aria-label": "Keys and help", onclick: actions.help }, "?"),
   );
   host.append(row, offer, control);
@@ -101,7 +110,12 @@ async function record(state: State, intents: Intents, source: string): Promise<v
     const bytes = await intents.file(name).catch(() => null);
     if (bytes) files.set(name, base64(bytes));
   }
-  save(`${baseName(state) || "recording"}.html`, new Blob([pageWithRecording(source, recordingOf(state, run, files))], { type: "text/html" }));
+  const instants = [];
+  for (const t of timesToLook(run)) {
+    const instant = await intents.look(run.id, t).catch(() => null);
+    if (instant) instants.push({ ...instant, t });
+  }
+  save(`${baseName(state) || "recording"}.html`, new Blob([pageWithRecording(source, recordingOf(state, run, files, looksOf(instants)))], { type: "text/html" }));
 }
 
 async function handIn(intents: Intents, source: string): Promise<void> {

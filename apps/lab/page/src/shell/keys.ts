@@ -60,8 +60,9 @@ export function globalKeys(intents: Intents, help: () => void): void {
   });
 }
 
-// Shows what of the help has the words that are searched.
-export function helpDialog(): HTMLDialogElement {
+// Shows what of the help has the words that are searched. What was searched before is gone when it opens: browsers tell late that
+// a dialog has closed, perhaps when somebody searches in it again.
+export function helpDialog(): { dialog: HTMLDialogElement; open(): void } {
   const rows = KEYS.map(([key, what]) => el("div", {}, el("dt", {}, key), el("dd", {}, what)));
   const none = el("p", { class: "quiet", role: "status" });
   const search: HTMLInputElement = el("input", { type: "text", "aria-label": "Search the help", placeholder: "Search", oninput: () => find() });
@@ -71,12 +72,18 @@ export function helpDialog(): HTMLDialogElement {
     none.textContent = rows.every((row) => row.hidden) ? "Nothing in the help has these words." : "";
   };
   const dialog: HTMLDialogElement = el(
-    "dialog", { class: "help", "aria-label": "Keys", onclose: () => ((search.value = ""), find()) },
+    "dialog", { class: "help", "aria-label": "Keys" },
     el("h2", {}, "Keys and gestures"),
     search,
     el("dl", {}, ...rows),
     none,
     el("button", { onclick: () => dialog.close() }, "Close"),
   );
-  return dialog;
+  const open = () => {
+    if (dialog.open) return;
+    search.value = "";
+    find();
+    dialog.showModal();
+  };
+  return { dialog, open };
 }

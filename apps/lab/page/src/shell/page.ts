@@ -20,7 +20,7 @@ const TITLES: Record<ColumnName, string> = { program: "Program", view: "3D view"
 
 // source, alone  see HeaderActions.
 export function buildPage(root: HTMLElement, store: Store, intents: Intents, source: string, alone: boolean): void {
-  const help = helpDialog();
+  const { dialog: help, open } = helpDialog();
   const top = el("header", { class: "top" });
   const editorHost = el("div", { class: "editor" });
   const below = el("div", { class: "below" });
@@ -37,7 +37,6 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   const message = el("div", { class: "message", role: "status", "aria-live": "polite", hidden: true });
   root.replaceChildren(top, main, bottom, phoneTabs(main), message, help);
 
-  const open = () => help.open || help.showModal();
   header(top, store, intents, { source, alone, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
   const editor = new Editor(editorHost, store, intents);
   editorPanels(below, store, intents, editor);
@@ -60,8 +59,10 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
     }
     columns.view.append(legend);
   };
-  elementPanel(elements, store, intents, ({ name, kind, span }) => editor.find(name, kind, span, version()));
+  const along = el("div", { class: "along", hidden: true });
+  elementPanel(elements, along, store, intents, ({ name, kind, span }) => editor.find(name, kind, span, version()));
   new TimeBar(bottom, store, intents);
+  bottom.append(along);
   globalKeys(intents, open);
   hints(columns, store);
   for (const name of COLUMNS) if (remembered(`closed.${name}`) === "yes") columns[name].classList.add("closed");

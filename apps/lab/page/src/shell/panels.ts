@@ -95,7 +95,7 @@ function drawOutput(host: HTMLElement, state: State, intents: Intents, bar: { co
   const key = `${run?.id} ${notes.length}`;
   if (key !== drawnOutput) {
     drawnOutput = key;
-    host.replaceChildren(...notes.slice(-1000).map((note) => el("button", { class: `note of-${note.kind}`, onclick: () => intents.goTo(note.t) }, el("span", { class: "quiet" }, note.t.toFixed(2)), note.text.replace(/\n$/, ""))));
+    host.replaceChildren(...notes.slice(-1000).map((note) => el("button", { class: `note of-${note.kind}`, onclick: () => intents.goTo(note.t) }, el("span", { class: "quiet" }, note.t.toFixed(2)), `${note.element ? `${note.element}: ` : ""}${note.text}`.replace(/\n$/, ""))));
     if (!notes.length) host.append(el("p", { class: "quiet" }, "Nothing was printed."));
     bar.count("output", notes.length);
   }
@@ -116,7 +116,8 @@ function drawVariables(host: HTMLElement, state: State): void {
     ...instant.variables.filter((v) => v.scope === scope).map((v) => el("tr", {}, el("td", { class: "name" }, v.name), el("td", { class: "type" }, v.type), el("td", { class: "value" }, v.value ?? "–"))),
   ]);
   const tasks = (instant.tasks ?? []).filter((task) => task.waits).map((task) => el("p", { class: "quiet" }, `${task.name} waits for ${task.waits}`));
-  host.replaceChildren(el("table", { class: "variables" }, el("tbody", {}, ...rows)), ...tasks);
+  const signals = (instant.signals ?? []).map(({ name, value }) => el("tr", {}, el("td", { class: "name" }, name), el("td", { class: "type" }, "signal"), el("td", { class: "value" }, String(value))));
+  host.replaceChildren(el("table", { class: "variables" }, el("tbody", {}, ...rows, ...signals)), ...tasks);
 }
 
 function drawRuns(host: HTMLElement, state: State, intents: Intents): void {

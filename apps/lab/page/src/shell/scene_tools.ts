@@ -39,7 +39,7 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     frames.setAttribute("aria-pressed", String(scene.showFrames));
     scene.redraw();
   } }, "Frames");
-  const clearance: HTMLButtonElement = el("button", { class: "tiny", hidden: !intents.live, "aria-pressed": "false", title: "How near each robot is to something, and what touches", onclick: () => {
+  const clearance: HTMLButtonElement = el("button", { class: "tiny", "aria-pressed": "false", title: "How near each robot is to something, and what touches", onclick: () => {
     scene.showClearance = intents.looksClosely = !scene.showClearance;
     clearance.setAttribute("aria-pressed", String(scene.showClearance));
     scene.redraw();
@@ -49,6 +49,11 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     torques.setAttribute("aria-pressed", String(scene.showTorques));
     scene.redraw();
   } }, "Torques");
+  const solids: HTMLButtonElement = el("button", { class: "tiny", hidden: true, "aria-pressed": "false", title: "Arms as the bodies with which collisions are found", onclick: () => {
+    scene.showSolids = !scene.showSolids;
+    solids.setAttribute("aria-pressed", String(scene.showSolids));
+    scene.redraw();
+  } }, "Solids");
   const robots = el("select", { "aria-label": "Robot", hidden: true, onchange: () => {
     scene.active = Number(robots.value);
     scene.redraw();
@@ -57,13 +62,18 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     const blob = await scene.picture();
     if (blob) save("view.png", blob);
   };
-  host.append(el(
-    "div", { class: "scene-tools", role: "toolbar", "aria-label": "3D view" },
-    ...PRESETS.map(([preset, label]) => el("button", { class: "tiny", onclick: () => scene.look(preset) }, label)),
-    el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), frames, clearance, torques, robots,
+  // In a narrow view the others stay away until they are asked for; those that are on stay.
+  const extra = el(
+    "span", { class: "extra" }, frames, clearance, torques, solids,
     el("button", { class: "tiny", onclick: () => void picture() }, "PNG"),
     el("button", { class: "tiny", onclick: () => save("view.svg", new Blob([scene.drawing()], { type: "image/svg+xml" })) }, "SVG"),
     videoButton(scene.canvas, store, intents),
+  );
+  const more: HTMLButtonElement = el("button", { class: "tiny more", "aria-label": "More tools", title: "More tools", "aria-expanded": "false", onclick: () => more.setAttribute("aria-expanded", String(extra.classList.toggle("open"))) }, "…");
+  host.append(el(
+    "div", { class: "scene-tools", role: "toolbar", "aria-label": "3D view" },
+    ...PRESETS.map(([preset, label]) => el("button", { class: "tiny", onclick: () => scene.look(preset) }, label)),
+    el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), robots, more, extra,
   ));
   host.append(viewCube(scene));
   const where = el("output", { class: "where", "aria-label": "Hand" });
@@ -92,6 +102,8 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     const names = run?.robots.map((r) => r.name) ?? [];
     if (robots.options.length !== names.length) robots.replaceChildren(...names.map((name, i) => el("option", { value: i }, name)));
     robots.hidden = names.length < 2;
+    clearance.hidden = !intents.live && !run?.looks.length;
+    solids.hidden = !run?.robots.some((robot) => robot.solids?.length);
     torques.hidden = !names.some((_, i) => run?.sharesAt(i, s.t).some((share) => share !== null));
     torques.setAttribute("aria-pressed", String(scene.showTorques ?? run?.elements.some((row) => row.kind === "torques") ?? false));
     setText(where, pose ? `${names[scene.active] ?? ""} at ${pose.slice(0, 3).map((v) => fixed(1000 * v, 1)).join(", ")} mm` : "");

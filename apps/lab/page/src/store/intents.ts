@@ -1,6 +1,6 @@
 // What a person wants: changes of the state and messages to the laboratory.
 import { Refused, type Connection } from "../home/connection.ts";
-import type { Incoming, Input, Pose, StepHow } from "../protocol/messages.ts";
+import type { Incoming, IncomingOf, Input, Pose, StepHow } from "../protocol/messages.ts";
 import { toBase85 } from "../protocol/base85.ts";
 import type { Store } from "./store.ts";
 import { inControl, shownRun, type State } from "./state.ts";
@@ -22,6 +22,7 @@ export class Intents {
   private checkedText: string | null = null;
   private waitsForRun = false;
   private asking = false;
+  private steps = 0;
   private askedFor = "";
   private askedAt = 0;
   private input: { element: string; what: Input } | null = null;
@@ -122,6 +123,11 @@ export class Intents {
     this.connection.send({ type: "text", text: this.state.text, version, ...(run ? {} : { run: false }) });
   }
 
+  // What a page asks for at an instant, without showing it.
+  look(run: number, t: number): Promise<IncomingOf<"instant">> {
+    return this.connection.ask<"instant">({ type: "goto", t, run, looks: true }, true);
+  }
+
   ask: Connection["ask"] = (message) => {
     if (!this.live) return Promise.reject(new Error("This is a recording."));
     this.sendText(false);
@@ -144,9 +150,8 @@ export class Intents {
   }
 
   goTo(t: number): void {
-    const run = shownRun(this.state);
     this.store.change((s) => {
-      s.t = Math.min(Math.max(0, t), run?.tEnd ?? 0);
+      s.t = this.placeFor(t);
       s.nearest = null;
     });
     this.askForInstant();
@@ -158,6 +163,7 @@ export class Intents {
     this.store.change((s) => {
       s.playing = on;
       if (on && s.t >= (run?.tEnd ?? 0) - 1e-9) s.t = 0;
+      if (!on) s.t = this.placeFor(s.t);
     });
     this.askForInstant();
   }
@@ -185,8 +191,11 @@ export class Intents {
 
   async step(how: StepHow): Promise<void> {
     this.store.change((s) => (s.playing = false));
+    this.steps++; // until its answer is there, nothing is asked about where this page was
     const instant = await this.answered<"instant">({ type: "step", how });
+    this.steps--;
     if (instant) this.store.change((s) => (s.t = instant.t));
+    this.askForInstant();
   }
 
   toggleBreakpoint(line: number): void {
@@ -298,17 +307,38 @@ export class Intents {
     }
   }
 
+  // A recording answers no questions, but has what was told at some instants.
+  private showLook(): void {
+    const run = shownRun(this.state);
+    const look = run?.lookAt(this.state.t);
+    if (!run || !look || (run.values === look.values && this.state.instant?.t === look.t)) return;
+    this.store.change((s) => {
+      s.instant = { ...look.instant, type: "instant", run: run.id, t: look.t } as IncomingOf<"instant">;
+      run.values = look.values;
+      run.valuesAt = look.t;
+    });
+  }
+
+  // Where a recording stands: at the nearest instant that it knows.
+  private placeFor(t: number): number {
+    const run = shownRun(this.state);
+    const inside = Math.min(Math.max(0, t), run?.tEnd ?? 0);
+    const [before, behind] = [run?.lookAt(inside), run?.looks.find((look) => look.t > inside)];
+    if (this.live || !run || !before) return inside;
+    return behind && behind.t - inside < inside - before.t ? behind.t : Math.min(before.t, run.tEnd);
+  }
+
   // Variables and values of elements at the instant that is looked at: one question at a time.
   private askForInstant(): void {
     const { shown, t, playing, connection } = this.state;
     const key = `${shown} ${t}`;
-    if (!this.live || this.asking || shown === null || connection !== "open" || key === this.askedFor) return;
+    if (!this.live) this.showLook();
+    if (!this.live || this.asking || this.steps > 0 || shown === null || connection !== "open" || key === this.askedFor) return;
     const now = Date.now();
     if (playing && now - this.askedAt < (this.looksClosely ? WHILE_LOOKING : WHILE_PLAYING)) return;
     const instant = this.state.instant;
     if (instant && instant.run === shown && Math.abs(instant.t - t) < 1e-9) return;
     this.asking = true;
-    this.state.lookedAt = t;
     this.askedFor = key;
     this.askedAt = now;
     this.connection

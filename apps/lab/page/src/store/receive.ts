@@ -1,4 +1,5 @@
 // Messages of the laboratory into the state.
+import type * as M from "../protocol/messages.ts";
 import type { Incoming, IncomingOf } from "../protocol/messages.ts";
 import { CONTACT_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
 import { Rows, Track } from "./rows.ts";
@@ -64,6 +65,7 @@ const handlers: Handlers = {
   },
   moves: (state, message) => growList(state, "moves", message),
   ways: (state, message) => growList(state, "ways", message),
+  stretches: (state, message) => growList(state, "stretches", message),
   statements: (state, message) => growList(state, "statements", message),
   objects: (state, message) => growList(state, "events", message),
   notes: (state, message) => growList(state, "notes", message),
@@ -76,13 +78,18 @@ const handlers: Handlers = {
     const run = runOf(state, message.run);
     run.values = { ...run.values, ...message.values };
     run.valuesAt = message.t;
-    run.version++;
+  },
+  looks(state, message) {
+    let [instant, values]: [M.Look["instant"], M.Look["values"]] = [{}, {}];
+    runOf(state, message.run).looks = message.items.map((item) => {
+      [instant, values] = [{ ...instant, ...item.instant }, { ...values, ...item.values }];
+      return { t: item.t, instant, values };
+    });
   },
   instant(state, message) {
     state.instant = message;
-    // The answer to a look is about where this page was when it asked: it may have gone on since. A step moves it.
-    const isLook = typeof message.to === "number" && message.t === state.lookedAt;
-    if (message.cursor && !state.playing && !isLook) state.t = message.t;
+    // An answer is about where this page was when it asked: it may have gone on since. Who steps goes along by itself.
+    if (message.cursor && !state.playing && typeof message.to !== "number") state.t = message.t;
   },
   breakpoints(state, message) {
     state.breakpoints = message.lines;
@@ -149,7 +156,7 @@ function forgetOld(state: State): void {
   }
 }
 
-function growList<T>(state: State, name: "moves" | "ways" | "statements" | "events" | "notes", message: { run: number; first: number; items: T[] }): void {
+function growList<T>(state: State, name: "moves" | "ways" | "stretches" | "statements" | "events" | "notes", message: { run: number; first: number; items: T[] }): void {
   const run = runOf(state, message.run);
   grow(run[name] as T[], message.first, message.items);
   run.version++;

@@ -1,6 +1,7 @@
 // A run as the messages that tell it, so that a page can show it again without a laboratory.
 import type { Recording } from "../home/recording.ts";
 import { CONTACT_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, writeRows } from "../protocol/rows.ts";
+import type { InstantMessage, Look } from "../protocol/messages.ts";
 import type { Rows } from "./rows.ts";
 import type { Run } from "./run.ts";
 import type { State } from "./state.ts";
@@ -19,12 +20,36 @@ function rowsMessage(run: number, kind: number, index: number, rows: Rows): { bi
 
 // The files that are drawn in a run.
 export function filesOf(run: Run): string[] {
-  const names = [...run.objects.flatMap((object) => [object.file, object.texture]), ...run.robots.flatMap((robot) => (robot.pictures ?? []).map((each) => each.file))];
+  const names = [...run.elements.map((element) => element.file), ...run.objects.flatMap((object) => [object.file, object.texture]), ...run.robots.flatMap((robot) => (robot.pictures ?? []).map((each) => each.file))];
   return [...new Set(names.filter((name) => name !== undefined))];
 }
 
+const EVEN = 240; // instants of a recording at even times
+const MOST = 600; // with the beginnings and ends of moves
+
+export function timesToLook(run: Run): number[] {
+  const even = Array.from({ length: EVEN + 1 }, (_, i) => (run.tEnd * i) / EVEN);
+  return [...new Set([...even, ...run.stops().slice(0, MOST - EVEN)])].sort((a, b) => a - b);
+}
+
+// What changes of an object from one instant to the next.
+function changes<T extends object>(now: T, before: Partial<T>): Partial<T> {
+  const names = (Object.keys(now) as (keyof T)[]).filter((name) => JSON.stringify(now[name]) !== JSON.stringify(before[name]));
+  return Object.fromEntries(names.map((name) => [name, now[name]])) as Partial<T>;
+}
+
+// What was told of some instants, each as far as it differs from the one before.
+export function looksOf(instants: readonly InstantMessage[]): Look[] {
+  let [before, known]: [Look["instant"], Look["values"]] = [{}, {}];
+  return instants.map(({ type: _type, run: _run, t, cursor: _cursor, values = {}, ...instant }) => {
+    const look = { t, instant: changes(instant, before), values: changes(values, known) as Look["values"] };
+    [before, known] = [instant, values];
+    return look;
+  });
+}
+
 // files  what filesOf names, in base64; those that could not be had are left out.
-export function recordingOf(state: State, run: Run, files = new Map<string, string>()): Recording {
+export function recordingOf(state: State, run: Run, files = new Map<string, string>(), looks: Look[] = run.looks): Recording {
   const { welcome } = state;
   const id = run.id;
   const page = welcome?.page ?? 1;
@@ -39,7 +64,7 @@ export function recordingOf(state: State, run: Run, files = new Map<string, stri
     { ...head, type: "run", text_version: run.textVersion, inputs: run.inputs, hash: run.hash, error: run.error },
     ...[...files].map(([file, binary]) => ({ file, binary })),
     { type: "description", run: id, world, title, layout, robots, objects, elements },
-    list("objects", run.events), list("moves", run.moves), list("ways", run.ways), list("statements", run.statements), list("notes", run.notes),
+    list("objects", run.events), list("moves", run.moves), list("ways", run.ways), list("stretches", run.stretches), list("statements", run.statements), list("notes", run.notes),
     ...[...run.figures].map(([index, figure]) => ({ type: "figures", run: id, index, ...figure })),
     { type: "elements", run: id, t: run.valuesAt, values: run.values },
     ...run.tracks.flatMap((rows, i) => (rows?.count ? [rowsMessage(id, ROBOT_ROWS, i, rows)] : [])),
@@ -48,6 +73,7 @@ export function recordingOf(state: State, run: Run, files = new Map<string, stri
     ...[...run.forceRows].map(([i, rows]) => rowsMessage(id, FORCE_ROWS, i, rows)),
     ...[...run.contactRows].map(([i, rows]) => rowsMessage(id, CONTACT_ROWS, i, rows)),
     { type: "shown", run: id },
+    ...(looks.length ? [{ type: "looks", run: id, items: looks }] : []),
     ...(state.instant?.run === id ? [{ ...state.instant, to: null, cursor: true }] : []),
   ];
 }

@@ -31,6 +31,8 @@ export class Run {
   moves: M.Move[] = [];
   statements: [number, number][] = [];
   ways: M.PlannedWay[] = [];
+  stretches: M.Stretch[] = [];
+  looks: M.Look[] = []; // of a recording, each whole, in the order of time
   events: M.ObjectEvent[] = [];
   notes: M.NoteItem[] = [];
   figures = new Map<number, Figure>();
@@ -67,6 +69,7 @@ export class Run {
       t: change?.t ?? 0,
       tool: change?.tool ?? info.tool,
       shapes: change?.shapes ?? info.shapes,
+      solids: change?.solids ?? info.solids ?? [],
       T_world_base: multiply(flange, change?.T_world_base ?? info.T_world_base),
     };
   }
@@ -155,6 +158,11 @@ export class Run {
       if (event.object === object) holder = event.what === "attached" ? event.robot : event.what === "added" ? holder : null;
     }
     return holder;
+  }
+
+  // What a recording knows of the newest instant until t.
+  lookAt(t: number): M.Look | undefined {
+    return this.looks.findLast((look) => look.t <= t + 1e-9);
   }
 
   // The line on which the program is at t; null before its first statement.

@@ -32,8 +32,6 @@ export interface State {
   ghost: number | null;
   comparison: M.Comparison | null;
   t: number;
-  // The instant about which this page has asked last.
-  lookedAt: number | null;
   playing: boolean;
   speed: number;
   hover: Hover;
@@ -46,6 +44,8 @@ export interface State {
   // What comes nearest to the last refused wish for the hand; null: the last one was taken.
   nearest: (M.Nearest & { robot: number }) | null;
   message: string;
+  // Whether plots stand below the bar of time, along it.
+  plotsBelow: boolean;
 }
 
 export function initialState(): State {
@@ -66,7 +66,6 @@ export function initialState(): State {
     ghost: null,
     comparison: null,
     t: 0,
-    lookedAt: null,
     playing: false,
     speed: 1,
     hover: null,
@@ -77,6 +76,7 @@ export function initialState(): State {
     refusals: new Map(),
     nearest: null,
     message: "",
+    plotsBelow: false,
   };
 }
 

@@ -1,14 +1,12 @@
-// The bar of time: a lane for each robot, a block for each move, ticks for what happened, other runs as thin lines.
+// The bar of time: lanes of blocks, ticks for what happened, other runs as thin lines.
 import { el, setText } from "../shell/dom.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
+import { LEFT, lanesOf, rightMargin, spanOf, type Block, type Lane } from "./lanes.ts";
 
-const LEFT = 76; // names of lanes
-const RIGHT = 14;
 const RULER = 18;
-const LANE = 24;
 const THIN = 4;
 const OTHERS = 8; // runs drawn as thin lines
 
@@ -25,7 +23,7 @@ export function ticksOf(run: Run): Tick[] {
     .map((event): Tick => ({ t: event.t, text: `${run.objects[event.object]?.name ?? ""} ${event.what}`, kind: "event" }));
   const notes = run.notes
     .filter((note) => note.kind !== "output")
-    .map((note): Tick => ({ t: note.t, text: note.text, kind: note.kind === "message" ? "message" : "advice" }));
+    .map((note): Tick => ({ t: note.t, text: note.element ? `${note.element}: ${note.text}` : note.text, kind: note.kind === "message" ? "message" : "advice" }));
   return [...events, ...notes].sort((a, b) => a.t - b.t);
 }
 
@@ -44,6 +42,9 @@ export class TimeBar {
   private readonly store: Store;
   private readonly intents: Intents;
   private drag: number | null = null;
+  private lanes: Lane[] = [];
+  private lanesFor = "";
+  private right = 0;
 
   constructor(host: HTMLElement, store: Store, intents: Intents) {
     this.host = host;
@@ -53,22 +54,20 @@ export class TimeBar {
     host.append(this.bar);
     new ResizeObserver(() => this.draw(store.state)).observe(this.bar);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw(store.state));
-    store.watch((s) => [s.shown, shownRun(s)?.version, s.t, s.hover, s.list, s.ghost, s.comparison, isStale(s)], (s) => this.draw(s));
+    store.watch((s) => [s.shown, shownRun(s)?.version, s.t, s.hover, s.list, s.ghost, s.comparison, isStale(s), s.plotsBelow], (s) => this.draw(s));
     this.listen();
   }
 
   private get span(): number {
-    const { state } = this.store;
-    const ghost = state.ghost === null ? undefined : state.runs.get(state.ghost);
-    return Math.max(shownRun(state)?.tEnd ?? 0, ghost?.tEnd ?? 0) || 1;
+    return spanOf(this.store.state);
   }
 
   private x(t: number): number {
-    return LEFT + (t / this.span) * (this.bar.clientWidth - LEFT - RIGHT);
+    return LEFT + (t / this.span) * (this.bar.clientWidth - LEFT - this.right);
   }
 
   private t(x: number): number {
-    return Math.min(this.span, Math.max(0, ((x - LEFT) / Math.max(1, this.bar.clientWidth - LEFT - RIGHT)) * this.span));
+    return Math.min(this.span, Math.max(0, ((x - LEFT) / Math.max(1, this.bar.clientWidth - LEFT - this.right)) * this.span));
   }
 
   private listen(): void {
@@ -101,23 +100,34 @@ export class TimeBar {
     const run = shownRun(this.store.state);
     if (!run) return;
     const t = this.t(x);
-    const robot = Math.floor((y - RULER) / LANE);
-    const move = robot >= 0 && x >= LEFT ? run.moveAt(robot, t) : undefined;
+    const robot = this.laneAt(y);
+    const lane = this.lanes[robot];
+    const block = x >= LEFT ? lane?.blocks.find((each) => each.t0 <= t && t <= each.t1) : undefined;
     const tick = ticksOf(run).find((k) => Math.abs(this.x(k.t) - x) < 5);
-    setText(this.note, tick ? `${tick.t.toFixed(2)} s  ${tick.text}` : move ? move.text : "");
+    setText(this.note, tick ? `${tick.t.toFixed(2)} s  ${tick.text}` : block ? block.text : x < LEFT ? (lane?.title ?? "") : "");
     this.note.style.left = `${Math.min(Math.max(LEFT, x), this.bar.clientWidth - 200)}px`;
     this.note.hidden = this.note.textContent === "";
     const old = this.store.state.hover;
-    const next = move ? { from: "bar" as const, robot, t, line: move.span?.[0] ?? null } : null;
+    const next = block ? { from: "bar" as const, robot, t, line: block.lines?.[0] ?? null } : null;
     if (next === old || (next && old?.from === "bar" && old.line === next.line && old.t === next.t)) return;
     this.store.change((s) => (s.hover = next));
   }
 
+  // The number of the lane there; those of robots come first, with their numbers.
+  private laneAt(y: number): number {
+    let below = RULER;
+    return this.lanes.findIndex((lane) => y >= below && y < (below += lane.height));
+  }
+
   private draw(state: State): void {
     const run = shownRun(state);
-    const lanes = Math.max(1, run?.robots.length ?? 1);
+    const key = `${run?.id} ${run?.version} ${state.textVersion}`;
+    if (key !== this.lanesFor) this.lanes = lanesOf(run, state);
+    this.lanesFor = key;
+    this.right = rightMargin(state);
+    const bottom = this.lanes.reduce((y, lane) => y + lane.height, RULER);
     const others = run ? otherRuns(state, run) : [];
-    const height = RULER + lanes * LANE + others.length * THIN + 12;
+    const height = bottom + others.length * THIN + 12;
     const width = this.bar.clientWidth;
     if (!width) return;
     const scale = Math.min(2, devicePixelRatio);
@@ -135,8 +145,8 @@ export class TimeBar {
     this.drawRuler(c, color, height);
     if (run) {
       this.drawLanes(c, color, run, state);
-      this.drawOthers(c, color, others, RULER + lanes * LANE + 4);
-      this.drawTicks(c, color, run, lanes, state);
+      this.drawOthers(c, color, others, bottom + 4);
+      this.drawTicks(c, color, run, bottom, state);
     }
     if (state.hover?.from === "path") {
       c.fillStyle = color("--accent");
@@ -166,34 +176,46 @@ export class TimeBar {
   }
 
   private drawLanes(c: CanvasRenderingContext2D, color: (name: string) => string, run: Run, state: State): void {
-    const stale = isStale(state);
-    run.robots.forEach((robot, i) => {
-      c.fillStyle = color("--quiet");
-      c.textAlign = "left";
-      c.fillText(robot.name.length > 10 ? `${robot.name.slice(0, 9)}…` : robot.name, 8, RULER + i * LANE + LANE / 2);
-      c.fillStyle = color("--lane");
-      c.beginPath();
-      c.roundRect(LEFT, RULER + i * LANE + 2, this.x(run.tEnd) - LEFT, LANE - 4, 4);
-      c.fill();
-    });
     const line = state.hover?.line ?? null;
-    for (const move of run.moves) {
-      const [x0, x1] = [this.x(move.t0), this.x(move.t1)];
-      const y = RULER + move.robot * LANE + 2;
-      const lit = line !== null && move.span !== null && move.span[0] <= line && line <= move.span[2];
-      c.globalAlpha = stale ? 0.35 : 1;
-      c.fillStyle = lit ? color("--accent") : color("--block");
-      c.beginPath();
-      c.roundRect(x0 + 0.5, y, Math.max(1, x1 - x0 - 1), LANE - 4, 4);
-      c.fill();
-      const name = /move\w*|[a-z]\w+/i.exec(move.text.replace(/^\S+ /, ""))?.[0] ?? move.text;
-      c.fillStyle = lit ? color("--on-accent") : color("--on-block");
-      if (x1 - x0 > c.measureText(name).width + 8) c.fillText(name, x0 + 5, y + (LANE - 4) / 2 + 0.5);
+    const [end, fill] = [this.x(run.tEnd), { robot: color("--block"), task: color("--task"), signal: color("--signal") }];
+    const [quiet, ground, accent, onAccent, onBlock] = ["--quiet", "--lane", "--accent", "--on-accent", "--on-block"].map(color) as [string, string, string, string, string];
+    let y = RULER + 2;
+    for (const lane of this.lanes) {
+      const high = lane.height - (lane.kind === "robot" ? 4 : 3);
+      c.font = `${lane.kind === "robot" ? 11 : 10}px system-ui, sans-serif`;
       c.globalAlpha = 1;
+      c.fillStyle = quiet;
+      c.textAlign = "left";
+      c.fillText(lane.name, 8, y + high / 2);
+      c.fillStyle = ground;
+      c.beginPath();
+      c.roundRect(LEFT, y, end - LEFT, high, 4);
+      c.fill();
+      c.globalAlpha = isStale(state) ? 0.35 : 1;
+      let drawn = -Infinity; // blocks that are too narrow to be seen beside each other are one
+      for (const block of lane.blocks) {
+        const [x0, x1] = [this.x(block.t0), this.x(block.t1)];
+        if (x1 < drawn + 0.5) continue;
+        drawn = x1;
+        this.drawBlock(c, block, [x0, y, x1 - x0, high], line !== null && block.lines !== null && block.lines[0] <= line && line <= block.lines[1] ? [accent, onAccent] : [fill[lane.kind], onBlock]);
+      }
+      y += lane.height;
     }
+    c.globalAlpha = 1;
   }
 
-  private drawTicks(c: CanvasRenderingContext2D, color: (name: string) => string, run: Run, lanes: number, state: State): void {
+  private drawBlock(c: CanvasRenderingContext2D, block: Block, [x, y, width, high]: [number, number, number, number], [fill, text]: [string, string]): void {
+    c.fillStyle = fill;
+    c.beginPath();
+    if (block.low) c.rect(x + 0.5, y + high - 2, Math.max(1, width - 1), 2);
+    else c.roundRect(x + 0.5, y, Math.max(1, width - 1), high, Math.min(4, width / 2));
+    c.fill();
+    if (block.low || width < 14 || width <= c.measureText(block.name).width + 8) return;
+    c.fillStyle = text;
+    c.fillText(block.name, x + 5, y + high / 2 + 0.5);
+  }
+
+  private drawTicks(c: CanvasRenderingContext2D, color: (name: string) => string, run: Run, bottom: number, state: State): void {
     for (const tick of ticksOf(run)) {
       const x = this.x(tick.t);
       c.fillStyle = tick.kind === "message" ? color("--warning") : tick.kind === "advice" ? color("--s4") : color("--text");
@@ -209,7 +231,7 @@ export class TimeBar {
       c.lineWidth = 2;
       c.beginPath();
       c.moveTo(x, RULER);
-      c.lineTo(x, RULER + lanes * LANE);
+      c.lineTo(x, bottom);
       c.stroke();
       c.beginPath();
       c.arc(x, RULER, 4, 0, 7);
@@ -223,7 +245,7 @@ export class TimeBar {
       c.strokeStyle = color("--warning");
       c.beginPath();
       c.moveTo(x, RULER);
-      c.lineTo(x, RULER + lanes * LANE + 20);
+      c.lineTo(x, bottom + 20);
       c.stroke();
       c.setLineDash([]);
     }

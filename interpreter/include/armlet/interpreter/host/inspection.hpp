@@ -65,6 +65,19 @@ struct SeenValue {
 // throws   ArgumentError as seen_variables.
 [[nodiscard]] Result<SeenValue> value_at(Vm& vm, std::uint32_t source, std::uint32_t byte);
 
+// Where a task is in the text.
+//
+// name  as in SeenTask; of a task that the host has started, the variable with its function.
+// at    the statement or expression of its innermost call; empty: it has not begun.
+struct TaskPlace {
+  std::string name;
+  Span at{};
+  bool operator==(const TaskPlace&) const = default;
+};
+// The program itself first, then the others as they were started. Also for backends and functions
+// of the host, while the Vm runs.
+[[nodiscard]] std::vector<TaskPlace> task_places(Vm& vm);
+
 // Where the task is that runs, or has run last; empty: nowhere yet. Also for backends and functions
 // of the host, while the Vm runs.
 [[nodiscard]] Span running_at(Vm& vm);

@@ -1,0 +1,90 @@
+// What stands in the bar of time: a lane for each robot, task and signal, with blocks for what they did and were.
+import type { Run } from "../store/run.ts";
+import type { State } from "../store/state.ts";
+import { shownRun } from "../store/state.ts";
+import { seriesOf } from "../elements/series.ts";
+
+export const LEFT = 76; // px: names of lanes; where plots below the bar have their axis
+const RIGHT = 14;
+
+export interface Block {
+  t0: number;
+  t1: number;
+  name: string; // that stands in it
+  text: string; // that is told of it
+  lines: [number, number] | null; // of the program
+  low?: boolean; // a signal that is off
+}
+export interface Lane {
+  kind: "robot" | "task" | "signal";
+  name: string;
+  title: string;
+  height: number; // px
+  blocks: Block[];
+}
+
+const PROGRAM = "the program";
+const HEIGHTS = { robot: 24, task: 17, signal: 17 };
+
+// "every on line 9" as it fits beside a lane; the whole name is told when it is pointed at.
+function shortName(name: string): string {
+  const found = /^(every|when|branch \d+ of parallel|lambda) on line (\d+)$/.exec(name);
+  const text = found ? `${found[1]!.replace(/branch (\d+) of parallel/, "part $1")} :${found[2]}` : name.split(".").at(-1)!;
+  return text.length > 11 ? `${text.slice(0, 10)}…` : text;
+}
+
+function robotLanes(run: Run): Lane[] {
+  const lanes = run.robots.map((robot): Lane => ({ kind: "robot", name: robot.name.length > 10 ? `${robot.name.slice(0, 9)}…` : robot.name, title: robot.name, height: HEIGHTS.robot, blocks: [] }));
+  for (const move of run.moves) {
+    const name = /move\w*|[a-z]\w+/i.exec(move.text.replace(/^\S+ /, ""))?.[0] ?? move.text;
+    lanes[move.robot]?.blocks.push({ t0: move.t0, t1: move.t1, name, text: move.text, lines: move.span && [move.span[0], move.span[2]] });
+  }
+  return lanes;
+}
+
+// `lines` are those of the text of the run; empty: it is not known any more.
+function stretchLanes(run: Run, lines: readonly string[]): Lane[] {
+  const lanes = new Map<string, Lane>();
+  for (const each of run.stretches) {
+    const key = `${each.kind} ${each.name}`;
+    const title = each.kind === "signal" ? `signal ${each.name}` : each.name || PROGRAM;
+    const lane = lanes.get(key) ?? { kind: each.kind, name: each.name ? shortName(each.name) : "program", title, height: HEIGHTS[each.kind], blocks: [] };
+    lanes.set(key, lane);
+    const line = each.span?.[0] ?? null;
+    const written = line === null ? "" : (lines[line - 1]?.trim() ?? "");
+    const value = typeof each.value === "number" ? String(+each.value.toPrecision(4)) : each.value ? "on" : "off";
+    lane.blocks.push({
+      t0: each.t0,
+      t1: each.t1,
+      name: each.kind === "signal" ? value : line === null ? "" : `${line}`,
+      text: each.kind === "signal" ? `${title} is ${value}` : `${title}${line === null ? "" : `, line ${line}: ${written}`}`,
+      lines: each.span ? [each.span[0], each.span[2]] : null,
+      low: each.kind === "signal" && (each.value === false || each.value === 0),
+    });
+  }
+  // The program first, then as they begin; what was told first has ended first.
+  const begin = (lane: Lane) => (lane.title === PROGRAM ? -1 : (lane.blocks[0]?.t0 ?? 0));
+  const of = (kind: Lane["kind"]) => [...lanes.values()].filter((lane) => lane.kind === kind).sort((a, b) => begin(a) - begin(b) || (a.title < b.title ? -1 : 1));
+  const tasks = of("task");
+  return [...(tasks.length > 1 ? tasks : []), ...of("signal")]; // the program alone is what the moves show
+}
+
+export function lanesOf(run: Run | null, state: State): Lane[] {
+  if (!run) return [{ kind: "robot", name: "", title: "", height: HEIGHTS.robot, blocks: [] }];
+  const lanes = [...robotLanes(run), ...stretchLanes(run, run.textVersion === state.textVersion ? state.text.split("\n") : [])];
+  return lanes.length ? lanes : [{ kind: "robot", name: "", title: "", height: HEIGHTS.robot, blocks: [] }];
+}
+
+// Room on the right: plots below the bar that have two units have an axis there.
+export function rightMargin(state: State): number {
+  const run = shownRun(state);
+  if (!state.plotsBelow || !run) return RIGHT;
+  const plots = run.elements.map((element, i) => (element.kind === "plot" ? new Set(seriesOf(element, i, run).columns.map((c) => c.unit)).size : 0));
+  return Math.max(...plots, 0) > 1 ? LEFT : RIGHT;
+}
+
+// How long the bar is: the run that is shown, and one beside it.
+export function spanOf(state: State): number {
+  const ghost = state.ghost === null ? undefined : state.runs.get(state.ghost);
+  return Math.max(shownRun(state)?.tEnd ?? 0, ghost?.tEnd ?? 0) || 1;
+}
