@@ -139,7 +139,8 @@ test("tasks and signals have lanes behind those of robots, and say what they are
     { kind: "task", name: "", t0: 0, t1: 2, span: [12, 0, 14, 1] },
     { kind: "task", name: "cell.go", t0: 1, t1: 2, span: [2, 0, 2, 4] },
     { kind: "signal", name: "lamp", t0: 1, t1: 2, value: true },
-    { kind: "signal", name: "speed", t0: 0, t1: 2, value: 2.5 },
+    { kind: "signal", name: "speed", t0: 0, t1: 1.5, value: 2.5 },
+    { kind: "signal", name: "speed", t0: 1.5, t1: 2, value: 2.5 },
   ];
   const state = { text: "first\n  second line  \n", textVersion: 4 };
   const lanes = lanesOf(run, state);
@@ -147,7 +148,7 @@ test("tasks and signals have lanes behind those of robots, and say what they are
   assert.deepEqual(lanes.map((lane) => lane.blocks.length), [0, 1, 1, 1, 1, 2, 1]);
   assert.equal(lanes[4].blocks[0].text, "cell.go, line 2: second line");
   assert.deepEqual(lanes[5].blocks.map((block) => [block.name, block.low]), [["off", true], ["on", false]]);
-  assert.equal(lanes[6].blocks[0].text, "signal speed is 2.5");
+  assert.deepEqual([lanes[6].blocks[0].text, lanes[6].blocks[0].t1], ["signal speed is 2.5", 2]);
   assert.deepEqual(lanes[2].blocks[0].lines, [12, 14]);
   // The text of another version is not that of the run.
   assert.equal(lanesOf(run, { ...state, textVersion: 5 })[4].blocks[0].text, "cell.go, line 2: ");

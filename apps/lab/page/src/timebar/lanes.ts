@@ -53,11 +53,17 @@ function stretchLanes(run: Run, lines: readonly string[]): Lane[] {
     const line = each.span?.[0] ?? null;
     const written = line === null ? "" : (lines[line - 1]?.trim() ?? "");
     const value = typeof each.value === "number" ? String(+each.value.toPrecision(4)) : each.value ? "on" : "off";
+    const text = each.kind === "signal" ? `${title} is ${value}` : `${title}${line === null ? "" : `, line ${line}: ${written}`}`;
+    const before = lane.blocks.at(-1);
+    if (before?.text === text && before.t1 >= each.t0 - 1e-9) {
+      before.t1 = each.t1; // a run that went on has told it in two pieces
+      continue;
+    }
     lane.blocks.push({
       t0: each.t0,
       t1: each.t1,
       name: each.kind === "signal" ? value : line === null ? "" : `${line}`,
-      text: each.kind === "signal" ? `${title} is ${value}` : `${title}${line === null ? "" : `, line ${line}: ${written}`}`,
+      text,
       lines: each.span ? [each.span[0], each.span[2]] : null,
       low: each.kind === "signal" && (each.value === false || each.value === 0),
     });
