@@ -61,33 +61,39 @@ target_compile_options(antlr4_static PRIVATE -w)
 target_compile_features(antlr4_static PRIVATE cxx_std_17)
 target_include_directories(antlr4_static SYSTEM PUBLIC ${ANTLR4_INCLUDE_DIR} ${ARMLET_WASM_SOURCES}/include)
 
-# A page waits for the module to arrive, so what is not said here is compiled to be as small as can be: texts, checks, bindings and plans,
-# which call much and compute little. (emscripten says -fno-inline-functions with -Oz, which makes C++ larger; the preset says otherwise.)
-# Quick is where programs spend their time: kinematics, dynamics, what happens while time passes, the machine's instructions and its
-# heap, and the search for habits of other languages in a text that is wrong.
+# A page waits for the module to arrive, so what is not said here is compiled to be as small as can be: texts, checks, bindings, plans,
+# reports and decompositions, which call much or are seldom called. (emscripten says -fno-inline-functions with -Oz, which makes C++
+# larger; the preset says otherwise.)
+# Quick is where programs spend their time: what kinematics and dynamics compute for each instant, what happens while time passes, the
+# machine's instructions and its heap, and the search for habits of other languages in a text that is wrong.
 function(armlet_hurry_hot_code)
-  set(calls_are_worth_it "SHELL:-mllvm -inline-threshold=250")
-  # Nested loops that are written to be unrolled would be 60 to 140 kB of code for each kernel of any number of joints.
-  foreach(layer math chain kinematics dynamics)
-    target_compile_options(armlet_layer_${layer} PRIVATE -O2 ${calls_are_worth_it} "SHELL:-mllvm -pragma-unroll-threshold=150")
-  endforeach()
   set(ARMLET_QUICK -O2)
   armlet_hurry(layer_trajectory runtime/src/trajectory/ trajectory roots motion_forces part sample_table)
   armlet_hurry(layer_collision runtime/src/collision/ nearest_point solid gap scene_pose segment_check)
   armlet_hurry(layer_cell runtime/src/cell/ cell_time contacts carried_load)
   armlet_hurry(layer_backend runtime/src/backend/ event fan_out run_hash)
   # What the linker would inline into the machine makes it a sixth slower.
-  list(APPEND ARMLET_QUICK -fno-lto)
+  set(ARMLET_QUICK -O2 -fno-lto)
   armlet_hurry(interpreter interpreter/src/habits/ pattern)
   armlet_hurry(interpreter interpreter/src/vm/host/ natives host_calls)
   armlet_hurry(interpreter interpreter/src/vm/heap/ *)
   armlet_hurry(interpreter interpreter/src/vm/instructions/ *)
+  # Calls are worth inlining there; nested loops that are written to be unrolled would be 60 to 140 kB of code for each kernel of any
+  # number of joints.
+  list(APPEND ARMLET_QUICK -mllvm -inline-threshold=250 -mllvm -pragma-unroll-threshold=150)
+  armlet_hurry(layer_math runtime/src/math/ matrix_product pose rotation twist)
+  armlet_hurry(layer_chain runtime/src/chain/ *)
+  armlet_hurry(layer_kinematics runtime/src/kinematics/forward/ forward *_kernels jacobian)
+  armlet_hurry(layer_kinematics runtime/src/kinematics/closed_form/ branches closed_*)
+  armlet_hurry(layer_kinematics runtime/src/kinematics/ik/ ik_free ik_numeric ik_steps)
+  armlet_hurry(layer_kinematics runtime/src/kinematics/batch/ batch_baseline)
+  armlet_hurry(layer_dynamics runtime/src/dynamics/ *_kernels inverse_dynamics plan_dynamics)
+  armlet_hurry(layer_dynamics runtime/src/dynamics/simulation/ *)
 
-  # All else but kinematics and dynamics is linked as a whole: the linker sees what throws nothing, and leaves out what would be done if
-  # it did.
-  foreach(target antlr4_static armlet_grammar armlet_interpreter armlet_stdlib armlet_laboratory armlet_module armlet_layer_model
-      armlet_layer_trajectory armlet_layer_world armlet_layer_collision armlet_layer_planning armlet_layer_grasp armlet_layer_backend
-      armlet_layer_cell armlet_layer_mesh armlet_layer_plot)
+  # All else is linked as a whole: the linker sees what throws nothing, and leaves out what would be done if it did.
+  foreach(target antlr4_static armlet_grammar armlet_interpreter armlet_stdlib armlet_laboratory armlet_module armlet_layer_math armlet_layer_chain
+      armlet_layer_model armlet_layer_kinematics armlet_layer_dynamics armlet_layer_trajectory armlet_layer_world armlet_layer_collision
+      armlet_layer_planning armlet_layer_grasp armlet_layer_backend armlet_layer_cell armlet_layer_mesh armlet_layer_plot)
     target_compile_options(${target} PRIVATE -flto)
   endforeach()
 endfunction()

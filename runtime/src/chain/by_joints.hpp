@@ -8,7 +8,7 @@
 
 // Kernels are compiled once for each number of joints up to kLargestKernel, so that their loops
 // unroll and everything stays in registers, and once for any number. A page waits for its code to
-// arrive, so WebAssembly has those of the usual arms alone; the bits are the same.
+// arrive, so WebAssembly has the latter, and dynamics of the usual arms; the bits are the same.
 namespace armlet {
 
 inline constexpr int kAnyCount = 0;
@@ -17,7 +17,7 @@ inline constexpr int kLargestKernel = 8;
 // usual  the one number that the kernel meets most; 0: several.
 constexpr bool has_own_kernel([[maybe_unused]] int n, [[maybe_unused]] int usual) {
 #ifdef __wasm__
-  return usual == kAnyCount ? n == 4 || n == 6 : n == usual;
+  return usual != kAnyCount && n == usual;
 #else
   return true;
 #endif
