@@ -243,7 +243,7 @@ TEST_CASE("a plot of joint values reads as numbers with their units") {
   REQUIRE(list.size() == 4);
   CHECK(list[0].in("deg") == doctest::Approx(10));
   CHECK(list[2].in("mm") == doctest::Approx(30));
-  CHECK(controls.read("dh")->get<Value::Matrix>().rows == 4);
+  CHECK(controls.read("dh")->get<Value::List>().size() == 4);
 }
 
 TEST_CASE("a run with inputs is taken again bit for bit, from its log and from its file") {
