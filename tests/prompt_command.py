@@ -97,6 +97,34 @@ def check_going():
         check("a time of it", "joints 5 deg, 55 deg" in there.stdout and "n: int = 2" in there.stdout, there)
 
 
+def check_own_pages():
+    """What was declared here has a page too."""
+    lines = ["/// The middle of two lengths, on the way.", "fn middle(a: length, b: length) -> length { return (a + b) / 2 }",
+             "/// Between two parts.", "let gap = 30mm", "?middle", "?gap", "?mvoeL", "?nothing at all"]
+    done = piped("\n".join(lines) + "\n")
+    check("a function of the session with its documentation",
+          "fn middle(a: length, b: length) -> length\n  The middle of two lengths, on the way.\n" in done.stdout, done)
+    check("a variable too", "gap: length\n  Between two parts.\n" in done.stdout, done)
+    check("a name that is nearly right", "did you mean moveL?" in done.stderr, done)
+
+
+def check_recording():
+    """The session is left for `armlet replay` when the prompt is told so, and not before."""
+    with tempfile.TemporaryDirectory() as folder:
+        lines = ["print(1)", ":record on", "print(2)", ":record off", ":record mine.arec", "moveJ(home() + [0.1, 0, 0, 0])", ":record a.txt",
+                 ":record no/a.arec"]
+        done = piped("\n".join(lines) + "\n", folder=folder)
+        check("a file that is none", "write :record on" in done.stderr and "no/a.arec cannot be written" in done.stderr, done)
+        check("nothing is left after off", os.listdir(folder) == [], os.listdir(folder))
+        done = piped("\n".join(lines[:6]) + "\n", folder=folder)
+        check("the one that was asked for", os.listdir(folder) == ["mine.arec"], os.listdir(folder))
+        again = subprocess.run([ARMLET, "replay", "mine.arec", "--verify"], capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+        check("all of it", again.stdout.startswith("the same run"), again)
+        piped("\n".join(lines[:3]) + "\n", folder=folder)
+        again = subprocess.run([ARMLET, "replay", "session.arec", "--quiet"], capture_output=True, text=True, timeout=PATIENCE, cwd=folder)
+        check("from its first line on", again.stdout == "1\n2\n", again)
+
+
 def check_files():
     with tempfile.TemporaryDirectory() as folder:
         done = piped("let a = 2\nlet b = a + missing\nprint(a)\n:save kept.rbt\n:save kept.txt\n", folder=folder)
@@ -128,6 +156,23 @@ def check_examples():
     check("there are examples", compared > 20, compared)
 
 
+def check_messages():
+    """An entry that fails gets the message of a file, but for what only a whole text shows: later entries may change its variables."""
+    folder = Path(__file__).resolve().parent / "scripts" / "errors"
+    others, compared = [], 0
+    for path in sorted(folder.rglob("*.rbt"))[::6]:
+        if "modules" in path.parts or re.search(r"^import|^// (run|exit|with|file|args|options)", path.read_text(), re.M):
+            continue
+        alone = subprocess.run([ARMLET, "run", "--quiet", path.name], capture_output=True, text=True, timeout=PATIENCE, cwd=path.parent)
+        entered = piped(f":load {path.name}\n", folder=path.parent)
+        shown = [re.sub(r" +$", "", text, flags=re.M) for text in (alone.stderr.replace(path.name, "[1]"), entered.stderr)]
+        compared += 1
+        if shown[0] != shown[1]:
+            others.append((path.name, *shown))
+    check("messages are compared", compared > 60, compared)
+    check("messages of entries are those of files", len(others) <= compared // 25, others)
+
+
 def check_interrupted_pipe():
     """Ctrl-C ends what comes through a pipe."""
     made = subprocess.Popen([ARMLET], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -145,6 +190,7 @@ class Terminal:
 
     def __init__(self, home, term="xterm"):
         self.text = ""
+        self.raw = ""
         self.pid, self.fd = pty.fork()
         if self.pid == 0:
             os.environ.update({"TERM": term, "HOME": home, "XDG_STATE_HOME": home})
@@ -168,6 +214,7 @@ class Terminal:
                     piece = ""
                 if not piece:
                     break
+                self.raw += piece
                 self.text += re.sub(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b[()][0-9A-Z]|[\x07\x08\x0e\x0f]", "", piece)
         sys.exit(f"{what}: {pattern!r} did not appear\n--- found:\n{self.text}")
 
@@ -221,6 +268,56 @@ def check_stopping(home):
     check("SIGTERM leaves the terminal as it was", termios.tcgetattr(slow.fd)[3] == plain, termios.tcgetattr(slow.fd))
     check("and ends the command", os.waitstatus_to_exitcode(os.waitpid(slow.pid, 0)[1]) == 130)
     before.end()
+
+
+def check_motions(home):
+    """What a class would do: fetch something, look, go back, go on."""
+    arm = Terminal(home)
+    arm.expect(r"rbt> ", "the prompt")
+    arm.type("let c = object(\"cube\");\n")
+    arm.type("moveJ(above(poseOf(c), 80mm), time: 2s)\n")
+    arm.expect(r"\[t = 2\.00 s\] scara moveJ", "above the cube")
+    arm.type("moveL(poseOf(c), speed: 200mm/s)\n")
+    arm.expect(r"scara moveL", "at the cube")
+    arm.type("grasp(c)\n")
+    arm.expect(r"grasp\(c\).*rbt> ", "in the hand")
+    arm.type("moveJ(home(), time: 2s)\n")
+    arm.expect(r"scara moveJ 2\.00 s, hand at (\([^)]*\))", "carried away")
+    arm.type(":objects\n")
+    away = arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "the cube is in the hand").group(1)
+    arm.type(":undo\n")
+    arm.expect(r"as before\s+moveJ\(home\(\)", "back to before the motion")
+    arm.type(":objects\n")
+    there = arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "the cube is back, and still in the hand").group(1)
+    check("the cube went back with the hand", there != away, (there, away))
+    arm.type(":undo\n")
+    arm.expect(r"as before\s+grasp\(c\)", "back to before the grasp")
+    arm.type(":where\n")
+    check("nothing is held", "holds" not in arm.expect(r"joints \(.*rbt> ", "where it is").group(), arm.text)
+    arm.type(":redo 2\n")
+    arm.expect(r"done again\s+grasp\(c\)\s+moveJ\(home\(\)", "both again")
+    arm.type(":objects\n")
+    check("the same as first", arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "in the hand").group(1) == away, arm.text)
+    arm.type(":steps\n")
+    arm.expect(r"2(\.0+)? s", "how the last move was planned")
+    arm.type(":speed 1x\n")
+    arm.expect(r"at 1 times", "the speed of the clock")
+    arm.type("moveJ(home() + [0.8, 0, 0, 0], time: 1500ms)\n")
+    shown = [arm.expect(r"t = (\d+\.\d+) s   scara \((.*?)\), hand at \(([^)]*)\)", "a line under the motion").groups() for _ in range(8)]
+    check("time, joints and hand go on", all(a != b for a, b in zip(shown[0], shown[-1])), shown)
+    arm.expect(r"scara moveJ 1\.50 s, hand at", "the end of the motion")
+    arm.type("moveJ(home(), time: 20s)\n")
+    arm.expect(r"t = \d+\.\d+ s   scara", "a long motion")
+    begun = time.monotonic()
+    arm.type("\x03")
+    arm.expect(r"stopped; t = \d+\.\d+ s, all as it was before this line", "Ctrl-C in the middle of it")
+    check("at once", time.monotonic() - begun < 10.0, begun)
+    arm.type("figure(\"f\"); plot([0.0, 1.0, 2.0], [0.0, 1.0, 4.0])\n:plot\n")
+    arm.expect(r"[\u2801-\u28ff]", "dots of braille")
+    arm.type("let lost = 3 +* 4\n")
+    arm.expect(r"error E\d{4}", "a mistake")
+    check("colours where the terminal has them", "\x1b[" in arm.raw.split("let lost")[-1], arm.raw[-400:])
+    check("Ctrl-D ends with 0", arm.end() == 0)
 
 
 def check_terminal(home):
@@ -278,6 +375,9 @@ def check_terminal(home):
     dumb.expect(r"rbt> ", "the prompt in a terminal without cursor keys")
     dumb.type("1 + 1\n")
     dumb.expect(r"2 +int", "a value there")
+    dumb.type("let lost = 3 +* 4\n")
+    dumb.expect(r"error E\d{4}.*rbt> ", "a mistake there")
+    check("nothing that such a terminal does not know", "\x1b" not in dumb.raw, dumb.raw)
     check("Ctrl-D there", dumb.end() == 0)
 
 
@@ -285,8 +385,12 @@ check_pipe()
 check_classic()
 check_commands()
 check_going()
+check_own_pages()
+check_recording()
 check_files()
 check_examples()
+check_messages()
 check_interrupted_pipe()
 with tempfile.TemporaryDirectory() as home_folder:
     check_terminal(home_folder)
+    check_motions(home_folder)

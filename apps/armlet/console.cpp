@@ -125,7 +125,7 @@ void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json) {
   if (json) {
     write_error(render_json(diagnostic, sources) + "\n");
   } else {
-    write_error(render_text(diagnostic, sources, {.color = isatty(STDERR_FILENO) != 0}));
+    write_error(render_text(diagnostic, sources, {.color = is_capable_terminal(STDERR_FILENO)}));
   }
 }
 
@@ -203,9 +203,11 @@ StayOnInterrupt::~StayOnInterrupt() {
   has_terminal = false;
 }
 
-bool shows_status() {
+bool shows_status() { return is_capable_terminal(STDERR_FILENO); }
+
+bool is_capable_terminal(int file) {
   const char* terminal = std::getenv("TERM");
-  return isatty(STDERR_FILENO) != 0 && terminal != nullptr && *terminal != '\0' &&
+  return isatty(file) != 0 && terminal != nullptr && *terminal != '\0' &&
          std::string_view(terminal) != "dumb";
 }
 

@@ -73,6 +73,8 @@ class StayOnInterrupt {
 
 // Whether standard error is a terminal that can show a line and take it away again.
 [[nodiscard]] bool shows_status();
+// Whether a standard stream is a terminal that moves its cursor and has colours; a dumb one is not.
+[[nodiscard]] bool is_capable_terminal(int file);
 // A line of a terminal's standard error that the next one takes the place of; empty: none.
 void status_line(std::string_view text);
 // A motion that has ended, as a line of progress.

@@ -42,9 +42,9 @@ int not_found(const std::string& name) {
   const std::vector<std::string> names = help_names(library_engine());
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   std::string message = fmt::format("armlet: there is no page about {}", name);
-  if (const auto meant = most_similar(name, candidates))
-    message += fmt::format("; did you mean {}?", *meant);
-  progress(message + " `armlet help` lists all of them.");
+  const auto meant = most_similar(name, candidates);
+  if (meant) message += fmt::format("; did you mean {}", *meant);
+  progress(message + (meant ? "?" : ".") + " `armlet help` lists all of them.");
   return kUsage;
 }
 

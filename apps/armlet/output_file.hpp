@@ -20,6 +20,11 @@ class OutputFile {
   // of. The exit status, after a message if it is not kDone.
   int open(const std::vector<std::string>& texts);
   [[nodiscard]] NewFile& file() { return *file_; }
+  // It is not wanted any more: what was written goes.
+  void give_up() {
+    file_.reset();
+    path_.clear();
+  }
   // Puts the file in its place. The exit status, as above.
   int finish();
 

@@ -17,6 +17,7 @@ class Record {
   // As OutputFile does.
   int open(const std::vector<std::string>& texts);
   int finish(const SessionLog& log);
+  void give_up() { file_.give_up(); }
 
  private:
   OutputFile file_{"record"};

@@ -139,7 +139,7 @@ class Figures {
 
 void draw_figures(const Session& session) {
   for (const Figure& figure : session.host()->figures()) {
-    print_out("\n" + to_braille(figure, 72, 18, isatty(STDOUT_FILENO) != 0));
+    print_out("\n" + to_braille(figure, 72, 18, is_capable_terminal(STDOUT_FILENO)));
   }
 }
 

@@ -67,6 +67,13 @@ std::string commented(std::string_view text) {
   return out;
 }
 
+// The last line documents what is declared in the next one.
+bool ends_with_doc(std::string_view text) {
+  text.remove_prefix(text.rfind('\n') + 1);
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first != text.npos && text.substr(first).starts_with("///");
+}
+
 bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n") == text.npos; }
 
 }  // namespace
@@ -162,7 +169,8 @@ std::optional<std::string> Prompt::read(LineSource& lines) {
     if (before_.empty() && (is_blank(*line) || is_command(*line))) return line;
     before_ += (before_.empty() ? "" : "\n") + *line;
     blank = is_blank(*line) ? blank + 1 : 0;
-    if (!is_complete(before_) && !(interactive_ && blank == 2)) continue;
+    const bool ends = is_complete(before_) && !ends_with_doc(before_);
+    if (!ends && !(interactive_ && blank == 2)) continue;
     const auto next = lines.peek(before_.ends_with('}') ? kPatience_ms : 0);
     if (next && !is_command(*next) && !is_complete(before_, *next)) continue;
     return std::exchange(before_, {});
@@ -382,9 +390,7 @@ std::string history_file() {
 }
 
 bool can_edit_lines() {
-  const char* terminal = std::getenv("TERM");
-  return isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0 && terminal != nullptr &&
-         *terminal != '\0' && std::string_view(terminal) != "dumb";
+  return is_capable_terminal(STDIN_FILENO) && is_capable_terminal(STDOUT_FILENO);
 }
 
 }  // namespace
@@ -399,6 +405,13 @@ int prompt(const PromptOptions& options) {
   std::optional<StayOnInterrupt> stay;
   if (interactive) stay.emplace();
   Prompt session(std::move(setup.session), options.program.robot, interactive);
+  session.set_recorder([&](const std::string& path) {
+    record.give_up();
+    if (path.empty()) return true;
+    if (record.choose(path) == kDone && record.open({options.program.world}) == kDone) return true;
+    record.give_up();
+    return false;
+  });
   std::unique_ptr<LineSource> lines;
   if (can_edit_lines()) {
     lines = edited_lines([&](std::string_view before) { return session.complete(before); },

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "armlet/stdlib/session.hpp"
@@ -73,6 +74,10 @@ class Prompt {
   bool take_up(std::size_t run);
   // The line in whose middle the session is, after going there; nothing: it is between two.
   [[nodiscard]] std::optional<LoggedEntry> under_way() const;
+  // Where the session is left when it ends; nowhere without a path. False: it cannot be written.
+  using Recorder = std::function<bool(const std::string& path)>;
+  void set_recorder(Recorder record) { record_ = std::move(record); }
+  bool record(const std::string& path) { return record_(path); }
   // The session as it counts, with the marks that `armlet replay --verify` compares.
   [[nodiscard]] SessionLog log() const;
 
@@ -102,6 +107,7 @@ class Prompt {
   int count_ = 0;              // of entries that were typed
   std::int64_t shown_ns_ = 0;  // wall-clock time of the live line
   Pace pace_;
+  Recorder record_;
   SessionOptions plain_;  // to check programs
   Session session_;
   std::string before_;  // lines of the entry that is being typed

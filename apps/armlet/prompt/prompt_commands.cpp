@@ -1,6 +1,7 @@
 // The commands of the prompt, one row each.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -40,6 +41,12 @@ void say(std::string_view text) {
   print_out(text);
   if (!text.ends_with('\n')) print_out("\n");
   static_cast<void>(finish_output());
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 // ---- what there is ------------------------------------------------------------------------------
@@ -159,7 +166,33 @@ bool show_steps(Prompt& prompt, std::string_view name) {
 bool plot_figures(Prompt& prompt, std::string_view) {
   const std::vector<Figure>& figures = prompt.host().figures();
   if (figures.empty()) return refuse("there is no figure; plot(...) draws one");
-  say(to_braille(figures.back(), 72, 18, false));
+  say(to_braille(figures.back(), 72, 18, is_capable_terminal(STDOUT_FILENO)));
+  return true;
+}
+
+// The lines with `///` above a declaration.
+std::string doc_above(std::string_view text, std::size_t at) {
+  std::string doc;
+  std::size_t line = text.rfind('\n', at) + 1;
+  while (line > 0) {
+    const std::size_t above = line < 2 ? 0 : text.rfind('\n', line - 2) + 1;
+    const std::string_view words = trimmed(text.substr(above, line - 1 - above));
+    if (!words.starts_with("///")) break;
+    doc.insert(0, fmt::format("  {}\n", trimmed(words.substr(3))));
+    line = above;
+  }
+  return doc;
+}
+
+// A name of the session with its `///`, or a page of the library.
+bool show_page(Prompt& prompt, std::string_view name) {
+  const auto analysis = prompt.session().analyse(std::string(name), "line");
+  const auto place = analysis->definition(0);
+  const auto what = place ? analysis->hover(0) : std::nullopt;
+  if (!what) return help(std::string(name), false) == kDone;
+  say(what->text);
+  const std::string doc = doc_above(analysis->sources()[place->source].text(), place->begin);
+  if (!doc.empty()) say(doc);
   return true;
 }
 
@@ -300,6 +333,17 @@ bool load(Prompt& prompt, std::string_view path) {
   return text && prompt.enter(*text);
 }
 
+bool record(Prompt& prompt, std::string_view argument) {
+  const std::string path(argument == "on" ? "session.arec" : argument == "off" ? "" : argument);
+  if (!path.empty() && !path.ends_with(".arec"))
+    return refuse("write :record on, :record off or :record FILE.arec");
+  if (!prompt.record(path)) return false;
+  say(path.empty()
+          ? "the session is not recorded"
+          : fmt::format("{} will have the session when it ends, for `armlet replay`", path));
+  return true;
+}
+
 bool quit(Prompt& prompt, std::string_view) {
   prompt.quit();
   return true;
@@ -308,8 +352,7 @@ bool quit(Prompt& prompt, std::string_view) {
 bool show_commands(Prompt& prompt, std::string_view);
 
 constexpr PromptCommand kCommands[] = {
-    {"?", "NAME", "what a function, a setting or a word does, with an example",
-     [](Prompt&, std::string_view name) { return help(std::string(name), false) == kDone; }},
+    {"?", "NAME", "what a function, a setting or a word does, with an example", show_page},
     {"??", "WORD", "the pages that mention a word", nullptr},
     {":help", "", "these commands", show_commands},
     {":type", "EXPRESSION", "the type of a value, which is not computed", show_type},
@@ -330,6 +373,8 @@ constexpr PromptCommand kCommands[] = {
     {":speed", "1x|max", "show moves at the speed of the clock, or compute them at once",
      set_speed},
     {":save", "FILE.rbt", "the lines so far as a program", save},
+    {":record", "on|off",
+     "leave the session for `armlet replay` in session.arec, or in a FILE.arec", record},
     {":load", "FILE.rbt", "run a file as if it were typed here", load},
     {":quit", "", "end, like Ctrl-D", quit},
 };
@@ -351,12 +396,6 @@ bool search_pages(std::string_view word) {
     say(page.substr(0, page.find('\n')));
   }
   return true;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 }  // namespace
@@ -397,7 +436,7 @@ bool run_command(Prompt& prompt, std::string_view line) {
   line = trimmed(line);
   if (line.starts_with("??")) return search_pages(trimmed(line.substr(2)));
   if (line == "?") return show_commands(prompt, {});
-  if (line.starts_with('?')) return help(std::string(trimmed(line.substr(1))), false) == kDone;
+  if (line.starts_with('?')) return show_page(prompt, trimmed(line.substr(1)));
   const std::size_t space = line.find(' ');
   const std::string_view name = line.substr(0, space);
   const std::string_view argument =

@@ -201,7 +201,13 @@ std::string pattern_name(const TypePattern& pattern, const Bindings& bindings, T
   if (pattern.form == Form::kDimension) return "number";
   if (pattern.form == Form::kList) return pattern_name(pattern.parts[0], bindings, types) + "[]";
   if (pattern.form == Form::kRecord) return pattern.names[0];
-  return pattern.form == Form::kFunction ? "function" : "value";
+  if (pattern.form == Form::kFunction) {
+    std::string text = "fn(";
+    for (std::size_t i = 0; i + 1 < pattern.parts.size(); ++i)
+      text += (i == 0 ? "" : ", ") + pattern_name(pattern.parts[i], bindings, types);
+    return text + ") -> " + pattern_name(pattern.parts.back(), bindings, types);
+  }
+  return pattern.is_struct ? "struct" : "value";
 }
 
 }  // namespace armlet::lang

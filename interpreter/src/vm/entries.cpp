@@ -83,8 +83,8 @@ void Before::restore() {
   state_.kernels.set_rest(work_);
   state_.marks.begun = statements_;
   state_.marks.paused = nullptr;
-  state_.arm_cancellations({});
   state_.cancellations = std::move(cancellations_);
+  state_.look_for_cancellation();
 }
 
 namespace {

@@ -49,7 +49,7 @@ VmState::VmState(Vm& owner, const CompiledProgram& compiled, const VmOptions& vm
       kernels(owner),
       main(vm_options.limits.call_depth, ample_slots(vm_options.limits.call_depth)) {
   host.output_left = options.limits.output_bytes;
-  steps.limit = options.limits.steps;
+  steps.limit = host.aside.limit = options.limits.steps;
   running = &main;
   load(*this, compiled, nullptr);
   make_error_layout();
@@ -156,6 +156,7 @@ bool VmState::take_cancellation() {
   if (host.on_look) host.on_look();
   std::vector<Cancellation>& due = cancellations.due;
   const bool is_asked = vm.take_cancellation();
+  if (host.counts_apart) return is_asked;
   if (!is_asked && due.empty()) [[likely]]
     return false;
   const Instant here = instant();
@@ -163,7 +164,7 @@ bool VmState::take_cancellation() {
                       cancellations.refusals >= due.back().refusals;
   if (is_due) {
     due.pop_back();
-    steps.look_at = due.empty() ? StepMeter::kEndless : due.back().at.steps;
+    look_for_cancellation();
   } else if (is_asked) {  // this run is another one from here on
     arm_cancellations({});
   }
@@ -173,8 +174,12 @@ bool VmState::take_cancellation() {
 
 void VmState::arm_cancellations(std::vector<Cancellation> wishes) {
   std::ranges::reverse(wishes);
-  std::vector<Cancellation>& due = cancellations.due;
-  due = std::move(wishes);
+  cancellations.due = std::move(wishes);
+  look_for_cancellation();
+}
+
+void VmState::look_for_cancellation() {
+  const std::vector<Cancellation>& due = cancellations.due;
   steps.look_at = due.empty() ? StepMeter::kEndless : due.back().at.steps;
 }
 
@@ -183,6 +188,8 @@ void VmState::forget_cancellations() {
   cancellations = {};
 }
 
-Instant VmState::instant() const { return {vm.timeline().now_ns(), steps.so_far()}; }
+Instant VmState::instant() const {
+  return {vm.timeline().now_ns(), host.counts_apart ? host.aside.steps : steps.so_far()};
+}
 
 }  // namespace armlet::lang

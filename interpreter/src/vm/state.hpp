@@ -18,6 +18,7 @@
 #include "armlet/interpreter/host/stepping.hpp"
 #include "vm/entries.hpp"
 #include "vm/heap/heap.hpp"
+#include "vm/run_counts.hpp"
 #include "vm/tasks/task.hpp"
 #include "vm/tasks/task_tree.hpp"
 
@@ -49,7 +50,6 @@ struct StepMeter {
   std::int64_t chunk = 0;              // size of the running chunk
   std::uint64_t total = 0;             // before the running chunk
   std::uint64_t since_pause = 0;       // likewise
-  std::uint64_t of_program = 0;        // that of the program, while the host has the turn
   std::uint64_t limit = 0;             // between two pauses
   std::uint64_t slice_end = kEndless;  // the total at which the run returns to the host
   std::uint64_t look_at = kEndless;    // the total at which the wish to cancel is looked at
@@ -77,18 +77,9 @@ struct StepMeter {
     settle();
     since_pause = 0;
   }
-  // A call by the host may take as many steps as the program between two pauses, and does not count
-  // among these: what the running chunk has done is booked when it is settled, and the program
-  // leaves its own count aside when its slice ends.
+  // A call by the host may take as many steps as the program between two pauses: what the running
+  // chunk has done is booked when it is settled.
   void begin_call() { since_pause = static_cast<std::uint64_t>(left - chunk); }
-  void go_on_with_program() {
-    settle();
-    since_pause = of_program;
-  }
-  void leave_program() {
-    settle();
-    of_program = since_pause;
-  }
 };
 
 class Recordings;
@@ -185,6 +176,8 @@ struct HostAccess {
   bool is_read = false;                      // and no trace may stay
   std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
   std::uint64_t output_left = 0;             // bytes
+  RunCounts aside{};                         // what the run has counted, while it does not run
+  bool counts_apart = true;                  // what is counted now is not of the run
   std::function<void()> on_look{};  // for tests: called at every look at the wish to cancel
 
   // Before the next call: there are variables of the top level that may have none.
@@ -252,6 +245,8 @@ struct VmState {
   // repeats.
   [[nodiscard]] bool take_cancellation();
   void arm_cancellations(std::vector<Cancellation> wishes);
+  // The next one that is due is looked at exactly where it is.
+  void look_for_cancellation();
   // Another run begins, which has noticed none.
   void forget_cancellations();
   [[nodiscard]] Instant instant() const;

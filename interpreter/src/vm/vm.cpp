@@ -94,6 +94,7 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   if (result_.status != Progress::kPaused)
     throw ArgumentError("This Vm has run to its end; make a new one to run again.");
   const bool is_entry = program_->is_entry() && !state.host.call;
+  const lang::CountOfRun counting(state);
   if (is_entry && state.scheduler == nullptr) {
     if (state.programs.before == nullptr) {
       state.programs.before = std::make_unique<lang::Before>(state);
@@ -103,7 +104,6 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   }
   on_ample_stack([&] {
     const Supervised kernels(&state.kernels);
-    state.steps.go_on_with_program();
     state.steps.begin_slice(budget.steps);
     const std::uint64_t begun = state.marks.begun;
     state.marks.pause_at =
@@ -116,7 +116,6 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
       if (state.host.call) state.finish_call(exit == lang::Exit::kDone);
       if (is_entry) finish_entry();
     }
-    state.steps.leave_program();
     result_.steps = steps;
   });
   return result_.status;
@@ -157,6 +156,7 @@ void Vm::begin(std::shared_ptr<const Program> entry) {
     throw ArgumentError(
         "This entry was compiled behind another one than the newest that has run here: give "
         "Vm::newest_entry() as CompileOptions::after.");
+  const lang::CountOfRun counting(*state_);
   result_ = {.status = Progress::kPaused, .error = {}, .steps = 0};
   state_->scheduler.reset();
   state_->host.output_left = options_.limits.output_bytes;
@@ -171,8 +171,7 @@ void Vm::begin_call(std::uint32_t function, std::vector<Slot> arguments) {
   lang::VmState& state = *state_;
   require_end(result_, "A call in slices");
   result_ = {.status = Progress::kPaused, .error = {}, .steps = 0};
-  state.steps.settle();
-  steps_before_ = state.steps.total;
+  steps_before_ = state.host.aside.steps;
   state.host.output_left = options_.limits.output_bytes;
   state.forget_cancellations();
   if (program_->is_entry()) state.tree.wake_watches();

@@ -35,7 +35,7 @@ ReadyFunction find_function(Vm& vm, std::string_view name, std::size_t parameter
 Result<Value> call_function(Vm& vm, std::string_view name, const std::vector<Value>& arguments,
                             const std::function<void()>& on_call) {
   const auto [function, gives] = find(vm, name, arguments.size());
-  ReadyFunction::Call call(function);
+  ReadyFunction::Call call(function, ReadyFunction::Counts::kWithRun);
   std::vector<Slot> slots(arguments.size());
   Slot result{.i = 0};
   for (std::size_t i = 0; i < arguments.size(); ++i)

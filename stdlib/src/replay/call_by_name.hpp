@@ -12,7 +12,7 @@ namespace armlet {
 // throws  ArgumentError if there is none with so many parameters.
 [[nodiscard]] ReadyFunction find_function(Vm& vm, std::string_view name, std::size_t parameters);
 
-// `on_call` comes when it is known that the values fit.
+// A part of the run. `on_call` comes when it is known that the values fit.
 //
 // throws  ArgumentError as find_function, and if one of them has another type.
 [[nodiscard]] Result<Value> call_function(Vm& vm, std::string_view name,

@@ -164,7 +164,7 @@ void Session::require_time(std::size_t entry, std::int64_t t_ns) const {
 // To the end of so many entries. False: somebody cancels, or one of them fails now.
 bool Session::run_through(std::size_t count) {
   run_->keeps_checkpoints = false;
-  while (run_->done < count && !cancelled_.load()) {
+  while (run_->done < count && !wish_.is_there.load()) {
     const std::size_t before = run_->done;
     advance({});
     if (run_->done == before) break;
@@ -205,20 +205,20 @@ bool Session::take_again(std::vector<Entry> entries, const std::function<bool()>
     run_ = std::move(former);
     compilation_ = compiled;
     is_silent_ = false;
-    cancelled_.store(false);
+    wish_.forget();
   };
   run_->entries = std::move(entries);
   is_silent_ = true;
   bool is_there = false;
   try {
-    is_there = go() && !cancelled_.load();
+    is_there = go() && !wish_.is_there.load();
   } catch (...) {
     bring_back();
     throw;
   }
   if (!is_there) {
     const std::optional<Diagnostic> error = run_->result.error;
-    if (error && !cancelled_.load()) problems_ = {{*error, compilation_.sources}};
+    if (error && !wish_.is_there.load()) problems_ = {{*error, compilation_.sources}};
     bring_back();
     return false;
   }

@@ -49,6 +49,23 @@ struct Session::Compiled {
   bool can_run = false;
 };
 
+// Whatever was wished of a compilation that ends with no program has come true with its end.
+class Session::OneCompilation {
+ public:
+  explicit OneCompilation(Wish& wish) : wish_(wish) {}
+  ~OneCompilation() {
+    if (!makes_program_) wish_.forget();
+  }
+  OneCompilation(const OneCompilation&) = delete;
+  OneCompilation& operator=(const OneCompilation&) = delete;
+
+  void makes_program() { makes_program_ = true; }
+
+ private:
+  Wish& wish_;
+  bool makes_program_ = false;
+};
+
 // One slice at a time; what somebody wished of a run ends with it, however it ends.
 class Session::OneSlice {
  public:
@@ -57,7 +74,7 @@ class Session::OneSlice {
       throw ArgumentError("The session runs already; use another one.");
   }
   ~OneSlice() {
-    if (!session_.run_->is_under_way) session_.cancelled_.store(false);
+    if (!session_.run_->is_under_way) session_.wish_.forget();
     session_.is_running_.store(false);
   }
   OneSlice(const OneSlice&) = delete;
@@ -71,19 +88,23 @@ class Session::OneSlice {
 // names an object first fills the world, so one machine can stand before another.
 class Session::InReach {
  public:
-  InReach(Session& session, Vm& vm) : session_(session), before_(session.running_.exchange(&vm)) {
-    if (session_.cancelled_.load()) vm.cancel();
+  InReach(Session& session, Vm& vm)
+      : session_(session), vm_(vm), before_(session.running_.exchange(&vm)) {
+    if (session_.wish_.is_new.exchange(false)) vm.cancel();
   }
   ~InReach() {
     session_.running_.store(before_);
     while (session_.cancelling_.load() != 0) yield_thread();
-    if (before_ != nullptr && session_.cancelled_.load()) before_->cancel();
+    if (before_ == nullptr) return;
+    const bool was_heard = vm_.result().status == Progress::kCancelled || vm_.take_cancellation();
+    if (was_heard) before_->cancel();
   }
   InReach(const InReach&) = delete;
   InReach& operator=(const InReach&) = delete;
 
  private:
   Session& session_;
+  Vm& vm_;
   Vm* const before_;
 };
 

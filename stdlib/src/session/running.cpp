@@ -287,7 +287,7 @@ void Session::rest(const Budget& budget) {
   }
   // Who wished to stop what a button does has come to it.
   if (!is_at_rest()) return;
-  cancelled_.store(false);
+  wish_.forget();
   host.cell().begin();  // who listens is told what is there, also if nothing has moved
 }
 

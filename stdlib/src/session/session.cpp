@@ -16,23 +16,6 @@
 namespace armlet {
 namespace {
 
-// Whatever was wished of a compilation that ends with no program has come true with its end.
-class OneCompilation {
- public:
-  explicit OneCompilation(std::atomic<bool>& cancelled) : cancelled_(cancelled) {}
-  ~OneCompilation() {
-    if (!makes_program_) cancelled_.store(false);
-  }
-  OneCompilation(const OneCompilation&) = delete;
-  OneCompilation& operator=(const OneCompilation&) = delete;
-
-  void makes_program() { makes_program_ = true; }
-
- private:
-  std::atomic<bool>& cancelled_;
-  bool makes_program_ = false;
-};
-
 // While it lives files are those of a world; after it those of the program again.
 class FillingWorld {
  public:
@@ -59,6 +42,13 @@ bool may_name_objects(std::string_view text) {
   return false;
 }
 
+// Whether a text compiles to the same program with both.
+bool are_checked_alike(const SessionOptions& a, const SessionOptions& b) {
+  return a.robot == b.robot && a.world == b.world && a.default_world == b.default_world &&
+         a.open == b.open && a.markers == b.markers && a.laboratory == b.laboratory &&
+         std::ranges::equal(a.planners, b.planners, {}, &NamedPlanner::name, &NamedPlanner::name);
+}
+
 }  // namespace
 
 Session::Session(const Engine& engine, SessionOptions options)
@@ -80,7 +70,7 @@ std::unique_ptr<Host> Session::make_host(Journal* journal) {
   host_options.pace = options_.pace;
   host_options.folder = options_.folder;
   host_options.convert_mesh = options_.convert_mesh;
-  host_options.is_cancelled = [this] { return cancelled_.load(); };
+  host_options.is_cancelled = [this] { return wish_.is_there.load(); };
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {
       fill_world(host, *options_.default_world, problems_);
@@ -96,7 +86,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   compile_options.limits = options_.parse_limits;
   compile_options.host = &host;
   compile_options.open = false;
-  compile_options.cancelled = &cancelled_;
+  compile_options.cancelled = &wish_.is_there;
   if (options_.world) {  // not the host's own
     compile_options.only_blocks = {"object", "frame"};
     compile_options.refuse = [](Span statement) {
@@ -135,7 +125,7 @@ void Session::describe_world() {
   names->world = text->name;
   names->things = host->cell().world().names();
   names->maker = "object";
-  if (!cancelled_.load()) world_names_ = std::move(names);
+  if (!wish_.is_there.load()) world_names_ = std::move(names);
 }
 
 const SourceSet& Session::sources() const {
@@ -145,9 +135,11 @@ const SourceSet& Session::sources() const {
 }
 
 void Session::cancel() noexcept {
-  cancelled_.store(true);
+  wish_.is_there.store(true);
   cancelling_.fetch_add(1);
-  if (Vm* vm = running_.load()) vm->cancel();
+  wish_.is_new.store(true);
+  Vm* vm = running_.load();
+  if (vm != nullptr && wish_.is_new.exchange(false)) vm->cancel();
   cancelling_.fetch_sub(1);
 }
 
@@ -159,7 +151,7 @@ CompileOptions Session::compile_options(Host& host, CompileOptions how) const {
   out.load = options_.load;
   out.open = options_.open;
   out.markers = options_.markers;
-  out.cancelled = &cancelled_;
+  out.cancelled = &wish_.is_there;
   return out;
 }
 
@@ -167,7 +159,7 @@ std::shared_ptr<const Analysis> Session::analyse(std::string text, std::string n
                                                  const std::shared_ptr<const Analysis>& before) {
   if (is_running_.load())
     throw ArgumentError("A session cannot analyse while its program runs; use another one.");
-  const OneCompilation one_compilation(cancelled_);
+  const OneCompilation one_compilation(wish_);
   describe_world();
   const std::unique_ptr<Host> host = make_host(nullptr);
   CompileOptions how;
@@ -195,7 +187,7 @@ static ModuleLoader from_log(const std::vector<LoggedImport>& logged) {
 Session::Compiled Session::compile_text(const LoggedEntry& entry,
                                         std::shared_ptr<const Program> after, bool is_logged) {
   Compiled made;
-  OneCompilation one_compilation(cancelled_);
+  OneCompilation one_compilation(wish_);
   if (options_.world || may_name_objects(entry.text)) describe_world();
   const std::unique_ptr<Host> host = make_host(nullptr);
   CompileOptions how;
@@ -245,6 +237,31 @@ bool Session::compile(std::string text, std::string name) {
   run_ = std::make_unique<Run>();
   return compile_entry(
       {.kind = EntryKind::kProgram, .name = std::move(name), .text = std::move(text)});
+}
+
+void Session::share(const Session& other) {
+  require_idle("take a program");
+  other.require_idle("give its program");
+  const Entry* given = other.submitted_.get();
+  if (given == nullptr && !other.run_->entries.empty()) given = &other.run_->entries.front();
+  if (given == nullptr || given->logged.kind != EntryKind::kProgram)
+    throw ArgumentError("There is no program to share: compile() one in the other session first.");
+  if (&engine_ != &other.engine_ || !are_checked_alike(options_, other.options_)) {
+    throw ArgumentError(
+        "This program was compiled for another session: they share one only with the same engine, "
+        "robot, planners and world, and the same options of compiling.");
+  }
+  const LoggedEntry& logged = given->logged;
+  Entry entry{
+      {.kind = logged.kind, .name = logged.name, .text = logged.text, .imports = logged.imports},
+      given->program};
+  give_up();
+  run_ = std::make_unique<Run>();
+  world_names_ = other.world_names_;
+  world_problems_ = other.world_problems_;
+  problems_ = other.problems_;
+  compilation_ = {.program = entry.program, .sources = {entry.program, &entry.program->sources()}};
+  submitted_ = std::make_unique<Entry>(std::move(entry));
 }
 
 std::vector<std::string> Session::world_objects() {

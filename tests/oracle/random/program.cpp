@@ -7,7 +7,7 @@
 namespace armlet::oracle {
 
 std::string RandomProgram::text() {
-  has_tasks_ = one_in(4);
+  has_tasks_ = one_in(4) || tasks_wanted_;
   tasks_left_ = 4;
   make_types();
   declare_types();

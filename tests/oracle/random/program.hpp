@@ -55,6 +55,11 @@ class RandomProgram {
   // Choices taken from elsewhere.
   explicit RandomProgram(std::function<std::uint64_t()> random) : random_(std::move(random)) {}
 
+  // One that has tasks; otherwise every fourth has.
+  RandomProgram& with_tasks() {
+    tasks_wanted_ = true;
+    return *this;
+  }
   std::string text();
 
  private:
@@ -258,6 +263,7 @@ class RandomProgram {
   bool in_lambda_ = false;
   bool can_retry_ = false;
   bool has_tasks_ = false;
+  bool tasks_wanted_ = false;
   int tasks_left_ = 0;  // places that start some
 };
 

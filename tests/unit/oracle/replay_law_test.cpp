@@ -8,6 +8,7 @@
 #include "armlet/core/random.hpp"
 #include "library.hpp"
 #include "random/program.hpp"
+#include "random/robot_program.hpp"
 #include "runs.hpp"
 #include "tape.hpp"
 
@@ -206,15 +207,29 @@ TEST_CASE("scripts with tasks go on the same from 50 random times") {
   check_going_in("tests/scripts/tasks", 50);
 }
 
-TEST_CASE("2,000 random programs go on the same from random times, and stop the same again") {
+TEST_CASE(
+    "2,000 random programs with tasks go on the same from 50 random times, and stop the same") {
   const std::uint64_t first = number_from("ARMLET_FIRST", 1);
   const std::uint64_t last = number_from("ARMLET_LAST", 2000);
   for (std::uint64_t number = first; number <= last; ++number) {
     CAPTURE(number);
-    const std::string text = RandomProgram(number).text();
+    const std::string text = RandomProgram(number).with_tasks().text();
     Traveller subject(text, {}, {.steps = 20'000, .call_depth = 60});
     REQUIRE(subject.compiles());
-    check_going(subject, number, 3);
+    check_going(subject, number, 50);
+    check_stopping(text, number);
+  }
+}
+
+TEST_CASE("random programs that move robots go on the same from 50 random times") {
+  const std::uint64_t first = number_from("ARMLET_FIRST", 1);
+  const std::uint64_t last = number_from("ARMLET_LAST", 40);
+  for (std::uint64_t number = first; number <= last; ++number) {
+    CAPTURE(number);
+    const std::string text = RobotProgram(number).text();
+    Traveller subject(text, {}, {.steps = 20'000, .call_depth = 60});
+    REQUIRE(subject.compiles());
+    check_going(subject, number, 50);
     check_stopping(text, number);
   }
 }

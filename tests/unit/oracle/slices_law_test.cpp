@@ -9,6 +9,7 @@
 #include "armlet/core/random.hpp"
 #include "library.hpp"
 #include "random/program.hpp"
+#include "random/robot_program.hpp"
 #include "runs.hpp"
 
 using namespace armlet;
@@ -109,12 +110,24 @@ TEST_CASE("scripts with tasks tell the same events in slices of any size") {
   check_files("tests/scripts/tasks");
 }
 
-TEST_CASE("2,000 random programs do the same in slices of any size") {
+TEST_CASE("2,000 random programs with tasks do the same in slices of any size") {
   const std::uint64_t first = number_from("ARMLET_FIRST", 1);
   const std::uint64_t last = number_from("ARMLET_LAST", 2000);
   for (std::uint64_t number = first; number <= last; ++number) {
     CAPTURE(number);
-    Subject subject(RandomProgram(number).text(), {}, {.steps = 20'000, .call_depth = 60});
+    Subject subject(RandomProgram(number).with_tasks().text(), {},
+                    {.steps = 20'000, .call_depth = 60});
+    REQUIRE(subject.compiles());
+    check_slices(subject, number, 2000);
+  }
+}
+
+TEST_CASE("random programs that move robots tell the same events in slices of any size") {
+  const std::uint64_t first = number_from("ARMLET_FIRST", 1);
+  const std::uint64_t last = number_from("ARMLET_LAST", 100);
+  for (std::uint64_t number = first; number <= last; ++number) {
+    CAPTURE(number);
+    Subject subject(RobotProgram(number).text(), {}, {.steps = 200'000});
     REQUIRE(subject.compiles());
     check_slices(subject, number, 2000);
   }

@@ -3,8 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <span>
+#include <vector>
 
 #include "editor/facts.hpp"
 #include "editor_support.hpp"
@@ -67,12 +70,42 @@ struct HelpCount {
   }
 };
 
+// How often a name just before the cut means there what it means in the whole text: its place, its
+// type, and all places that name it.
+struct MeaningCount {
+  static constexpr std::size_t kLooksBack = 4;  // tokens
+  int asked = 0;
+  int same_place = 0;
+  int same_type = 0;
+  int same_uses = 0;
+
+  void count(const Analysis& whole, const Analysis& cut, std::span<const lang::Token> before,
+             std::uint32_t end) {
+    for (const lang::Token& token : before.last(std::min(before.size(), kLooksBack))) {
+      if (!lang::is_name(token.type)) continue;
+      const auto declared = whole.definition(token.begin);
+      if (!declared || declared->source != 0 || declared->begin >= end) continue;
+      ++asked;
+      same_place += cut.definition(token.begin) == declared ? 1 : 0;
+      const auto type = whole.hover(token.begin);
+      const auto type_there = cut.hover(token.begin);
+      const bool has_type = type && type_there && type->text == type_there->text;
+      same_type += has_type ? 1 : 0;
+      if (!has_type) show_miss(whole, token, "type: " + (type ? type->text : "none"));
+      std::vector<Span> uses = whole.references(token.begin);
+      std::erase_if(uses, [end](Span use) { return use.source == 0 && use.begin >= end; });
+      same_uses += cut.references(token.begin) == uses ? 1 : 0;
+    }
+  }
+};
+
 }  // namespace
 
 TEST_CASE("at every cut of every example what was written next is offered") {
   int asked = 0;
   int offered = 0;
   HelpCount help;
+  MeaningCount meaning;
   for (const auto& path : programs_below("examples")) {
     const std::string text = read(path);
     Session session(library_engine(), options_for(path));
@@ -85,6 +118,7 @@ TEST_CASE("at every cut of every example what was written next is offered") {
       (void)cut->hover(token.begin);
       (void)cut->signature_help(token.begin);
       if (&token != tokens.data()) help.count(*whole, *cut, *(&token - 1));
+      meaning.count(*whole, *cut, {tokens.data(), &token}, token.begin);
       (void)cut->inlay_hints();
       if (!lang::is_name(token.type) || !can_be_offered(whole->facts(), token)) continue;
       ++asked;
@@ -101,4 +135,11 @@ TEST_CASE("at every cut of every example what was written next is offered") {
   CHECK(help.asked > 1000);
   CHECK(help.same >= help.asked * 99 / 100);
   CHECK(help.has_place >= help.wants_place * 99 / 100);
+  MESSAGE("of " << meaning.asked << " names " << meaning.same_place << " with their place, "
+                << meaning.same_type << " with their type, " << meaning.same_uses
+                << " with all uses");
+  CHECK(meaning.asked > 4000);
+  CHECK(meaning.same_place >= meaning.asked * 95 / 100);
+  CHECK(meaning.same_type >= meaning.asked * 78 / 100);
+  CHECK(meaning.same_uses >= meaning.asked * 92 / 100);
 }

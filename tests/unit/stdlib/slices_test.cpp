@@ -107,6 +107,53 @@ TEST_CASE("cancelling between two slices stops the next one, and that run alone"
   CHECK(session.run({.until_ns = 2'000'000'000}) == Progress::kPaused);
 }
 
+TEST_CASE("what a program does when it is stopped is the same in slices") {
+  const auto stopped = [](const Budget& slice) {
+    std::ostringstream out;
+    const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
+    SessionOptions made = at_the_table();
+    made.backends = {backend.get()};
+    Session session(library_engine(), std::move(made));
+    REQUIRE(
+        session.compile("let start = home()\n"
+                        "try { moveJ(start + [1, 0, 0, 0], time: 9s) } finally {\n"
+                        "    for (i in range(300)) { }\n"
+                        "    moveJ(start, time: 2s)\n"
+                        "    print(\"home\", now())\n"
+                        "}\n",
+                        "stopped.rbt"));
+    REQUIRE(session.run({.until_ns = 500'000'000}) == Progress::kPaused);
+    session.cancel();
+    Progress progress = Progress::kPaused;
+    while (progress == Progress::kPaused) {
+      Budget next = slice;
+      if (slice.until_ns) next.until_ns = session.host()->now_ns() + *slice.until_ns;
+      progress = session.run(next);
+    }
+    CHECK(progress == Progress::kCancelled);
+    return out.str();
+  };
+  const std::string whole = stopped({});
+  CHECK(whole.find("home 2") != std::string::npos);
+  for (const Budget& slice : {Budget{.until_ns = 16'666'667}, Budget{.until_ns = {}, .steps = 1},
+                              Budget{.until_ns = 1'000'000, .steps = 7}}) {
+    const bool is_same = stopped(slice) == whole;
+    CHECK(is_same);
+  }
+}
+
+TEST_CASE("a program that records can be stopped while a robot moves") {
+  Session session(library_engine(), at_the_table());
+  REQUIRE(session.compile(
+      "record run every (30ms) { q: joints()[0] }\n"
+      "try { moveJ(home() + [1, 0, 0, 0]) } finally { wait(100ms); print(run.length) }\n",
+      "records.rbt"));
+  REQUIRE(session.run({.until_ns = 180'000'000}) == Progress::kPaused);
+  session.cancel();
+  CHECK(session.run().status == Progress::kCancelled);
+  CHECK(session.host()->now_ns() < 2'000'000'000);
+}
+
 TEST_CASE("a budget of no steps leaves a session as it was") {
   Session session(library_engine(), at_the_table());
   CHECK_THROWS_AS(session.run(Budget{}), ArgumentError);

@@ -41,7 +41,8 @@ struct Budget {
 
 // A point of a run. Compiled as it may be, a program comes to it in the same state.
 //
-// steps  that the program has taken; at one virtual time they tell points apart.
+// steps  that the program has taken, with those of calls that a session keeps in its log; at one
+//        virtual time they tell points apart.
 struct Instant {
   std::int64_t t_ns = 0;
   std::uint64_t steps = 0;
@@ -59,7 +60,7 @@ enum class Progress : std::uint8_t { kDone, kFailed, kCancelled, kPaused };
 struct RunResult {
   Progress status = Progress::kDone;
   std::optional<Diagnostic> error;  // kFailed, kCancelled
-  std::uint64_t steps = 0;          // so far
+  std::uint64_t steps = 0;          // so far, as Instant counts them
 };
 
 // A task that the host had started (host/tasks.hpp) has ended.

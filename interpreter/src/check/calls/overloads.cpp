@@ -98,8 +98,8 @@ bool place_arguments(const Signature& signature, const std::vector<Argument>& ar
 namespace {
 
 // How far the types that the parameters of a function are written with, null where none is, are
-// those of a pattern: 0 if none differs, 1 otherwise; -1 where a struct is asked for and none is
-// written, unless the other arguments say which.
+// those of a pattern: 0 if none differs, 1 if one does, 2 if one of both is a struct; -1 where a
+// struct is asked for and none is written, unless the other arguments say which.
 int cost_of_parameters(const TypePattern& pattern, const std::vector<const Type*>& written,
                        const Bindings& known) {
   if (pattern.form != TypePattern::Form::kFunction) return 0;
@@ -108,7 +108,8 @@ int cost_of_parameters(const TypePattern& pattern, const std::vector<const Type*
     const TypePattern& part = pattern.parts[i];
     Bindings bindings = known;
     if (written[i] != nullptr) {
-      if (match(part, written[i], false, bindings) != 0) cost = 1;
+      const bool is_other = written[i]->is(Kind::kRecord) != part.is_struct;
+      if (match(part, written[i], false, bindings) != 0) cost = std::max(cost, is_other ? 2 : 1);
     } else if (part.is_struct && !is_bound(part, known)) {
       return -1;
     }

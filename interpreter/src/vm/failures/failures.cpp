@@ -145,9 +145,11 @@ std::string source_text(const VmState& state, Span span) {
 }
 
 std::string line_name(const VmState& state, Span span) {
-  const SourceSet& sources = *state.programs.newest->sources;
+  const CompiledProgram& program = *state.programs.newest;
+  const SourceSet& sources = *program.sources;
   std::string out = "line " + std::to_string(line_of(state, span));
-  if (sources.size() == 1) return out;
+  const bool is_of_entry = program.entry.is_one && span.source == sources.first();
+  if (sources.size() == 1 || is_of_entry) return out;
   const std::string& file = sources[span.source].name();
   return out + " of " + file.substr(file.find_last_of('/') + 1);
 }

@@ -19,27 +19,20 @@ class NoTrace {
         entry_(std::exchange(state.programs.before, std::make_unique<Before>(state))),
         steps_(state.steps),
         marks_(state.marks),
-        due_(std::exchange(state.cancellations.due, {})),
-        noticed_(state.cancellations.noticed.size()),
-        fault_(std::move(state.fault)),
-        is_leaving_(std::exchange(state.is_leaving, false)) {
+        fault_(std::move(state.fault)) {
     state.host.is_read = true;
     state.marks.breakpoints.clear();
     state.marks.pause_at = StepMeter::kEndless;
-    state.steps.look_at = StepMeter::kEndless;
     state.steps.paused();
   }
   ~NoTrace() {
-    state_.host.is_read = false;
-    state_.cancellations.noticed.resize(noticed_);
-    state_.cancellations.due = std::move(due_);
-    state_.steps = steps_;
-    state_.marks = std::move(marks_);
-    state_.fault = std::move(fault_);
-    state_.is_leaving = is_leaving_;
     state_.programs.before->restore();
     state_.programs.before = std::move(entry_);
     state_.globals.is_kept = std::move(kept_);
+    state_.host.is_read = false;
+    state_.steps = steps_;
+    state_.marks = std::move(marks_);
+    state_.fault = std::move(fault_);
   }
   NoTrace(const NoTrace&) = delete;
   NoTrace& operator=(const NoTrace&) = delete;
@@ -50,10 +43,7 @@ class NoTrace {
   std::unique_ptr<Before> entry_;   // likewise
   StepMeter steps_;
   Marks marks_;
-  std::vector<Cancellation> due_;
-  std::size_t noticed_;
   FaultPtr fault_;
-  bool is_leaving_;
 };
 
 }  // namespace armlet::lang

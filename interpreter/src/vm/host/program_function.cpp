@@ -3,6 +3,7 @@
 #include "armlet/interpreter/host/program_function.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "armlet/core/ample_stack.hpp"
@@ -289,7 +290,8 @@ void ReadyFunction::begin(std::span<const Value> arguments) const {
 
 // ---- calls with objects
 
-ReadyFunction::Call::Call(const ReadyFunction& function) : function_(function) {
+ReadyFunction::Call::Call(const ReadyFunction& function, Counts counts)
+    : function_(function), counts_(counts) {
   lang::begin_turn(function.vm().state());
 }
 
@@ -303,6 +305,8 @@ Outcome ReadyFunction::Call::run(std::span<const Slot> arguments, Slot& result) 
   lang::VmState& state = function_.vm().state();
   std::ranges::copy(arguments, state.host.window);
   const lang::Callee& callee = callee_of(state, function_.function_);
+  std::optional<lang::CallOfRun> counting;
+  if (counts_ == Counts::kWithRun) counting.emplace(state);
   return given(state, callee, run_in_turn(state, callee), result);
 }
 

@@ -41,6 +41,9 @@ std::vector<SourceLine> set_breakpoints(Vm& vm, std::vector<SourceLine> lines) {
 
 bool is_at_breakpoint(Vm& vm) { return vm.state().marks.is_at_breakpoint; }
 
-std::uint64_t statements_begun(Vm& vm) { return vm.state().marks.begun; }
+std::uint64_t statements_begun(Vm& vm) {
+  const lang::VmState& state = vm.state();
+  return state.host.counts_apart ? state.host.aside.statements : state.marks.begun;
+}
 
 }  // namespace armlet

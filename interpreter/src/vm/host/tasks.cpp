@@ -64,7 +64,7 @@ void finish(Vm& vm) {
   if (!is_at_rest(vm))
     throw ArgumentError("A run is finished when its program and all tasks have ended.");
   state.scheduler->finish();
-  vm.result_ = {.status = Progress::kDone, .error = {}, .steps = state.steps.total};
+  vm.result_ = {.status = Progress::kDone, .error = {}, .steps = state.host.aside.steps};
 }
 
 Result<Value> read_function(Vm& vm, std::string_view name) {

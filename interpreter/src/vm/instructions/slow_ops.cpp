@@ -418,14 +418,17 @@ bool may_pause(VmState& state) {
 // The frame has been saved behind the MARK, which is executed again when the run goes on.
 bool stops_at_mark(VmState& state) {
   Marks& marks = state.marks;
-  const bool may_stop = state.host.calls == 0;
+  if (state.host.calls != 0) {  // what a run has paused at stays while its host calls functions
+    ++marks.begun;
+    return false;
+  }
   const bool was_at_breakpoint = std::exchange(marks.is_at_breakpoint, false);
-  if (may_stop && !was_at_breakpoint && !marks.breakpoints.empty()) {
+  if (!was_at_breakpoint && !marks.breakpoints.empty()) {
     const CodeSpan* at = code_span(state);
     const SourceLine here{at->span.source, line_of(state, at->span)};
     marks.is_at_breakpoint = std::ranges::binary_search(marks.breakpoints, here);
   }
-  const bool stops = marks.is_at_breakpoint || (may_stop && marks.begun >= marks.pause_at);
+  const bool stops = marks.is_at_breakpoint || marks.begun >= marks.pause_at;
   marks.paused = stops ? state.running : nullptr;
   if (!stops) ++marks.begun;
   return stops;

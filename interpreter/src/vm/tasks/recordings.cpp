@@ -231,6 +231,7 @@ bool Recordings::end(const RecordObj* table) {
 
 std::int64_t Recordings::next_ns() const {
   std::int64_t next = kNever;
+  if (state_.is_leaving) return next;  // nothing is recorded any more, and nothing is due
   for (const Recording& recording : recordings_) {
     if (!recording.failed) next = std::min(next, recording.next_ns);
   }

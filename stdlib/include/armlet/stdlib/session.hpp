@@ -2,7 +2,6 @@
 // Programs with their cell: what the command, the tests and embedding tools use.
 
 #include <atomic>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -11,40 +10,16 @@
 #include <string_view>
 #include <vector>
 
-#include "armlet/backend/backend.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
-#include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/session_log.hpp"
+#include "armlet/stdlib/session_options.hpp"
 #include "armlet/stdlib/text_change.hpp"
 
 namespace armlet {
 
 class Journal;
 class LabControls;
-
-struct SessionOptions {
-  std::shared_ptr<const Robot> robot;      // for programs that declare none; null: none
-  std::vector<NamedPlanner> planners;      // beside the built-in ones
-  std::optional<WorldText> world;          // given by the user
-  std::optional<WorldText> default_world;  // when a program names an object and none is given
-  std::filesystem::path folder;            // below which the program may write files; empty: none
-  MeshConverter convert_mesh{};            // see HostOptions
-  bool keeps_files = true;  // otherwise what it saves can be loaded, and goes with the run
-  ParseLimits parse_limits;
-  bool open = false;     // see CompileOptions
-  bool markers = false;  // see CompileOptions
-  // After the end of the program the run waits for inputs (laboratory_controls.hpp).
-  bool laboratory = false;
-  std::function<void(const PressReport&)> on_press;
-  ModuleLoader load;  // files that the program imports; none without it
-  RunLimits limits;
-  std::vector<Backend*> backends;               // must outlive the session
-  std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
-  Output output;
-  std::function<void(const Diagnostic&)> advice;
-  std::function<void(const MoveReport&)> on_move;
-};
 
 // A message together with the texts that it points into.
 struct Problem {
@@ -73,6 +48,13 @@ class Session {
   // errors and advice of the world's text included, are in problems(). If it was cancelled,
   // R0629 is the only one. What was there before is forgotten.
   bool compile(std::string text, std::string name);
+  // The same with the program that another session has compiled, which is not compiled again: all
+  // share it, and each has variables, a cell and a log of its own.
+  //
+  // throws  ArgumentError if the other has no whole program that can run, or if its engine, robot,
+  //         planners, world or the options that a program is compiled for are others; and while one
+  //         of the two runs. All stays as it was.
+  void share(const Session& other);
   // What the text means, also if it has mistakes (interpreter/editor/analysis.hpp), for the robot
   // and the world of the session, and behind the entries that were submitted; the program that was
   // compiled last stays. The world is always described for it. `before` is the analysis of a text
@@ -216,6 +198,17 @@ class Session {
   class OneSlice;
   class InReach;
   struct Compiled;
+  // To stop: whether somebody has it, and whether no machine has heard of it yet. Each hears once:
+  // what the program does then may take several slices.
+  struct Wish {
+    std::atomic<bool> is_there{false};
+    std::atomic<bool> is_new{false};
+    void forget() {
+      is_there.store(false);
+      is_new.store(false);
+    }
+  };
+  class OneCompilation;
 
   // ---- texts (session.cpp)
   [[nodiscard]] std::unique_ptr<Host> make_host(Journal* journal);
@@ -288,7 +281,7 @@ class Session {
   std::atomic<bool> is_running_{false};
   std::atomic<Vm*> running_{nullptr};
   std::atomic<int> cancelling_{0};  // calls of cancel that are under way
-  std::atomic<bool> cancelled_{false};
+  Wish wish_;
 };
 
 // The world that the command supplies: a table with a cube and a cylinder.

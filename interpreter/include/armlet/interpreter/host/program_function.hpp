@@ -54,10 +54,14 @@ class ReadyFunction {
   Outcome run_reals(double only) const;
   Outcome run_reals(double first, double second, double third = 0.0) const;
 
+  // Whether the steps of a call are its own, or of the run: then the run cannot be taken again
+  // without the call, and who keeps a log of it keeps the call (stdlib/session_log.hpp).
+  enum class Counts : std::uint8_t { kApart, kWithRun };
+
   // A call with arguments or a result that are objects: while it lives, the Vm is busy with it.
   class Call {
    public:
-    explicit Call(const ReadyFunction& function);
+    explicit Call(const ReadyFunction& function, Counts counts = Counts::kApart);
     ~Call();
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
@@ -75,6 +79,7 @@ class ReadyFunction {
     void fail();
 
     const ReadyFunction& function_;
+    Counts counts_;
     std::array<Obj*, kMostParameters + 1> kept_{};
     std::size_t count_ = 0;
   };
