@@ -21,6 +21,7 @@ function(armlet_add_converter)
   add_executable(armlet-mesh exchange.cpp)
   armlet_target_sources(armlet-mesh converter/ assimp_import confine file_checks files gltf_pack images main ply_check scene_builder vrml_check
     vrml_import xml_check)
+  armlet_group_sources(armlet-mesh 1 0)
   armlet_compile_options(armlet-mesh)
   target_include_directories(armlet-mesh PRIVATE .)
   target_include_directories(armlet-mesh SYSTEM PRIVATE ${ARMLET_ASSIMP_HEADERS} ${ARMLET_COIN_HEADERS} ${ARMLET_TINYXML_HEADERS})

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 1024;
-constexpr int kMostNames = 10'000;  // of a folder that are compared
+constexpr int kMostSiblings = 10'000;  // of a folder that are compared
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -115,7 +115,7 @@ std::string Siblings::in_another_case(const std::string& name) const {
     int seen = 0;
     for (fs::directory_iterator each(at, failed), end; !failed && each != end;
          each.increment(failed)) {
-      if (++seen > kMostNames) break;
+      if (++seen > kMostSiblings) break;
       std::string other = each->path().filename().string();
       if (lower(other) == wanted) matching.push_back(std::move(other));
     }

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <array>
 
-#include "armlet/core/error.hpp"
+#include "converter/refuse.hpp"
 
 namespace armlet::mesh {
 namespace {
-
-[[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
 
 // OBJ: corners of faces name positions, places on the picture and normals that stand above them,
 // from 1 on, or from -1 on backwards. Assimp passes over those of the last two that are not there.

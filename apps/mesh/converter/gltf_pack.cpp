@@ -4,16 +4,16 @@
 
 #include <nlohmann/json.hpp>
 
-#include "armlet/core/error.hpp"
 #include "armlet/mesh/pictures.hpp"
 #include "converter/importers.hpp"
+#include "converter/refuse.hpp"
 
 namespace armlet::mesh {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestJson = 64;
 constexpr std::size_t kMostBytes = std::size_t{128} << 20;  // of the binary part
 constexpr std::size_t kMostListed = 100'000;                // buffers, views, images
 
@@ -24,8 +24,6 @@ constexpr unsigned char kWhite[] = {
     0,    0x3a, 0x7e, 0x9b, 0x55, 0,    0,    0,    10,   'I',  'D',  'A',  'T',  0x78,
     0x9c, 0x63, 0xf8, 0x0f, 0x00, 0x01, 0x01, 0x01, 0x00, 0x1b, 0xb6, 0xee, 0x56, 0,
     0,    0,    0,    'I',  'E',  'N',  'D',  0xae, 0x42, 0x60, 0x82};
-
-[[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
 
 std::size_t u32(std::string_view bytes, std::size_t at) {
   std::size_t value = 0;
@@ -95,8 +93,8 @@ class Packer {
         own_ = rest.substr(8, most);
       }
     }
-    if (json_depth(text) > kDeepest)
-      refuse(fmt::format("it has more than {} values in one another", kDeepest));
+    if (json_depth(text) > kDeepestJson)
+      refuse(fmt::format("it has more than {} values in one another", kDeepestJson));
     json_ = Json::parse(text.begin(), text.end(), nullptr, false);
     if (!json_.is_object()) refuse("it is broken: its text is no JSON object");
   }

@@ -12,7 +12,7 @@
 namespace armlet::mesh {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{32} << 20;
+constexpr std::size_t kMostImageBytes = std::size_t{32} << 20;
 
 }  // namespace
 
@@ -20,8 +20,9 @@ void check_image(std::string_view bytes, const std::string& name) {
   const auto refuse = [&](const std::string& why) {
     throw ArgumentError(fmt::format("the picture \"{}\" {}", name, why));
   };
-  if (bytes.size() > kMostBytes) {
-    refuse(fmt::format("has {} bytes; expected {} MB at most", bytes.size(), kMostBytes >> 20));
+  if (bytes.size() > kMostImageBytes) {
+    refuse(
+        fmt::format("has {} bytes; expected {} MB at most", bytes.size(), kMostImageBytes >> 20));
   }
   const auto size = picture_size(bytes);
   if (!size) {

@@ -12,15 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "armlet/core/error.hpp"
 #include "converter/file_checks.hpp"
+#include "converter/refuse.hpp"
 
 namespace armlet::mesh {
 namespace {
 
 constexpr double kMostOfList = 32'767;  // corners of a face, as Assimp takes them
-
-[[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
 
 // A type and its size in bytes; kinds: 'i' with a sign, 'u' without, 'f'.
 struct Type {

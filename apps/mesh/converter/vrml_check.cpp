@@ -9,15 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "armlet/core/error.hpp"
 #include "converter/importers.hpp"
+#include "converter/refuse.hpp"
 
 namespace armlet::mesh {
 namespace {
 
-constexpr int kDeepest = 200;
-
-[[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
+constexpr int kDeepestNode = 200;
 
 // What reads other files or runs programs, also by the names that Coin knows besides.
 constexpr std::array<std::string_view, 11> kRefused = {
@@ -62,9 +60,9 @@ class Names {
   explicit Names(std::string_view text) : text_(text) {}
 
   void open(std::size_t at, char bracket) {
-    if (static_cast<int>(brackets_.size()) >= kDeepest) {
-      refuse(
-          fmt::format("line {}: more than {} nodes in one another", line_of(text_, at), kDeepest));
+    if (static_cast<int>(brackets_.size()) >= kDeepestNode) {
+      refuse(fmt::format("line {}: more than {} nodes in one another", line_of(text_, at),
+                         kDeepestNode));
     }
     Bracket made;
     if (bracket == '{') {

@@ -34,13 +34,12 @@
 
 #include "armlet/core/error.hpp"
 #include "converter/importers.hpp"
+#include "converter/refuse.hpp"
 
 namespace armlet::mesh {
 namespace {
 
 using Eigen::Vector3d;
-
-[[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
 
 // ---- what Coin says while it reads
 

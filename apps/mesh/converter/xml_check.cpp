@@ -12,13 +12,14 @@
 
 #include "armlet/core/error.hpp"
 #include "converter/file_checks.hpp"
+#include "converter/refuse.hpp"
 
 namespace armlet::mesh {
 namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestElement = 64;
 // What Assimp reads without asking whether it is there.
 constexpr std::pair<std::string_view, const char*> kNeeded[] = {
     {"float_array", "id"},        {"float_array", "count"}, {"accessor", "source"},
@@ -29,8 +30,6 @@ constexpr std::pair<std::string_view, const char*> kNeeded[] = {
     {"material", "id"},           {"effect", "id"},         {"image", "id"},
     {"triangles", "count"},       {"polylist", "count"},    {"polygons", "count"}};
 constexpr double kMostNodes = 1e6;  // each as often as it is used
-
-[[noreturn]] void refuse(const std::string& why) { throw ArgumentError(why); }
 
 constexpr std::string_view kBlank = " \t\r\n";
 
@@ -118,12 +117,12 @@ class DaeCheck {
 
  private:
   [[noreturn]] static void refuse_depth() {
-    refuse(fmt::format("it has more than {} elements in one another", kDeepest));
+    refuse(fmt::format("it has more than {} elements in one another", kDeepestElement));
   }
 
   // node  around it; -1: none.
   void look_into(const tinyxml2::XMLNode& parent, int depth, int node) {
-    if (depth > kDeepest) refuse_depth();
+    if (depth > kDeepestElement) refuse_depth();
     for (const auto* each = parent.FirstChild(); each != nullptr; each = each->NextSibling()) {
       if (each->ToUnknown() != nullptr) refuse("it declares entities, which are not read");
       if (const XMLElement* element = each->ToElement()) look(*element, depth, node);
