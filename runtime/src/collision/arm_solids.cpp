@@ -5,6 +5,7 @@
 
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -173,8 +174,7 @@ void add_needle(const Robot& robot, std::vector<ArmSolid>& bodies) {
   ArmSolid needle{.frame = robot.n(), .role = LinkShapeRole::kTool};
   needle.solid = {
       .core = Solid::Core::kSegment, .half = {0.0, 0.0, 0.5 * length - kThin}, .margin = kThin};
-  needle.solid.T.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), p).toRotationMatrix();
+  needle.solid.T.linear() = rotation_from_z(p);
   needle.solid.T.translation() = 0.5 * p;
   bodies.push_back(needle);
 }

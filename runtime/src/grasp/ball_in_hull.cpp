@@ -5,6 +5,7 @@
 
 #include "armlet/core/random.hpp"
 #include "armlet/grasp/grasp_quality.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -77,21 +78,13 @@ class GrowingHull {
     const auto corner = [&](int i) { return points_.col(corners[static_cast<std::size_t>(i)]); };
     for (int i = 1; i < dimensions_; ++i)
       edges.row(i - 1) = (corner(i) - corner(0)).normalized().transpose();
-    Facet facet{.corners = corners, .n = normal_of(edges)};
+    Facet facet{.corners = corners, .n = direction_across(edges)};
     facet.offset = facet.n.dot(corner(0));
     if (facet.n.dot(inside_) > facet.offset) {
       facet.n = -facet.n;
       facet.offset = -facet.offset;
     }
     facets_.push_back(std::move(facet));
-  }
-
-  // The direction across all rows: what is left when they are taken out of it one by one, from the
-  // right end of a decomposition with pivots.
-  static Eigen::VectorXd normal_of(const Eigen::MatrixXd& edges) {
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(edges.transpose());
-    const Eigen::Index last = edges.cols() - 1;
-    return qr.householderQ() * Eigen::VectorXd::Unit(edges.cols(), last);
   }
 
   // Facets that see the point give way to those that join it with their rim.

@@ -45,4 +45,13 @@ MatrixXd triangle_of(const MatrixXd& A) {
   return R;
 }
 
+Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& way) {
+  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), way).toRotationMatrix();
+}
+
+VectorXd direction_across(const MatrixXd& rows) {
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
+  return qr.householderQ() * VectorXd::Unit(rows.cols(), rows.cols() - 1);
+}
+
 }  // namespace armlet

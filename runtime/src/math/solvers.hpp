@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
@@ -61,5 +62,12 @@ struct SymmetricEigen {
 // Of a symmetric matrix, of which the lower triangle is read.
 [[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A);
 [[nodiscard]] double smallest_eigenvalue(const Eigen::MatrixXd& A);
+
+// The shortest rotation that turns the z axis along `way`, which is not zero.
+[[nodiscard]] Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& way);
+
+// The direction across all rows, of which there is one fewer than columns: what is left when they
+// are taken out of it one by one, from the right end of a decomposition with pivots.
+[[nodiscard]] Eigen::VectorXd direction_across(const Eigen::MatrixXd& rows);
 
 }  // namespace armlet

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "armlet/math/pose.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -24,8 +25,7 @@ LinkShape rod(const Robot& finger, int joint, double radius) {
                   .radius = radius,
                   .length = row.a};
   const Vector3d along(std::cos(turned), std::sin(turned), 0.0);
-  shape.T_link_shape.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), along).toRotationMatrix();
+  shape.T_link_shape.linear() = rotation_from_z(along);
   shape.T_link_shape.translation() = 0.5 * row.a * along + row.d * Vector3d::UnitZ();
   return shape;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hand_shapes.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -20,8 +21,7 @@ constexpr double kThicknessAtEnd = 0.032;
 Isometry3d between(const Vector3d& from, const Vector3d& to) {
   Isometry3d T = Isometry3d::Identity();
   const Vector3d way = to - from;
-  if (way.norm() > 1e-12)
-    T.linear() = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), way).toRotationMatrix();
+  if (way.norm() > 1e-12) T.linear() = rotation_from_z(way);
   T.translation() = 0.5 * (from + to);
   return T;
 }
