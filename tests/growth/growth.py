@@ -33,7 +33,7 @@ SIZE = 100    # n, at scale 1
 # Nested as deep as a program may be, so many times; and what takes as much as it ever will only behind 300 instructions.
 SIZES = {"member_chains": 270, "nested_calls": 300, "nested_lists": 300, "nested_blocks": 240, "else_if_ladders": 270,
          "conditional_ladders": 270, "nested_defaults": 45, "tries": 60, "robot_block": 15, "arguments": 1000,
-         "parameters": 1000, "enums": 1000, "wide_struct": 1000, "matrix": 1000, "list_used_often": 1000, "long_list": 400}
+         "parameters": 1000, "enums": 1000, "wide_struct": 1000, "matrix": 1000, "list_used_often": 1000, "long_list": 400, "wrong_names": 300}
 
 
 def counted(program, files, folder):
