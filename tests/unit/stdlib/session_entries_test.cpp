@@ -270,21 +270,6 @@ TEST_CASE("what is cancelled leaves all as it was") {
   CHECK(enter("1 + 1") == "2");
 }
 
-TEST_CASE("a wish to stop of which pacing has told too stops one entry") {
-  SessionOptions options = at_the_table();
-  Session* session = nullptr;
-  options.pace = [&](std::int64_t t_ns) {
-    if (session == nullptr || t_ns <= 500'000'000) return true;
-    std::exchange(session, nullptr)->cancel();
-    return false;
-  };
-  Typed enter(std::move(options));
-  session = &enter.session;
-  enter("moveJ(home() + [0.5, 0, 0, 0], time: 3s)");
-  CHECK(enter.session.result().status == Progress::kCancelled);
-  CHECK(enter("1 + 1") == "2");
-}
-
 TEST_CASE("what is written next is offered behind entries") {
   Typed enter;
   enter("let width = 4cm; struct Part { size: length; count: int }; enum Side { left, right }");
