@@ -6,14 +6,9 @@ import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import type { NearBody, NearPair } from "../protocol/messages.ts";
+import { SOFT, overlaps, textOf } from "./near.ts";
 import type { Palette } from "./palette.ts";
 import type { Label } from "./triad.ts";
-
-export const SOFT = 1e-4; // m: what overlaps less touches only, as collisions are told
-
-const PRESSED = 0.01; // m: what a hand presses into so deep is felt, as it may be wanted
-
-export const overlaps = (pair: NearPair) => pair.distance < -(pair.felt ? PRESSED : SOFT);
 
 const over = (opacity = 1) => new MeshBasicMaterial({ transparent: true, opacity, depthTest: false, depthWrite: false, toneMapped: false });
 
@@ -21,16 +16,6 @@ const over = (opacity = 1) => new MeshBasicMaterial({ transparent: true, opacity
 const DOT = 4;
 const SHAFT = 2.5;
 const HEAD = [7, 18] as const;
-
-const millimetres = (distance: number) => `${(1000 * distance).toFixed(Math.abs(distance) < 0.01 ? 1 : 0)} mm`;
-
-export function textOf(pair: NearPair): string {
-  const [body, other] = [pair.body, pair.other].map(({ text }) => text.replaceAll("`", "")) as [string, string];
-  const depth = `${pair.at_least ? "at least " : ""}${millimetres(-pair.distance)}`;
-  if (overlaps(pair)) return `${body} is ${depth} deep in ${other}`;
-  if (pair.distance < -SOFT) return `${body} presses ${depth} into ${other}`;
-  return pair.distance <= SOFT ? `${body} touches ${other}` : `${body}: ${millimetres(pair.distance)} to ${other}`;
-}
 
 // A line between the nearest points of two things, and both in colour where they touch.
 export class Clearances {
