@@ -1,6 +1,7 @@
 #include "compile/load_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,11 @@ std::string_view always_there(std::string_view path) {
     return "the functions of mathematics are always there: sin, sqrt, PI";
   if (first == "time" || first == "random" || first == "sys" || first == "java" || first == "std")
     return "the library is always there: wait, now, random, print";
+  constexpr std::array<std::string_view, 10> kToolboxes = {
+      "roboticstoolbox", "spatialmath", "spatialgeometry",  "swift",         "robodk",
+      "robolink",        "rospy",       "moveit_commander", "geometry_msgs", "pybullet"};
+  if (std::ranges::find(kToolboxes, first) != kToolboxes.end())
+    return "what the library offers is always there, without an import";
   return {};
 }
 

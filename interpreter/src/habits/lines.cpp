@@ -10,7 +10,7 @@ namespace armlet::lang {
 namespace {
 
 constexpr int kMostRewritings = 20;
-constexpr std::size_t kMostOfOneLine = 2;  // explanations of one kind, each tried
+constexpr std::size_t kMostOfOneLine = 3;  // explanations of one kind, each tried
 
 // A row that fits, where it fits in a text, and what is written there instead.
 struct Fitting {
@@ -52,10 +52,14 @@ std::vector<Fitting> whole_statement(const Line& line, std::size_t first, std::s
   return out;
 }
 
-// Of the row from number `row` on; `row` is then the next one.
+// Of the row from number `row` on; `row` is then the next one. Those of toolboxes come behind those
+// of languages.
 std::optional<Fitting> first_value(const Line& line, Patience& patience, std::size_t& row) {
-  while (row < value_habits().size()) {
-    const Habit& habit = value_habits()[row++];
+  const std::size_t languages = value_habits().size();
+  const std::size_t all = languages + toolbox_habits().size();
+  while (row < all) {
+    const Habit& habit = row < languages ? value_habits()[row] : toolbox_habits()[row - languages];
+    ++row;
     const std::optional<Found> found =
         match_inside(line, 0, line.pieces.size(), habit.shape, patience);
     if (!found) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 
 #include "habits/formats.hpp"
 #include "habits/pieces.hpp"
@@ -241,6 +243,19 @@ Answer turn(const std::string& part) {
   return is_zero ? "" : " * expPose([0.0, 0.0, 0.0, " + part + "])";
 }
 
+// 0.5, 0.1, 0.2 in metres; 500, 100, 200 in millimetres, as no arm reaches 10 m.
+Answer place(const std::string& part) {
+  constexpr double kFarthest = 10.0;
+  const std::vector<std::string> values = values_of(part);
+  const bool is_near = std::ranges::all_of(values, [](const std::string& value) {
+    return !is_plain_number(value) || std::abs(std::strtod(value.c_str(), nullptr)) < kFarthest;
+  });
+  std::string out;
+  for (const std::string& value : values)
+    out += (out.empty() ? "" : ", ") + *with_unit(value, is_near ? "m" : "mm");
+  return out;
+}
+
 Answer printed(const std::string& part) { return formatted_text(values_of(part), true); }
 Answer as_text(const std::string& part) { return formatted_text(values_of(part), false); }
 
@@ -268,6 +283,8 @@ constexpr auto kConversions = std::to_array<PartConversion>({
     {"frame", frame},
     {"turn", turn},
     {"degrees", degrees},
+    {"place", place},
+    {"lower", [](const std::string& part) { return Answer(lower_case(part)); }},
     {"movej", [](const std::string& part) { return settings(part, kMoveJ); }},
     {"movel", [](const std::string& part) { return settings(part, kMoveL); }},
 });

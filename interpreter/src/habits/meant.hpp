@@ -25,6 +25,8 @@ namespace armlet::lang {
 //   movej movel  URScript's settings a, v, t, r: those that mean the same here
 //   axes frame   KRL's A1 0, A2 -90 ... and X 100, Y 0, Z 50, A 0, B 0, C 0
 //   degrees      a list of angles without units
+//   place        coordinates without units: m, or mm if they are large
+//   lower        without capitals
 //   turn         URScript's rotation vector, "" if it is zero
 //
 // Nothing if a part cannot be converted.

@@ -16,9 +16,10 @@ struct Habit {
   std::string_view why;   // one sentence, may be empty
 };
 
-// Whole statements, and values anywhere in a line.
+// Whole statements, and values anywhere in a line: of languages, and of toolboxes for robots.
 [[nodiscard]] std::span<const Habit> statement_habits();
 [[nodiscard]] std::span<const Habit> value_habits();
+[[nodiscard]] std::span<const Habit> toolbox_habits();
 
 // A block that begins with a line of its own.
 struct BlockHabit {

@@ -21,6 +21,8 @@ constexpr std::string_view kZones =
     "a move stops at its goal; in a path, blend: 10mm rounds corners";
 constexpr std::string_view kFrames =
     "moveL(p, frame: o) takes the object or frame that p is given in, tool: the tool point";
+constexpr std::string_view kEnded =
+    "a move starts where it is written and ends before the next statement";
 constexpr std::string_view kComment = "a comment starts with //";
 constexpr std::string_view kOneLine = "print ends its line; f\"...\" joins values before";
 
@@ -68,6 +70,8 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"hold on", "", "a figure keeps all that is drawn into it"},
     {"hold off", "", "a figure keeps all that is drawn into it"},
     {"format long", "", "a format shows digits: f\"{x:.6f}\""},
+    {"[ @ , @ ] = *", kNoSuchThing, kOneValue},
+    {"[ @ , @ , @ ] = *", kNoSuchThing, kOneValue},
     {"@ ( end + 1 ) = $", "{1}.push({2})", ""},
     {"@ ( $ ) = $", "{1}[{2}] = {3}", kFromZero},
     {"@ ( $ , $ ) = $", "{1}[{2}, {3}] = {4}", kFromZero},
@@ -237,6 +241,18 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"& @ ...", "", kNoMain},
     {"; @ @ ...", "// {1} {2} {3}", kComment},
     {"; ...", "// {1}", kComment},
+    // Toolboxes for robots
+    {"startup_rvc", "", kNoImports},
+    {"mdl_puma560", "robot p560 = robots.puma560()", ""},
+    {"mdl_stanford", "robot stanf = robots.stanford()", ""},
+    {"mdl_panda", "robot panda = robots.panda()", ""},
+    {"mdl_ur5", "robot ur5 = robots.ur5()", ""},
+    {"rospy . init_node ( * )", "", kNoMain},
+    {"@ . go ( * )", "", kEnded},
+    {"@ . waitForMotion ( * )", "", kEnded},
+    {"@ . waitMove ( * )", "", kEnded},
+    {"@ . wait_move ( * )", "", kEnded},
+    {"@ . clear_pose_targets ( )", "", "a move keeps no goal"},
     // Others
     {"local function @", "fn {1}", ""},
     {"dim @ as @", "var {1}: {2:type}", ""},

@@ -153,6 +153,7 @@ hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& targ
           std::string(want->host->name) + '(' + checker.text_of(value.span) + ')';
       diagnostic.fix = Fix{.text = "write " + made, .edits = {{value.span, made}}};
     }
+    if (want->is(Kind::kMatrix)) diagnostic.fix = matrix_from_list_fix(checker, value);
     checker.report(std::move(diagnostic));
   } else {
     Diagnostic diagnostic =

@@ -1,8 +1,10 @@
 #include "check/explain/mismatch_units.hpp"
 
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string_view>
 
 #include "check/checker.hpp"
 #include "check/explain/edits.hpp"
@@ -55,6 +57,20 @@ std::string short_number(double value) {
   return buffer;
 }
 
+// PI / 2, 2*PI
+bool mentions_pi(std::string_view text) {
+  constexpr std::string_view kPi = "PI";
+  const auto belongs_to_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  for (std::size_t at = text.find(kPi); at != text.npos; at = text.find(kPi, at + 1)) {
+    const std::size_t end = at + kPi.size();
+    const bool begins = at == 0 || !belongs_to_word(text[at - 1]);
+    if (begins && (end == text.size() || !belongs_to_word(text[end]))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void plain_number_for_quantity(Checker& checker, const hir::Expr& value, const Target& target) {
@@ -67,8 +83,10 @@ void plain_number_for_quantity(Checker& checker, const hir::Expr& value, const T
   const std::string text = checker.text_of(value.span);
   const std::string unit = usual_unit(target.type->dim);
   if (!is_number_literal(value) || !is_decimal_number(text)) {
-    // What a program computes is in SI units; 45 / 2 is what somebody thought of.
-    const std::string& one = checker.shared.constants.of(value) ? unit : si_unit(target.type->dim);
+    // What a program computes is in SI units; 45 / 2 is what somebody thought of, PI / 2 in
+    // radians.
+    const bool is_chosen = checker.shared.constants.of(value) && !mentions_pi(text);
+    const std::string& one = is_chosen ? unit : si_unit(target.type->dim);
     const std::string written = as_operand(text) + " * 1" + one;
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
   } else {

@@ -88,7 +88,7 @@ hir::Expr* foreign_method(Checker& checker, const ast::CallExpr& call,
 }
 
 hir::Expr* foreign_call(Checker& checker, const ast::CallExpr& call, std::string_view name) {
-  constexpr std::array<std::string_view, 6> kLengths = {"len",    "size",   "count",
+  constexpr std::array<std::string_view, 7> kLengths = {"len",    "size",   "count", "length",
                                                         "sizeof", "strlen", "numel"};
   if (hir::Expr* told = foreign_empty_map(checker, name, call.args.size(), call.span)) return told;
   if (std::ranges::find(kLengths, name) == kLengths.end() || call.args.size() != 1) {
