@@ -14,6 +14,12 @@ bool same_but_for_capitals(std::string_view a, std::string_view b) {
                     [&](char x, char y) { return lower(x) == lower(y); });
 }
 
+// How many edits a mistyped name may be away from what was meant.
+std::size_t similar_enough(std::string_view name) {
+  constexpr std::size_t kShort = 4;  // with two edits, any such name is near another
+  return name.size() <= kShort ? 1 : std::max<std::size_t>(2, name.size() / 3);
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -38,10 +44,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-std::size_t similar_enough(std::string_view name) {
-  return name.size() <= 2 ? 1 : std::max<std::size_t>(2, name.size() / 3);
-}
-
 std::optional<std::string_view> most_similar(std::string_view name,
                                              std::span<const std::string_view> candidates) {
   std::optional<std::string_view> best;
@@ -49,10 +51,9 @@ std::optional<std::string_view> most_similar(std::string_view name,
   for (const std::string_view candidate : candidates) {
     std::size_t distance = edit_distance(name, candidate);
     if (same_but_for_capitals(name, candidate)) distance = 0;
-    if (name.size() > 2 && candidate.starts_with(name))
-      distance = std::min<std::size_t>(distance, 2);
-    if (candidate.size() > 2 && name.starts_with(candidate))
-      distance = std::min<std::size_t>(distance, 2);
+    const bool begins = (name.size() > 2 && candidate.starts_with(name)) ||
+                        (candidate.size() > 2 && name.starts_with(candidate));
+    if (begins) distance = std::min({distance, std::size_t{2}, similar_enough(name)});
     // Of equally near ones the one that begins like the name.
     const bool begins_better = best && distance == best_distance &&
                                candidate.starts_with(name.substr(0, 1)) &&

@@ -24,4 +24,10 @@ TEST_CASE("the most similar name is found, and nothing when none is near") {
   CHECK_FALSE(most_similar("x", names));
   const std::vector<std::string_view> robots = {"planar2", "puma560"};
   CHECK(most_similar("puma", robots) == "puma560");
+  const std::vector<std::string_view> short_names = {"show", "seed", "inv", "range", "print"};
+  for (const std::string_view other : {"stop", "skew", "Link", "rne", "go"})
+    CHECK_FALSE(most_similar(other, short_names));
+  CHECK(most_similar("shwo", short_names) == "show");
+  CHECK(most_similar("ran", short_names) == "range");
+  CHECK(most_similar("pritn", short_names) == "print");
 }

@@ -12,9 +12,6 @@ namespace armlet {
 // alignment, Damerau 1964). Counts bytes; texts of more than 64 bytes count as entirely different.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// How many changes a mistyped name may be away from what was meant: 2, or a third of its length.
-std::size_t similar_enough(std::string_view name);
-
 // The candidate most like a mistyped name, the first of several equally near; nothing if none is
 // near enough. Nothing is nearer than a difference of capital letters alone, and a name that is not
 // written to its end is always near.
