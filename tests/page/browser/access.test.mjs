@@ -1,7 +1,7 @@
 // The page on a phone, from the keyboard, and for those who listen to it.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { clock, closeBrowser, until, untilStatus, violations, withLab } from "../laboratory.mjs";
+import { clock, closeBrowser, ONE_MOVE, until, untilStatus, violations, withLab } from "../laboratory.mjs";
 
 after(closeBrowser);
 
@@ -19,7 +19,7 @@ test("on a phone the parts are tabs, and nothing is wider than the screen", () =
   }));
 
 test("everything is reached and worked from the keyboard", () =>
-  withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\narm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+  withLab(`${ONE_MOVE}arm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n`, async (open) => {
     const page = await open();
     await untilStatus(page, /3\.00 s/);
     await page.locator(".stage canvas").waitFor();

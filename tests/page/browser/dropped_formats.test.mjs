@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import test, { after } from "node:test";
-import { closeBrowser, pixelsLike, RED, until, untilStatus, withLab } from "../laboratory.mjs";
+import { ARM, closeBrowser, dropFiles, pixelsLike, RED, SHORT_MOVE, until, untilStatus, withLab } from "../laboratory.mjs";
 import { twoColours } from "../small_glb.mjs";
 
 after(closeBrowser);
@@ -21,30 +21,21 @@ const FILES = {
   "paint.png": twoColours([230, 10, 10], [230, 10, 10]),
 };
 
-async function dropAll(page, files) {
-  await page.locator(".stage canvas").evaluate((canvas, all) => {
-    const data = new DataTransfer();
-    for (const [name, base64] of all) data.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
-    const box = canvas.getBoundingClientRect();
-    canvas.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true, clientX: box.x + box.width / 2, clientY: box.y + 0.75 * box.height }));
-  }, Object.entries(files).map(([name, bytes]) => [name, bytes.toString("base64")]));
-}
-
 const converter = join(dirname(process.env.ARMLET_COMMAND ?? ""), "armlet-mesh");
 
 test("a mesh with material and picture becomes a GLB beside the program", { skip: existsSync(converter) ? false : "there is no converter" }, () =>
-  withLab("robot arm = robots.scara()\narm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)\n", async (open, lab) => {
+  withLab(`${ARM}${SHORT_MOVE}`, async (open, lab) => {
     const page = await open();
     await untilStatus(page, /1\.00 s/);
     await page.locator(".stage canvas").waitFor();
-    await dropAll(page, FILES);
+    await dropFiles(page, FILES);
     const program = () => page.locator(".cm-content").innerText();
     // It stands on the floor: its frame is in the middle.
     await until(async () => /object sign\w* \{ shape: mesh\("sign\.glb"\); at: xyz\([^)]*, 200mm\) \}/.test(await program()), program);
     assert.equal(readFileSync(join(lab.folder, "sign.glb")).subarray(0, 4).toString(), "glTF");
     assert.deepEqual(readdirSync(lab.folder).sort(), ["program.rbt", "sign.glb"]);
     await until(async () => (await pixelsLike(page, RED)) > 200, () => "the picture is not seen");
-    await dropAll(page, { "broken.wrl": Buffer.from("#VRML V2.0 utf8\nInline { url \"/etc/passwd\" }\n") });
+    await dropFiles(page, { "broken.wrl": Buffer.from("#VRML V2.0 utf8\nInline { url \"/etc/passwd\" }\n") });
     await page.locator(".message", { hasText: /broken\.wrl.*Inline/ }).waitFor();
     assert.deepEqual(readdirSync(lab.folder).sort(), ["program.rbt", "sign.glb"]);
   }));

@@ -1,7 +1,7 @@
 // Going through a run in time: the bar, playing, statements.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { closeBrowser, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
+import { closeBrowser, ONE_MOVE, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
 import { STEPS, stepThrough } from "../stepping.mjs";
 
 after(closeBrowser);
@@ -98,7 +98,7 @@ test("plots lie below the bar along its time, and go back among the elements", (
   }));
 
 test("playing goes from the start to the end and stops there", () =>
-  withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\n", async (open) => {
+  withLab(ONE_MOVE, async (open) => {
     const page = await open();
     await untilStatus(page, /1 move, 2\.00 s/);
     await page.getByLabel("Speed").selectOption("2");
