@@ -1,7 +1,7 @@
 // Going through a run in time: the bar, playing, statements.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { closeBrowser, ONE_MOVE, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
+import { closeBrowser, ONE_MOVE, typeAtEnd, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
 import { STEPS, stepThrough } from "../stepping.mjs";
 
 after(closeBrowser);
@@ -95,6 +95,20 @@ test("plots lie below the bar along its time, and go back among the elements", (
     await button.click();
     await page.locator(".elements .u-over").nth(1).waitFor();
     assert.equal(await page.locator(".along .u-over").count(), 0);
+  }));
+
+test("new runs move nothing on the page, however many there are", () =>
+  withLab(ONE_MOVE, async (open) => {
+    const page = await open();
+    await untilStatus(page, /1 move, 2\.00 s/);
+    await page.locator(".stage canvas").waitFor();
+    const boxes = async () => JSON.stringify(await Promise.all([".bar", ".stage canvas"].map((each) => page.locator(each).boundingBox())));
+    const before = await boxes();
+    for (let k = 1; k <= 3; k++) {
+      await typeAtEnd(page, "wait(1s)\n");
+      await untilStatus(page, new RegExp(`${2 + k}\\.00 s`));
+    }
+    assert.equal(await boxes(), before);
   }));
 
 test("playing goes from the start to the end and stops there", () =>
