@@ -1,6 +1,7 @@
 // The page: header, three columns, the bar of time; on a phone one column with tabs.
 import { Editor } from "../editor/editor.ts";
 import { elementPanel } from "../elements/panel.ts";
+import { findConverter } from "../home/converter.ts";
 import { SceneView } from "../scene/scene.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl, isStale, shownRun } from "../store/state.ts";
@@ -52,7 +53,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
         file: (name) => intents.file(name),
       });
       sceneTools(columns.view, scene, store, intents, editor);
-      droppedFiles(stage, scene, store, intents, editor);
+      droppedFiles(stage, scene, store, intents, editor, findConverter());
     } catch (error) {
       // Everything else works without it.
       columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
