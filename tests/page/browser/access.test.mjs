@@ -18,6 +18,19 @@ test("on a phone the parts are tabs, and nothing is wider than the screen", () =
     assert.deepEqual(await violations(page), []);
   }));
 
+test("a program that has not run yet says why in the view; a tap leads to its first mistake", () =>
+  withLab("robot arm = robots.scara()\nlet far = 1m\narm.movL(xyz(far, 0mm, 0mm))\n", async (open) => {
+    const page = await open({ viewport: { width: 390, height: 800 } });
+    await untilStatus(page, /1 mistake/);
+    const note = page.locator(".no-run");
+    assert.match(await note.innerText(), /^The program has not run yet\. Line 3: there is nothing called `movL`$/);
+    await note.click();
+    await page.locator(".cm-activeLineGutter", { hasText: /^3$/ }).waitFor();
+    await page.getByRole("button", { name: /^Fix: .*moveL/ }).click();
+    await untilStatus(page, /failed/); // out of reach, but it has run
+    assert.ok(!(await note.isVisible()));
+  }));
+
 test("everything is reached and worked from the keyboard", () =>
   withLab(`${ONE_MOVE}arm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n`, async (open) => {
     const page = await open();
