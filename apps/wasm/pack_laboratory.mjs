@@ -43,6 +43,7 @@ if (begin < 0 || !page.includes(hash(code))) throw new Error('the page does not 
 const parts = [
   element('type="text/plain" class="armlet-part" id="armlet-engine"', packed(readFileSync(module))),
   element('type="text/plain" id="armlet-worker"', `${text(script)}\n${text(path.join(folder, 'worker.js'))}`),
+  element('type="text/plain" id="armlet-converter"', packed(readFileSync(path.join(folder, 'converter.js')))),
   element('type="text/plain" id="armlet-page"', packed(code)),
   element('type="module"', boot),
 ].join('');

@@ -166,6 +166,23 @@ export async function placeOf(page, line, word) {
   }, word);
 }
 
+// Programs of one move: of two seconds, and of one.
+export const ARM = "robot arm = robots.scara()\n";
+export const ONE_MOVE = `${ARM}arm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\n`;
+export const SHORT_MOVE = "arm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)\n";
+
+// Drops files onto the view at once, by their names; each is its bytes, or how many zeros it has. `at`: shares of the view.
+export async function dropFiles(page, files, at = [0.5, 0.75]) {
+  await page.locator(".stage canvas").evaluate((canvas, [all, [x, y]]) => {
+    const data = new DataTransfer();
+    for (const [name, given] of all) data.items.add(new File([typeof given === "number" ? new Uint8Array(given) : Uint8Array.from(atob(given), (c) => c.charCodeAt(0))], name));
+    const box = canvas.getBoundingClientRect();
+    const options = { dataTransfer: data, bubbles: true, cancelable: true, clientX: box.x + x * box.width, clientY: box.y + y * box.height };
+    canvas.dispatchEvent(new DragEvent("dragover", options));
+    canvas.dispatchEvent(new DragEvent("drop", options));
+  }, [Object.entries(files).map(([name, bytes]) => [name, typeof bytes === "number" ? bytes : bytes.toString("base64")]), at]);
+}
+
 // Puts text at the end of the program, as a person would.
 export async function typeAtEnd(page, text) {
   await page.locator(".cm-content").focus();

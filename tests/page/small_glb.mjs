@@ -92,3 +92,38 @@ export function boxGlb([x, y, z], { picture = null, change = () => {} } = {}) {
   change(json);
   return packed(json, Buffer.concat(parts));
 }
+
+// The parts of a GLB file: of each its attributes as lists of numbers, its corners, and its material.
+export function partsOfGlb(file) {
+  const bytes = Buffer.from(file);
+  const length = bytes.readUInt32LE(12);
+  const json = JSON.parse(bytes.subarray(20, 20 + length).toString());
+  const binary = bytes.subarray(28 + length, 28 + length + bytes.readUInt32LE(20 + length));
+  const widths = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
+  const listOf = (index) => {
+    const { bufferView, componentType, count, type } = json.accessors[index];
+    const from = binary.subarray(json.bufferViews[bufferView].byteOffset);
+    const read = (i) => (componentType === 5126 ? from.readFloatLE(4 * i) : from.readUInt32LE(4 * i));
+    const flat = Array.from({ length: count * widths[type] }, (_, i) => read(i));
+    return widths[type] === 1 ? flat : Array.from({ length: count }, (_, i) => flat.slice(i * widths[type], (i + 1) * widths[type]));
+  };
+  const parts = json.meshes.flatMap((mesh) => mesh.primitives).map((part) => ({
+    attributes: Object.fromEntries(Object.entries(part.attributes).map(([name, index]) => [name, listOf(index)])),
+    corners: listOf(part.indices),
+    material: part.material === undefined ? null : json.materials[part.material],
+  }));
+  let notes = "";
+  for (let at = 12; at + 8 <= bytes.length; at += 8 + bytes.readUInt32LE(at)) {
+    if (bytes.readUInt32LE(at + 4) === 0x45544f4e) notes = bytes.subarray(at + 8, at + 8 + bytes.readUInt32LE(at)).toString().trim();
+  }
+  return { json, parts, notes };
+}
+
+// All triangles of a GLB file as texts of their corners, each beginning with the first in order, sorted.
+export function trianglesOfGlb(file) {
+  return partsOfGlb(file).parts.flatMap(({ attributes: { POSITION }, corners }) => Array.from({ length: corners.length / 3 }, (_, i) => {
+    const three = [0, 1, 2].map((k) => POSITION[corners[3 * i + k]].join(" "));
+    const first = three.indexOf([...three].sort()[0]);
+    return [0, 1, 2].map((k) => three[(first + k) % 3]).join(", ");
+  })).sort();
+}

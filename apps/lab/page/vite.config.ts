@@ -53,7 +53,8 @@ function oneFile(): Plugin {
   };
 }
 
-// What else is built, each into one script: `vite build --mode boot` and `--mode worker` (src/alone).
+// What else is built, each into one script: `vite build --mode boot`, `--mode worker` and `--mode converter` (src/alone).
+const ALONE = ["boot", "worker", "converter"];
 const alone = (name: string) => ({
   build: {
     target: "es2022",
@@ -63,7 +64,7 @@ const alone = (name: string) => ({
   },
 });
 
-export default defineConfig(({ mode }) => (mode === "boot" || mode === "worker" ? alone(mode) : {
+export default defineConfig(({ mode }) => (ALONE.includes(mode) ? alone(mode) : {
   base: "./",
   plugins: [leanThree(), onlyWoff2(), oneFile()],
   build: {

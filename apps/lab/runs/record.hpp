@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "armlet/backend/event.hpp"
@@ -274,15 +275,20 @@ class Recording : public Backend {
     Span at{};
     std::optional<SignalValue> value;
     double t0 = 0.0;
+    [[nodiscard]] auto place() const { return std::tie(kind, name, at.source, at.begin, at.end); }
     [[nodiscard]] bool is_same(const Going& other) const {
-      return kind == other.kind && name == other.name && at == other.at && value == other.value;
+      return place() == other.place() && value == other.value;
     }
   };
+  // Positions of stretches, those of tasks and signals of the same name and place beside each
+  // other.
+  static std::vector<std::size_t> order_of(const std::vector<Going>& all);
   void end_stretch(const Going& going, double t);
 
   RunRecord& record_;
   ShownFiles& files_;
   std::vector<Going> going_;
+  std::vector<std::size_t> going_order_;  // order_of(going_)
   Session* session_ = nullptr;
   std::vector<Motion> motions_;  // of each robot
   std::vector<Forces> forces_;   // the same

@@ -1,6 +1,7 @@
 // What tasks do and signals are, from one wait of the run to the next.
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "armlet/interpreter/host/inspection.hpp"
@@ -28,15 +29,29 @@ void Recording::take_stretches(double t) {
     now.push_back(
         {.kind = RecordedStretch::Kind::kSignal, .name = name, .at = {}, .value = value, .t0 = t});
   if (now.empty() && going_.empty()) return;
-  for (const Going& before : going_) {
-    const auto same = std::ranges::find_if(
-        now, [&](const Going& each) { return each.t0 == t && each.is_same(before); });
-    if (same != now.end() && before.t0 < t)
-      same->t0 = before.t0;
-    else if (same == now.end())
-      end_stretch(before, t);
+  // Both in the same order, so that one pass finds what goes on; of those alike each is taken once.
+  std::vector<std::size_t> order = order_of(now);
+  std::vector<bool> goes_on(going_.size());
+  auto next = order.begin();
+  for (const std::size_t i : going_order_) {
+    const Going& before = going_[i];
+    while (next != order.end() && now[*next].place() < before.place()) ++next;
+    if (next == order.end()) break;
+    if (!now[*next].is_same(before)) continue;
+    goes_on[i] = true;
+    if (before.t0 < t) now[*next++].t0 = before.t0;
   }
+  for (std::size_t i = 0; i < going_.size(); ++i)
+    if (!goes_on[i]) end_stretch(going_[i], t);
   going_ = std::move(now);
+  going_order_ = std::move(order);
+}
+
+std::vector<std::size_t> Recording::order_of(const std::vector<Going>& all) {
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return all[i].place(); });
+  return order;
 }
 
 void Recording::end_stretch(const Going& going, double t) {

@@ -186,6 +186,7 @@ void Connections::work() {
     }
     busy_since_ = steady_time_ns();
     is_busy = hand_in();
+    if (is_busy) hand_out();  // who has asked does not wait for the run too
     is_busy = laboratory_.advance() || is_busy;
     hand_out();
     busy_since_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "check/blocks/number_dims.hpp"
 #include "check/calls/functions.hpp"
 #include "check/checker.hpp"
 #include "check/entries/keep.hpp"
@@ -124,6 +125,7 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   for (Checker& file : checkers) refuse_active_statements(file);
   report_later(main);
   if (!sink.has_errors()) finish_usage(main);
+  if (!sink.has_errors()) finish_units(main);
   if (options.open || into.entry.is_one) shared.top_level.open(into.sources->first());
   run_imports_first(main);
   finish(shared, into);

@@ -309,7 +309,7 @@ constexpr NativeFunction kModelFunctions[] = {
         "name: string?) -> robot",
         "A robot from a description in the program's folder; tip: the link at its end, where the "
         "file has several arms.",
-        "urdf(\"arm.urdf\", tip: \"tool0\")"),
+        "urdf(\"arm.urdf\", tip: \"tool0\")", {.check = note_read_robot}),
     def<default_robot>("robot()() -> robot", "The robot that the host supplies.", "joints()",
                        {.check = check_default_robot}),
 };

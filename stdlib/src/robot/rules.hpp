@@ -20,6 +20,10 @@ struct RobotFact : Fact {
   std::string name;
   std::vector<bool> turns;  // one per joint: true turns, false slides
 };
+// Of one whose joints stand in a file that is read in the run: its name in the cell.
+struct ReadRobotFact : Fact {
+  std::string name;
+};
 struct JointFact : Fact {
   bool turns = true;
   std::optional<std::array<double, 2>> limits;  // where the text shows both
@@ -101,8 +105,13 @@ void check_object_name(CheckCall& call);
 void check_list_of_joints(CheckCall& call, int parameter);
 
 // What a list with a number for each joint holds, of a call whose first parameter is the robot:
-// its numbers get their units where the robot's joints are known (DimsFact).
+// its numbers get their units where the robot's joints are known, then or in the run (DimsFact).
 void note_positions(CheckCall& call);
+void note_read_robot(CheckCall& call);
+// NumberDim::later of numbers for each joint: units for those that turn and slide, and whose they
+// are.
+std::string dims_by_joint(std::string_view turning, std::string_view sliding,
+                          std::string_view robot);
 void note_speeds(CheckCall& call);
 void note_accels(CheckCall& call);
 void note_forces(CheckCall& call);

@@ -1,42 +1,76 @@
 // The units of lists that have a number for each joint, or those of a velocity of the tool point.
 
+#include <fmt/format.h>
+
 #include "armlet/interpreter/binding/dims_fact.hpp"
+#include "armlet/interpreter/unit.hpp"
 #include "robot/rules.hpp"
 
 namespace armlet::bind {
 namespace {
 
-void note_dims(CheckCall& call, std::vector<Dim> dims) {
-  call.set_result_fact(std::make_shared<DimsFact>(std::move(dims)));
+using Dims = std::vector<NumberDim>;
+
+std::string unit_of(Dim dim) { return display_unit(dim, 1.0).name; }
+
+// Reads them from what is known of the robot, now or where a function is called with it.
+void note_of_robot(CheckCall& call, const DimsOfArgumentFact::Reader& reader) {
+  constexpr int kRobot = 0;
+  const auto robot = call.given(kRobot) ? call.fact(kRobot) : call.ambient_fact("robot");
+  if (robot == nullptr)
+    return call.set_result_fact(std::make_shared<DimsOfArgumentFact>(kRobot, reader));
+  if (Dims dims = reader(*robot); !dims.empty())
+    call.set_result_fact(std::make_shared<DimsFact>(std::move(dims)));
 }
 
 void note_by_joint(CheckCall& call, Dim turning, Dim sliding) {
-  const auto robot = robot_of(call);
-  if (robot == nullptr) return;
-  std::vector<Dim> dims;
-  for (const bool turns : robot->turns) dims.push_back(turns ? turning : sliding);
-  note_dims(call, std::move(dims));
+  note_of_robot(call, [turning, sliding](const Fact& of_robot) {
+    Dims dims;
+    if (const auto* robot = dynamic_cast<const RobotFact*>(&of_robot)) {
+      for (const bool turns : robot->turns) dims.push_back({turns ? turning : sliding});
+    } else if (const auto* read = dynamic_cast<const ReadRobotFact*>(&of_robot)) {
+      dims.push_back({.later = dims_by_joint(unit_of(turning), unit_of(sliding), read->name)});
+    }
+    return dims;
+  });
 }
 
 void note_six(CheckCall& call, Dim along, Dim about) {
-  note_dims(call, {along, along, along, about, about, about});
+  call.set_result_fact(
+      std::make_shared<DimsFact>(Dims{{along}, {along}, {along}, {about}, {about}, {about}}));
 }
 
 }  // namespace
+
+std::string dims_by_joint(std::string_view turning, std::string_view sliding,
+                          std::string_view robot) {
+  return fmt::format("{}|{}|{}", turning, sliding, robot);
+}
 
 void note_positions(CheckCall& call) { note_by_joint(call, dims::kAngle, dims::kLength); }
 void note_speeds(CheckCall& call) { note_by_joint(call, dims::kAngularSpeed, dims::kSpeed); }
 void note_accels(CheckCall& call) { note_by_joint(call, dims::kAngularAccel, dims::kAccel); }
 void note_forces(CheckCall& call) { note_by_joint(call, dims::kTorque, dims::kForce); }
 void note_dh_table(CheckCall& call) {
-  const auto robot = robot_of(call);
-  if (robot == nullptr) return;
-  std::vector<Dim> dims;
-  for (std::size_t i = 0; i < robot->turns.size(); ++i)
-    dims.insert(dims.end(), {dims::kAngle, dims::kLength, dims::kLength, dims::kAngle});
-  note_dims(call, std::move(dims));
+  note_of_robot(call, [](const Fact& of_robot) {
+    Dims dims;
+    const auto* robot = dynamic_cast<const RobotFact*>(&of_robot);
+    for (std::size_t i = 0; robot != nullptr && i < robot->turns.size(); ++i)
+      dims.insert(dims.end(), {{dims::kAngle}, {dims::kLength}, {dims::kLength}, {dims::kAngle}});
+    return dims;
+  });
 }
 void note_twist(CheckCall& call) { note_six(call, dims::kSpeed, dims::kAngularSpeed); }
 void note_twist_rate(CheckCall& call) { note_six(call, dims::kAccel, dims::kAngularAccel); }
+
+// urdf(path, tip, inertias, base, tool, name)
+void note_read_robot(CheckCall& call) {
+  constexpr int kName = 5;
+  const auto name = call.constant(kName);
+  if (!name || name->text.empty() || name->text.find(',') != std::string::npos) return;
+  auto fact = std::make_shared<ReadRobotFact>();
+  fact->name = name->text;
+  call.set_result_fact(std::move(fact));
+}
 
 }  // namespace armlet::bind

@@ -1,7 +1,7 @@
 // The page on a phone, from the keyboard, and for those who listen to it.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { clock, closeBrowser, until, untilStatus, violations, withLab } from "../laboratory.mjs";
+import { clock, closeBrowser, ONE_MOVE, until, untilStatus, violations, withLab } from "../laboratory.mjs";
 
 after(closeBrowser);
 
@@ -18,8 +18,21 @@ test("on a phone the parts are tabs, and nothing is wider than the screen", () =
     assert.deepEqual(await violations(page), []);
   }));
 
+test("a program that has not run yet says why in the view; a tap leads to its first mistake", () =>
+  withLab("robot arm = robots.scara()\nlet far = 1m\narm.movL(xyz(far, 0mm, 0mm))\n", async (open) => {
+    const page = await open({ viewport: { width: 390, height: 800 } });
+    await untilStatus(page, /1 mistake/);
+    const note = page.locator(".no-run");
+    assert.match(await note.innerText(), /^The program has not run yet\. Line 3: there is nothing called `movL`$/);
+    await note.click();
+    await page.locator(".cm-activeLineGutter", { hasText: /^3$/ }).waitFor();
+    await page.getByRole("button", { name: /^Fix: .*moveL/ }).click();
+    await untilStatus(page, /failed/); // out of reach, but it has run
+    assert.ok(!(await note.isVisible()));
+  }));
+
 test("everything is reached and worked from the keyboard", () =>
-  withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\narm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+  withLab(`${ONE_MOVE}arm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n`, async (open) => {
     const page = await open();
     await untilStatus(page, /3\.00 s/);
     await page.locator(".stage canvas").waitFor();

@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, wri
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test, { after } from "node:test";
-import { clock, closeBrowser, lineOf, openPage, placeOf, typeAtEnd, until, untilStatus, violations, viewTool } from "../laboratory.mjs";
+import { clock, closeBrowser, lineOf, ONE_MOVE, openPage, placeOf, typeAtEnd, until, untilStatus, viewTool, violations } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
 import { STEPS, stepThrough } from "../stepping.mjs";
 
@@ -242,7 +242,7 @@ n = 2
 test("a run is recorded by the command as a page that needs nothing", async () => {
   const folder = mkdtempSync(join(tmpdir(), "armlet-record-"));
   try {
-    writeFileSync(join(folder, "a.rbt"), "robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\n");
+    writeFileSync(join(folder, "a.rbt"), ONE_MOVE);
     execFileSync(process.env.ARMLET_COMMAND, ["lab", "a.rbt", "--record", "a.html"], { cwd: folder, stdio: "pipe" });
     await opened(join(folder, "a.html"), async (page) => {
       await untilStatus(page, /recording, 1 move, 2\.00 s/);

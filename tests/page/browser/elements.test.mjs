@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test, { after } from "node:test";
-import { closeBrowser, openPage, recordingFile, saved, typeAtEnd, until, untilStatus, violations, withLab, viewTool } from "../laboratory.mjs";
+import { ARM, closeBrowser, openPage, recordingFile, saved, typeAtEnd, until, untilStatus, viewTool, violations, withLab } from "../laboratory.mjs";
 import { twoColours } from "../small_glb.mjs";
 
 after(closeBrowser);
@@ -230,8 +230,10 @@ test("a picture beside the program is an element, and is part of a recording", (
     await recorded.context().close();
   }, { "cell.png": twoColours([230, 10, 10], [10, 200, 10]) }));
 
+const ARM_MOVED = `${ARM}arm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)\n`;
+
 test("the tools over the view stand in one line in a narrow view, and those that are on stay", () =>
-  withLab("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+  withLab(ARM_MOVED, async (open) => {
     const page = await open();
     await untilStatus(page, /1\.00 s/);
     const tools = page.locator(".scene-tools");
@@ -248,7 +250,7 @@ test("the tools over the view stand in one line in a narrow view, and those that
   }));
 
 test("the hand is pulled in the view: the arm follows, and says why where it cannot", () =>
-  withLab("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 60deg, 50mm, 0deg), time: 1s)\n", async (open) => {
+  withLab(ARM_MOVED, async (open) => {
     const page = await open();
     await untilStatus(page, /1 move, 1\.00 s/);
     await (await viewTool(page, "Frames")).click();

@@ -1,15 +1,14 @@
 // Several pages on one laboratory, and a connection that is lost.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { clock, closeBrowser, lineOf, typeAtEnd, until, untilStatus, withLab } from "../laboratory.mjs";
+import { clock, closeBrowser, lineOf, ONE_MOVE, typeAtEnd, until, untilStatus, withLab } from "../laboratory.mjs";
 
 after(closeBrowser);
 
-const PROGRAM = "robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\n";
 const MORE = "arm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n";
 
 test("one page leads, the other follows; control is handed over", () =>
-  withLab(PROGRAM, async (open) => {
+  withLab(ONE_MOVE, async (open) => {
     const teacher = await open();
     await untilStatus(teacher, /2\.00 s/);
     const student = await open();
@@ -29,7 +28,7 @@ test("one page leads, the other follows; control is handed over", () =>
   }));
 
 test("a page whose connection was lost comes back to the present state", () =>
-  withLab(PROGRAM, async (open) => {
+  withLab(ONE_MOVE, async (open) => {
     let sockets = [];
     const before = (page) => page.routeWebSocket(/live/, (socket) => {
       const server = socket.connectToServer();

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileS
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test, { after } from "node:test";
-import { closeBrowser, GREEN, openPage, pixelsLike, RED, recordingFile, until, untilStatus, withLab, viewTool } from "../laboratory.mjs";
+import { ARM, closeBrowser, dropFiles, GREEN, openPage, pixelsLike, recordingFile, RED, SHORT_MOVE, until, untilStatus, viewTool, withLab } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
 import { boxGlb, twoColours } from "../small_glb.mjs";
 
@@ -13,10 +13,8 @@ after(closeBrowser);
 
 const picture = twoColours([230, 10, 10], [10, 200, 10]);
 const SIZE = [0.3, 0.1, 0.2]; // y up
-const PROGRAM = `robot arm = robots.scara()
-object sign { shape: mesh("sign.glb"); at: xyz(-300mm, -400mm, 60mm) }
-arm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)
-`;
+const PROGRAM = `${ARM}object sign { shape: mesh("sign.glb"); at: xyz(-300mm, -400mm, 60mm) }
+${SHORT_MOVE}`;
 
 const label = (page, text) => page.locator(".labels .label", { hasText: text }).first();
 
@@ -88,10 +86,7 @@ arm.moveJ(posJ(30deg, 30deg), time: 1s)
   }, { "sign.glb": boxGlb(SIZE), "link.glb": boxGlb([0.2, 0.2, 0.2], { picture: twoColours([230, 10, 10], [230, 10, 10]) }) }));
 
 const showsRedAndGreen = (objects, files) =>
-  withLab(`${objects}
-robot arm = robots.scara()
-arm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)
-`, async (open) => {
+  withLab(`${objects}\n${ARM}${SHORT_MOVE}`, async (open) => {
     const page = await open();
     await untilStatus(page, /1\.00 s/);
     await shows(page, "red", RED, 300);
@@ -112,9 +107,7 @@ test("broken pictures and pictures elsewhere are left out, nothing is asked for,
 object b { shape: mesh("b.glb"); at: xyz(0mm, 0mm, 100mm) }
 object c { shape: mesh("c.glb"); at: xyz(300mm, 0mm, 100mm) }
 object ok { shape: box(100mm, 100mm, 100mm); at: xyz(0mm, 400mm, 50mm); color: "lime" }
-robot arm = robots.scara()
-arm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)
-`, async (open) => {
+${ARM}${SHORT_MOVE}`, async (open) => {
     const page = await open();
     await untilStatus(page, /1\.00 s/);
     await shows(page, "green", GREEN, 200);
@@ -209,7 +202,8 @@ wait(2s)
       await page.mouse.move(2, 2);
       return page.locator(".stage canvas").screenshot();
     };
-    const drawn = await shot();
+    let drawn = await shot();
+    await until(async () => drawn.equals((drawn = await shot())), () => "the picture does not rest");
     const solids = await viewTool(page, "Solids");
     await solids.click();
     await until(async () => !(await shot()).equals(drawn), () => "nothing is drawn otherwise");
@@ -269,22 +263,12 @@ wait(1s)
 
 // ---- files that are dropped
 
-// bytes  of the file, or how many zeros it has.
-async function drop(page, name, bytes, at = [0.5, 0.75]) {
-  await page.locator(".stage canvas").evaluate((canvas, [file, given, [x, y]]) => {
-    const data = new DataTransfer();
-    data.items.add(new File([typeof given === "number" ? new Uint8Array(given) : Uint8Array.from(atob(given), (c) => c.charCodeAt(0))], file));
-    const box = canvas.getBoundingClientRect();
-    const options = { dataTransfer: data, bubbles: true, cancelable: true, clientX: box.x + x * box.width, clientY: box.y + y * box.height };
-    canvas.dispatchEvent(new DragEvent("dragover", options));
-    canvas.dispatchEvent(new DragEvent("drop", options));
-  }, [name, typeof bytes === "number" ? bytes : bytes.toString("base64"), at]);
-}
+const drop = (page, name, bytes, at) => dropFiles(page, { [name]: bytes }, at);
 const program = (page) => page.locator(".cm-content").innerText();
 const message = (page, text) => page.locator(".message", { hasText: text }).waitFor();
 
 test("a file dropped onto the view is kept beside the program and becomes an object", () =>
-  withLab("robot arm = robots.scara()\nobject block { shape: box(20mm, 20mm, 20mm); at: xyz(0mm, 400mm, 10mm) }\narm.moveJ(posJ(30deg, 30deg, 0mm, 0deg), time: 1s)\n", async (open, lab) => {
+  withLab(`${ARM}object block { shape: box(20mm, 20mm, 20mm); at: xyz(0mm, 400mm, 10mm) }\n${SHORT_MOVE}`, async (open, lab) => {
     const page = await open();
     await untilStatus(page, /1\.00 s/);
     await page.locator(".stage canvas").waitFor();

@@ -1,7 +1,7 @@
 // Going through a run in time: the bar, playing, statements.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { closeBrowser, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
+import { closeBrowser, ONE_MOVE, typeAtEnd, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
 import { STEPS, stepThrough } from "../stepping.mjs";
 
 after(closeBrowser);
@@ -97,8 +97,22 @@ test("plots lie below the bar along its time, and go back among the elements", (
     assert.equal(await page.locator(".along .u-over").count(), 0);
   }));
 
+test("new runs move nothing on the page, however many there are", () =>
+  withLab(ONE_MOVE, async (open) => {
+    const page = await open();
+    await untilStatus(page, /1 move, 2\.00 s/);
+    await page.locator(".stage canvas").waitFor();
+    const boxes = async () => JSON.stringify(await Promise.all([".bar", ".stage canvas"].map((each) => page.locator(each).boundingBox())));
+    const before = await boxes();
+    for (let k = 1; k <= 3; k++) {
+      await typeAtEnd(page, "wait(1s)\n");
+      await untilStatus(page, new RegExp(`${2 + k}\\.00 s`));
+    }
+    assert.equal(await boxes(), before);
+  }));
+
 test("playing goes from the start to the end and stops there", () =>
-  withLab("robot arm = robots.scara()\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\n", async (open) => {
+  withLab(ONE_MOVE, async (open) => {
     const page = await open();
     await untilStatus(page, /1 move, 2\.00 s/);
     await page.getByLabel("Speed").selectOption("2");

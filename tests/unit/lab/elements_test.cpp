@@ -3,9 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <span>
 #include <string>
 
+#include "armlet/model/serial_arm.hpp"
+#include "armlet/model/urdf.hpp"
 #include "lab_support.hpp"
 
 using namespace armlet;
@@ -183,6 +187,12 @@ robot rail { joint prismatic(limits: [0mm, 900mm]); joint revolute(a: 300mm, lim
 fn speeds() { return arm.jointSpeeds() }
 fn declared() -> double[] { return arm.jointSpeeds() }
 fn of(r: robot) -> double[] { return r.jointSpeeds() }
+fn ofAny(r) { let w = r.torques(); return w - r.gravity() }
+fn first(r: robot) -> double { return of(r)[0] }
+fn both(r: robot, s: robot) -> double[] { return [first(r), first(s)] }
+fn turned(v: double[]) -> double[] { return -v }
+fn scaled(v: double[], by: double) -> double[] { return v * by }
+fn again(r: robot, n: int) -> double[] { return n > 0 ? again(r, n - 1) : r.jointSpeeds() }
 lab cell {
 )" + rows + "}\narm.moveJ(posJ(10deg, 20deg, 10mm, 0deg), time: 1s)\n");
   TestJson units = TestJson::array();
@@ -199,15 +209,30 @@ lab cell {
 
 TEST_CASE("numbers of joints that turn and slide have their units wherever the text shows them") {
   const TestJson scara = {"rad/s", "rad/s", "m/s", "rad/s"};
-  const TestJson known = units_of_plots(
-      {"fn() => arm.jointSpeeds()", "fn() => puma.torques()", "fn() => rail.jointAccels()",
-       "fn() => speeds()", "speeds", "fn() => arm.jointSpeeds()[2]",
-       "fn() => arm.jointSpeeds()[1:3]", "fn() => -arm.jointSpeeds()",
-       "fn() => norm(arm.tcpSpeed()[0:3])", "fn() => max(puma.torques())",
-       "fn() => [arm.jointSpeeds()[0], arm.jointSpeeds()[2]]",
-       "fn() => puma.torques() - puma.gravity()", "fn() { let w = arm.jointSpeeds(); return w }",
-       "fn() => puma.invDyn(puma.joints(), puma.jointSpeeds(), puma.jointAccels())",
-       "fn() => abs(arm.jointSpeeds()[0])"});
+  const TestJson known =
+      units_of_plots({"fn() => arm.jointSpeeds()",
+                      "fn() => puma.torques()",
+                      "fn() => rail.jointAccels()",
+                      "fn() => speeds()",
+                      "speeds",
+                      "fn() => arm.jointSpeeds()[2]",
+                      "fn() => arm.jointSpeeds()[1:3]",
+                      "fn() => -arm.jointSpeeds()",
+                      "fn() => norm(arm.tcpSpeed()[0:3])",
+                      "fn() => max(puma.torques())",
+                      "fn() => [arm.jointSpeeds()[0], arm.jointSpeeds()[2]]",
+                      "fn() => puma.torques() - puma.gravity()",
+                      "fn() { let w = arm.jointSpeeds(); return w }",
+                      "fn() => puma.invDyn(puma.joints(), puma.jointSpeeds(), puma.jointAccels())",
+                      "fn() => abs(arm.jointSpeeds()[0])",
+                      "fn() => of(arm)",
+                      "fn() => of(rail)",
+                      "fn() => declared()",
+                      "fn() => ofAny(puma)",
+                      "fn() => both(arm, rail)",
+                      "fn() => both(rail, arm)",
+                      "fn() => turned(of(rail))",
+                      "fn() => max(of(puma))"});
   const TestJson six = {"Nm", "Nm", "Nm", "Nm", "Nm", "Nm"};
   CHECK(known[0] == scara);
   CHECK(known[1] == six);
@@ -224,6 +249,15 @@ TEST_CASE("numbers of joints that turn and slide have their units wherever the t
   CHECK(known[12] == scara);
   CHECK(known[13] == six);
   CHECK(known[14] == TestJson({"rad/s"}));
+  // Through parameters, those that are robots and others, whichever function is written first.
+  CHECK(known[15] == scara);
+  CHECK(known[16] == TestJson({"m/s", "rad/s"}));
+  CHECK(known[17] == scara);
+  CHECK(known[18] == six);
+  CHECK(known[19] == TestJson({"rad/s", "m/s"}));
+  CHECK(known[20] == TestJson({"m/s", "rad/s"}));
+  CHECK(known[21] == TestJson({"m/s", "rad/s"}));
+  CHECK(known[22] == TestJson({"rad/s"}));
 }
 
 TEST_CASE("a table of Denavit and Hartenberg is in angles and lengths") {
@@ -241,11 +275,13 @@ TEST_CASE("a table of Denavit and Hartenberg is in angles and lengths") {
 TEST_CASE("numbers have no unit where the text does not show it, rather than a wrong one") {
   const TestJson none4 = {"", "", "", ""};
   const TestJson unknown = units_of_plots(
-      {"fn() => of(arm)", "fn() => arm.jointSpeeds() * 57.3", "fn() => arm.jointSpeeds()[0] / 2.0",
-       "fn() => max(arm.jointSpeeds())", "fn() => norm(arm.jointSpeeds())",
+      {"fn() => scaled(of(arm), 57.3)", "fn() => arm.jointSpeeds() * 57.3",
+       "fn() => arm.jointSpeeds()[0] / 2.0", "fn() => max(arm.jointSpeeds())",
+       "fn() => norm(arm.jointSpeeds())",
        "fn() { var w = arm.jointSpeeds(); w[0] = w[0] * 57.3; return w }",
        "fn() => toDegrees(arm.jointSpeeds()[0])", "fn() => arm.jointSpeeds()[0] + 1.0",
-       "fn() => declared()"});
+       "fn() => of(arm.jointSpeeds()[0] > -100.0 ? arm : rail)", "fn() => again(arm, 2)",
+       "fn() => norm(of(rail))"});
   CHECK(unknown[0] == none4);
   CHECK(unknown[1] == none4);
   CHECK(unknown[2] == TestJson({""}));
@@ -254,7 +290,48 @@ TEST_CASE("numbers have no unit where the text does not show it, rather than a w
   CHECK(unknown[5] == none4);
   CHECK(unknown[6] == TestJson({""}));
   CHECK(unknown[7] == TestJson({""}));
-  CHECK(unknown[8] == none4);  // its body is read later
+  CHECK(unknown[8] == none4);
+  CHECK(unknown[9] == none4);
+  CHECK(unknown[10] == TestJson({""}));
+}
+
+TEST_CASE("a robot from a file has the units of the joints that the run finds in it") {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "armlet-lab-units";
+  fs::create_directories(folder);
+  std::ofstream(folder / "arm.urdf") << write_urdf(Mechanism(mechanism_of(*make_robot("scara"))));
+  LaboratoryOptions options = lab_with(R"(robot arm = urdf("arm.urdf")
+fn of(r: robot) -> double[] { return r.jointSpeeds() }
+lab cell {
+    plot a(fn() => arm.jointSpeeds())
+    plot b(fn() => of(arm)[2])
+    plot c(fn() => arm.torques()[1:3])
+    plot d(fn() => [arm.tcpSpeed()[0], of(arm)[0]])
+    plot e(fn() => -arm.jointSpeeds())
+    plot f(fn() => norm(arm.jointSpeeds()))
+    plot g(fn() => [of(arm)[3], 1.0])
+    plot h(fn() => arm.jointSpeeds()[1:])
+}
+arm.moveJ(posJ(10deg, 20deg, 10mm, 0deg), time: 1s)
+)");
+  options.session.folder = folder.string();
+  Laboratory laboratory(std::move(options));
+  TestPage page(laboratory);
+  page.hello();
+  finish_work(laboratory);
+  page.take();
+  fs::remove_all(folder);
+  INFO(page.last("diagnostics").dump());
+  REQUIRE(page.last("run")["state"] == "done");
+  const TestJson elements = page.last("description")["elements"];
+  CHECK(elements[0]["units"] == TestJson({"rad/s", "rad/s", "m/s", "rad/s"}));
+  CHECK(elements[1]["units"] == TestJson({"m/s"}));
+  CHECK(elements[2]["units"] == TestJson({"Nm", "N"}));
+  CHECK(elements[3]["units"] == TestJson({"m/s", "rad/s"}));
+  CHECK(elements[4]["units"] == elements[0]["units"]);
+  CHECK(elements[5]["units"] == TestJson({""}));
+  CHECK(elements[6]["units"] == TestJson({"rad/s", ""}));
+  CHECK(elements[7]["units"] == TestJson({"", "", ""}));
 }
 
 TEST_CASE("the world has its name where the program asks for it, and none otherwise") {

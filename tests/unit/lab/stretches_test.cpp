@@ -65,6 +65,28 @@ wait(1s)
   CHECK(own[1]["t1"] == 4.0);
 }
 
+TEST_CASE("of tasks of one name at one place each is told as long as it lasts") {
+  Shown lab(R"(fn both() {
+    parallel {
+        { wait(1s); wait(2s) }
+        wait(500ms)
+    }
+}
+parallel {
+    both()
+    both()
+    both()
+}
+)");
+  REQUIRE(lab.page.last("run")["state"] == "done");
+  TestJson times = TestJson::array();
+  for (const TestJson& each : lab.stretches("task", "branch 1 of parallel on line 2"))
+    times.push_back({each["t0"], each["t1"]});
+  const TestJson first = {0.0, 1.0}, second = {1.0, 3.0};
+  CHECK(times == TestJson({first, first, first, second, second, second}));
+  CHECK(lab.stretches("task", "branch 2 of parallel on line 2").size() == 3);
+}
+
 TEST_CASE("a program without other tasks has those of itself alone, and at rest none") {
   Shown lab("robot arm = robots.scara()\narm.moveJ(posJ(10deg, 0deg, 0mm, 0deg), time: 1s)\n");
   REQUIRE(lab.stretches("task", "").size() == 1);

@@ -11,7 +11,7 @@ namespace armlet::lang {
 namespace {
 
 using hir::ExprKind;
-using Dims = std::optional<std::vector<Dim>>;
+using Dims = std::optional<std::vector<NumberDim>>;
 
 constexpr int kDeepestPart = 24;
 constexpr int kMostLooks = 5000;
@@ -35,6 +35,7 @@ class DimsOfParts {
   Dims of(const hir::Expr& expr, int depth) const {
     if (depth > kDeepestPart || --left_ < 0) return std::nullopt;
     const hir::Expr& at = origin_of(expr);
+    if (const hir::Expr* given = argument_for(at)) return outside(*given, depth);
     if (const auto* fact = dynamic_cast<const DimsFact*>(fact_of(at))) return fact->dims;
     const bool is_negative =
         at.kind == ExprKind::kUnary && at.as<hir::UnaryExpr>().op == hir::Op::kNegR;
@@ -46,7 +47,7 @@ class DimsOfParts {
     if (at.kind == ExprKind::kCond) found = either(at.as<hir::CondExpr>(), depth);
     if (at.kind == ExprKind::kList) return all_of(at.as<hir::ListExpr>().items, depth);
     if (at.kind == ExprKind::kRecord) return all_of(at.as<hir::RecordExpr>().fields, depth);
-    if (at.kind == ExprKind::kCall) found = result_of(*at.as<hir::CallExpr>().function, depth);
+    if (at.kind == ExprKind::kCall) found = called(at.as<hir::CallExpr>(), depth);
     if (at.kind == ExprKind::kCallNative) found = native(at.as<hir::CallNativeExpr>(), depth);
     return found ? found : by_type(*at.type);
   }
@@ -63,12 +64,66 @@ class DimsOfParts {
   }
 
  private:
+  // The call of a function that is looked into, and where that stands.
+  struct Inside {
+    const hir::CallExpr* call;
+    const Inside* outer;
+  };
+
+  Dims called(const hir::CallExpr& call, int depth) const {
+    const Inside inside{&call, here_};
+    here_ = &inside;
+    Dims found = result_of(*call.function, depth);
+    here_ = inside.outer;
+    return found;
+  }
+
+  // What a parameter of the function that is looked into stands for; null: it is none.
+  const hir::Expr* argument_for(const hir::Expr& at) const {
+    if (at.kind != ExprKind::kVariable || here_ == nullptr) return nullptr;
+    const hir::Variable* variable = at.as<hir::VariableExpr>().variable;
+    const auto& parameters = here_->call->function->parameters;
+    const auto found = std::ranges::find(parameters, variable);
+    const auto place = static_cast<std::size_t>(found - parameters.begin());
+    const bool is_given = variable->fixed && found != parameters.end() &&
+                          here_->call->arguments.size() == parameters.size();
+    return is_given ? here_->call->arguments[place] : nullptr;
+  }
+
+  // Of an argument, which stands where the call does.
+  Dims outside(const hir::Expr& argument, int depth) const {
+    const Inside* const inside = here_;
+    here_ = inside->outer;
+    Dims found = of(argument, depth + 1);
+    here_ = inside;
+    return found;
+  }
+
+  // What a rule tells of a value, which may have come through parameters.
+  const Fact* fact_here(const hir::Expr& expr) const {
+    const Inside* const inside = here_;
+    const hir::Expr* at = &origin_of(expr);
+    while (const hir::Expr* given = argument_for(*at)) {
+      at = &origin_of(*given);
+      here_ = here_->outer;
+    }
+    here_ = inside;
+    return fact_of(*at);
+  }
+
+  Dims of_argument(const hir::CallNativeExpr& call, const DimsOfArgumentFact& fact) const {
+    const Fact* given = fact_here(*call.arguments[static_cast<std::size_t>(fact.argument)]);
+    if (given == nullptr) return std::nullopt;
+    std::vector<NumberDim> dims = fact.dims(*given);
+    return dims.empty() ? std::nullopt : Dims(std::move(dims));
+  }
+
   // One thing; how many there are in a list, a matrix or a value of the host, a type does not tell.
   static Dims by_type(const Type& type) {
-    if (type.is_quantity()) return std::vector{type.dim};
+    if (type.is_quantity()) return std::vector{NumberDim{type.dim}};
     const bool is_one =
         type.is_number() || type.is(Kind::kBool) || type.is(Kind::kText) || type.is(Kind::kEnum);
-    return is_one ? Dims(std::vector{Dim{}}) : std::nullopt;
+    return is_one ? Dims(std::vector{NumberDim{}}) : std::nullopt;
   }
 
   [[nodiscard]] std::optional<std::int64_t> whole(const hir::Expr* expr,
@@ -83,19 +138,37 @@ class DimsOfParts {
     const auto index = whole(node.index, 0);
     const Dims all = of(*node.object, depth + 1);
     if (!all || !index || node.column != nullptr || !node.type->is_number()) return std::nullopt;
-    if (*index < 0 || *index >= static_cast<std::int64_t>(all->size())) return std::nullopt;
-    return std::vector{(*all)[static_cast<std::size_t>(*index)]};
+    return some(*all, *index, *index + 1);
   }
 
   Dims slice(const hir::SliceExpr& node, int depth) const {
     const Dims all = of(*node.object, depth + 1);
     if (!all || !node.type->is(Kind::kList) || !node.type->element->is_number())
       return std::nullopt;
-    const auto size = static_cast<std::int64_t>(all->size());
+    const bool is_counted = std::ranges::all_of(*all, &NumberDim::is_one);
+    if (node.last == nullptr && !is_counted) return std::nullopt;
     const auto first = whole(node.first, 0);
-    const auto last = whole(node.last, size);
-    if (!first || !last || *first < 0 || *last > size || *first > *last) return std::nullopt;
-    return std::vector(all->begin() + *first, all->begin() + *last);
+    const auto last = whole(node.last, static_cast<std::int64_t>(all->size()));
+    if (!first || !last || *first > *last) return std::nullopt;
+    return some(*all, *first, *last);
+  }
+
+  // Those from `first` to before `last`. Behind as many as only the run knows nothing has a place.
+  static Dims some(const std::vector<NumberDim>& all, std::int64_t first, std::int64_t last) {
+    if (first < 0 || last - first > static_cast<std::int64_t>(kMostParts)) return std::nullopt;
+    std::vector<NumberDim> out;
+    for (std::int64_t i = first; i < last; ++i) {
+      const auto many = std::ranges::find_if_not(all, &NumberDim::is_one);
+      const std::int64_t known = many - all.begin();
+      if (i < known) {
+        out.push_back(all[static_cast<std::size_t>(i)]);
+      } else if (many != all.end() && many + 1 == all.end()) {
+        out.push_back({.later = many->later, .index = static_cast<int>(i - known)});
+      } else {
+        return std::nullopt;
+      }
+    }
+    return out;
   }
 
   // Of two that have the same.
@@ -110,7 +183,7 @@ class DimsOfParts {
   }
 
   Dims all_of(std::span<hir::Expr* const> parts, int depth) const {
-    std::vector<Dim> all;
+    std::vector<NumberDim> all;
     for (const hir::Expr* part : parts) {
       const Dims some = of(*part, depth + 1);
       if (!some || all.size() + some->size() > kMostParts) return std::nullopt;
@@ -122,6 +195,8 @@ class DimsOfParts {
   // norm(v: D[]) -> D gives what all of v are; a + b, element by element, what both are.
   Dims native(const hir::CallNativeExpr& call, int depth) const {
     const Signature& signature = checker_.shared.signatures.of(*call.function);
+    const auto* by_argument = dynamic_cast<const DimsOfArgumentFact*>(call.fact);
+    if (by_argument != nullptr) return of_argument(call, *by_argument);
     const std::string_view name = call.function->name;
     const bool is_by_element = name == "operator+" || name == "operator-" || name == "abs";
     const bool gives_list = is_by_element && is_number_list(signature.result, 1);
@@ -133,9 +208,10 @@ class DimsOfParts {
       if (!is_list && !is_plain_d(pattern)) continue;
       Dims own = of(*call.arguments[p], depth + 1);
       if (!own || own->empty()) return std::nullopt;
-      if (!gives_list &&
-          std::adjacent_find(own->begin(), own->end(), std::not_equal_to()) != own->end())
-        return std::nullopt;
+      const bool are_alike =
+          std::ranges::all_of(*own, &NumberDim::is_one) &&
+          std::adjacent_find(own->begin(), own->end(), std::not_equal_to()) == own->end();
+      if (!gives_list && !are_alike) return std::nullopt;
       if (!gives_list) own->resize(1);
       if (given && given != own) return std::nullopt;
       given = std::move(own);
@@ -144,10 +220,16 @@ class DimsOfParts {
   }
 
   Checker& checker_;
-  mutable int left_ = kMostLooks;  // `let b = a + a; let c = b + b` doubles them
+  mutable const Inside* here_ = nullptr;  // null: in no function that was called
+  mutable int left_ = kMostLooks;         // `let b = a + a; let c = b + b` doubles them
 };
 
 }  // namespace
+
+std::string si_unit(Dim dim) {
+  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
+  return dim == dims::kAngle ? "rad" : display_unit(dim, kLarge).name;
+}
 
 Dims dims_of_numbers(Checker& checker, const hir::Expr& expr) {
   const DimsOfParts reader(checker);
@@ -159,8 +241,23 @@ Dims dims_of_numbers(Checker& checker, const hir::Expr& expr) {
     found = reader.result_of(*at.as<hir::ClosureExpr>().function, 0);
   else
     found = reader.of(expr, 0);
-  if (!found || std::ranges::all_of(*found, &Dim::is_none)) return std::nullopt;
+  if (!found || std::ranges::all_of(*found, &NumberDim::is_none)) return std::nullopt;
   return found;
+}
+
+void finish_units(Checker& checker) {
+  for (const auto& [text, value] : checker.shared.postponed.units()) {
+    const Dims dims = dims_of_numbers(checker, *value);
+    if (!dims) continue;
+    std::string units;
+    for (const NumberDim& each : *dims) {
+      units += each.later.empty() ? si_unit(each.dim) : '@' + each.later;
+      if (each.index >= 0) units += '#' + std::to_string(each.index);
+      units += ',';
+    }
+    units.pop_back();
+    text->value = checker.arena.copy(units);
+  }
 }
 
 }  // namespace armlet::lang

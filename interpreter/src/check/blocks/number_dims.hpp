@@ -3,9 +3,10 @@
 // speeds of parts that turn and slide, one beside the other.
 
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "armlet/interpreter/unit.hpp"
+#include "armlet/interpreter/binding/dims_fact.hpp"
 #include "check/tree/hir.hpp"
 
 namespace armlet::lang {
@@ -15,13 +16,22 @@ struct Checker;
 // Of a value, or of what a function without parameters gives: one for each thing in it, in the
 // order in which they stand there, lists and records within one another; none for a thing that is
 // no number or of which nothing is known. They follow facts that rules of the host have left
-// (DimsFact) through fixed variables, single elements and slices, lists and records, sums and
-// differences, functions of the text that have been checked by then, and functions of the library
-// whose result has the dimension of what they are given. Products have none: a factor may be there
-// to change the unit.
+// (DimsFact, DimsOfArgumentFact) through fixed variables, single elements and slices, lists and
+// records, sums and differences, functions of the text with what they are given, and functions of
+// the library whose result has the dimension of what they are given. Products have none: a factor
+// may be there to change the unit.
 //
-// returns  empty if it is not known how many things there are, or if all of them have none.
-[[nodiscard]] std::optional<std::vector<Dim>> dims_of_numbers(Checker& checker,
-                                                              const hir::Expr& expr);
+// returns  empty if nothing is known, or if all of them have none.
+[[nodiscard]] std::optional<std::vector<NumberDim>> dims_of_numbers(Checker& checker,
+                                                                    const hir::Expr& expr);
+
+// The name of the unit in SI.
+[[nodiscard]] std::string si_unit(Dim dim);
+
+// `lab.plot.NAME(value: fn() -> T, ...)`: a text parameter valueUnits that is left out gets the
+// units of the numbers in the value that have none by their type, as "rad/s,m/s"; those that only
+// the run knows as "@" with NumberDim::later, and "#2" for one of them. When all functions of the
+// text have been checked.
+void finish_units(Checker& checker);
 
 }  // namespace armlet::lang

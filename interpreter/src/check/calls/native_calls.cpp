@@ -34,11 +34,6 @@ bool names_result(const Parameter& parameter, const Type* type, const Type* resu
          result->host->is_handle;
 }
 
-std::string si_unit(Dim dim) {
-  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
-  return dim == dims::kAngle ? "rad" : display_unit(dim, kLarge).name;
-}
-
 // `plot(x, y)`: a text parameter xUnit that is left out gets the unit of x in SI, from its type.
 std::optional<std::string> unit_for(const Signature& signature, const Parameter& parameter,
                                     const Type* type, const Bindings& bindings, TypePool& types) {
@@ -53,23 +48,19 @@ std::optional<std::string> unit_for(const Signature& signature, const Parameter&
   return si_unit(measured->dim);
 }
 
-// `lab.plot.NAME(value: fn() -> T, ...)`: a text parameter valueUnits that is left out gets the
-// units of the numbers in the value that have none by their type, as "rad/s,m/s". And as unit_for.
-std::optional<std::string> units_for(Checker& checker, const Signature& signature,
-                                     const Parameter& parameter, const Type* type,
-                                     const Bindings& bindings, std::span<hir::Expr* const> values) {
+// For a text parameter valueUnits that is left out, the units of `value` when all is known
+// (number_dims.hpp); null: it is no such parameter.
+hir::Expr* units_text(Checker& checker, const Signature& signature, const Parameter& parameter,
+                      const Type* type, Span callee, std::span<hir::Expr* const> values) {
   constexpr std::string_view kSuffix = "Units";
   const std::string_view name = parameter.name;
-  if (!type->is(Kind::kText) || !name.ends_with(kSuffix))
-    return unit_for(signature, parameter, type, bindings, checker.types);
+  if (!type->is(Kind::kText) || !name.ends_with(kSuffix)) return nullptr;
   const int of = signature.index_of(name.substr(0, name.size() - kSuffix.size()));
-  if (of < 0 || values[static_cast<std::size_t>(of)] == nullptr) return std::nullopt;
-  const auto dims = dims_of_numbers(checker, *values[static_cast<std::size_t>(of)]);
-  if (!dims) return std::nullopt;
-  std::string units;
-  for (const Dim& dim : *dims) units += si_unit(dim) + ',';
-  units.pop_back();
-  return units;
+  const hir::Expr* value = of < 0 ? nullptr : values[static_cast<std::size_t>(of)];
+  if (value == nullptr) return nullptr;
+  auto* text = checker.make<hir::TextExpr>(hir::ExprKind::kText, type, callee, std::string_view());
+  checker.shared.postponed.add(Postponed::Units{text, value});
+  return text;
 }
 
 // The type of a parameter in this call, as far as it is known.
@@ -206,9 +197,11 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
     } else if (const auto text =
                    names_result(parameter, type, result) && checker.surroundings.is_named(span)
                        ? std::optional<std::string>(checker.surroundings.name_for(span))
-                       : units_for(checker, signature, parameter, type, fit.bindings, values)) {
+                       : unit_for(signature, parameter, type, fit.bindings, checker.types)) {
       values[p] = checker.make<hir::TextExpr>(hir::ExprKind::kText, type, callee,
                                               checker.arena.copy(*text));
+    } else if (hir::Expr* units = units_text(checker, signature, parameter, type, callee, values)) {
+      values[p] = units;
     } else {
       values[p] = checker.make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, callee);
     }

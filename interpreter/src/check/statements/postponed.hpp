@@ -28,6 +28,11 @@ class Postponed {
     Span span;
     bool is_read = false;  // by the host at any time (read_function): it may change nothing
   };
+  // A text that names the units of a value, and is empty until then.
+  struct Units {
+    hir::TextExpr* text;
+    const hir::Expr* value;
+  };
   struct Path {
     const hir::Block* body;
     Span head;  // where it begins
@@ -35,18 +40,21 @@ class Postponed {
 
   void add(const Condition& condition) { conditions_.push_back(condition); }
   void add(const Callback& callback) { callbacks_.push_back(callback); }
+  void add(const Units& units) { units_.push_back(units); }
   void add(const Path& path) { paths_.push_back(path); }
   // Something of the language that is checked but cannot run yet; the first use of each.
   void add_planned(std::string feature, Span span) { planned_.emplace(std::move(feature), span); }
 
   [[nodiscard]] const std::vector<Condition>& conditions() const { return conditions_; }
   [[nodiscard]] const std::vector<Callback>& callbacks() const { return callbacks_; }
+  [[nodiscard]] const std::vector<Units>& units() const { return units_; }
   [[nodiscard]] const std::vector<Path>& paths() const { return paths_; }
   [[nodiscard]] const std::map<std::string, Span>& planned() const { return planned_; }
 
  private:
   std::vector<Condition> conditions_;
   std::vector<Callback> callbacks_;
+  std::vector<Units> units_;
   std::vector<Path> paths_;
   std::map<std::string, Span> planned_;
 };

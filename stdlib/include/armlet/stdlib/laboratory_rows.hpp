@@ -44,6 +44,18 @@ enum class HandAxis { kX, kY, kZ, kRoll, kPitch, kYaw, kTurn };
 
 enum class LabFieldType { kNumber, kInt, kBool, kText };
 
+// The dimension of a number, or of those of the joints of a robot, which the run knows.
+//
+// robot    its name in the cell; empty: `dim` holds. Otherwise `dim` is that of a joint that turns,
+//          `sliding` that of one that slides.
+// joint    of which one, from 0; -1: all of them, a number for each.
+struct LabNumber {
+  Dim dim{};
+  std::string robot{};
+  Dim sliding{};
+  int joint = -1;
+};
+
 // One element of the page. What a kind does not use stays empty.
 //
 // name     by which programs and inputs call it; it is unique in the block.
@@ -73,7 +85,7 @@ struct LabRow {
   Value value{};
   std::optional<std::array<double, 2>> range{};
   std::vector<std::string> header{};
-  std::vector<Dim> dims{};
+  std::vector<LabNumber> dims{};
   std::shared_ptr<const std::string> picture{};
   bool is_read = false;
   Span at{};

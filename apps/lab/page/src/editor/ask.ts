@@ -152,18 +152,30 @@ function callBox(answer: IncomingOf<"signature">): HTMLElement {
   return box;
 }
 
+// ms: by then the laboratory has the text of the key and has checked it.
+const SIGNATURE_AFTER = 30;
+
 function signatures(intents: Intents): Extension {
   const plugin = ViewPlugin.fromClass(
     class {
       private asked = 0;
+      private timer: ReturnType<typeof setTimeout> | undefined;
       update(update: ViewUpdate): void {
         if (!update.docChanged && !(update.selectionSet && update.state.field(call))) return;
         const { state, view } = update;
-        const at = state.selection.main.head;
         const typed = update.transactions.some((t) => t.isUserEvent("input.type") || t.isUserEvent("input.complete") || t.isUserEvent("delete"));
         if (!typed && !state.field(call)) return;
-        const asked = ++this.asked;
-        void intents.ask<"signature">({ type: "signature", at: positionOf(state.doc, at) }).catch(() => null).then((answer) => {
+        this.asked++;
+        clearTimeout(this.timer);
+        this.timer = setTimeout(() => this.ask(view), SIGNATURE_AFTER);
+      }
+      destroy(): void {
+        clearTimeout(this.timer);
+      }
+      private ask(view: EditorView): void {
+        const at = view.state.selection.main.head;
+        const asked = this.asked;
+        void intents.ask<"signature">({ type: "signature", at: positionOf(view.state.doc, at) }).catch(() => null).then((answer) => {
           if (asked !== this.asked) return;
           const tooltip: Tooltip | null = answer?.overloads.length ? { pos: at, above: true, create: () => ({ dom: callBox(answer) }) } : null;
           if (tooltip || view.state.field(call)) view.dispatch({ effects: setCall.of(tooltip) });

@@ -2,7 +2,7 @@
 import { closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { bracketMatching, indentOnInput, indentUnit } from "@codemirror/language";
-import { lintGutter, lintKeymap, setDiagnostics, type Action, type Diagnostic as LintDiagnostic } from "@codemirror/lint";
+import { forEachDiagnostic, lintGutter, lintKeymap, setDiagnostics, type Action, type Diagnostic as LintDiagnostic } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
@@ -37,6 +37,11 @@ export class Editor {
       parent: host,
       state: EditorState.create({
         extensions: [
+          // Before what asks about the text.
+          EditorView.updateListener.of((update) => {
+            if (!update.docChanged || this.taking) return;
+            if (!update.transactions.some((t) => t.isUserEvent("input.pull"))) intents.typeText(update.state.doc.toString());
+          }),
           marking((line) => intents.toggleBreakpoint(line), hover),
           lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), history(), drawSelection(), indentOnInput(), bracketMatching(),
           closeBrackets(), highlightSelectionMatches(), lintGutter(), EditorState.tabSize.of(4), indentUnit.of("    "),
@@ -50,10 +55,6 @@ export class Editor {
           this.highlighting.of(language()),
           this.writing.of(EditorState.readOnly.of(true)),
           EditorView.contentAttributes.of({ "aria-label": "Program", spellcheck: "false", autocapitalize: "off", tabindex: "0" }),
-          EditorView.updateListener.of((update) => {
-            if (!update.docChanged || this.taking) return;
-            if (!update.transactions.some((t) => t.isUserEvent("input.pull"))) intents.typeText(update.state.doc.toString());
-          }),
         ],
       }),
     });
@@ -142,7 +143,17 @@ export class Editor {
     const failure = shownRun(state)?.error;
     const all = failure && !isStale(state) ? [...state.diagnostics, failure] : state.diagnostics;
     const list = all.filter((d) => d.span).map((d) => this.lintOf(d, rangeOf(doc, d.span!)));
-    this.view.dispatch(setDiagnostics(this.view.state, list));
+    if (!this.shows(list)) this.view.dispatch(setDiagnostics(this.view.state, list));
+  }
+
+  // Whether just these are shown already: setting them again would close what has been opened of them. Corrections are for one text.
+  private shows(list: readonly LintDiagnostic[]): boolean {
+    const key = (d: LintDiagnostic, from: number, to: number) => (d.actions?.length ? null : JSON.stringify([from, to, d.severity, d.message, d.source]));
+    const shown: (string | null)[] = [];
+    forEachDiagnostic(this.view.state, (d, from, to) => shown.push(key(d, from, to)));
+    const next = list.map((d) => key(d, d.from, d.to)).sort();
+    shown.sort();
+    return shown.length === next.length && next.every((each, i) => each !== null && each === shown[i]);
   }
 
   private lintOf(d: Diagnostic, range: { from: number; to: number }): LintDiagnostic {

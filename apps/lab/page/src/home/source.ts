@@ -19,7 +19,7 @@ function without(page: string, id: string): string {
 
 // A page that shows a recording; the engine, if it has one, stays behind.
 export function pageWithRecording(page: string, recording: unknown): string {
-  const bare = ["armlet-recording", "armlet-laboratory", "armlet-engine", "armlet-worker"].reduce(without, page);
+  const bare = ["armlet-recording", "armlet-laboratory", "armlet-engine", "armlet-worker", "armlet-converter"].reduce(without, page);
   return carrying(bare, 'id="armlet-recording"', recording);
 }
 

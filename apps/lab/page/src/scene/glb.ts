@@ -37,6 +37,7 @@ interface Parts {
   json: Json;
   binary: Uint8Array<ArrayBuffer>;
 }
+const NOTES = 0x45544f4e; // a chunk that other programs pass over (runtime/src/mesh/glb_format.hpp)
 
 function partsOf(file: ArrayBuffer): Parts {
   const view = new DataView(file);
@@ -57,18 +58,23 @@ function partsOf(file: ArrayBuffer): Parts {
   return { json, binary };
 }
 
-function written({ json, binary }: Parts): ArrayBuffer {
-  const text = new TextEncoder().encode(JSON.stringify(json));
-  const [first, second] = [4 * Math.ceil(text.length / 4), 4 * Math.ceil(binary.length / 4)];
-  const file = new ArrayBuffer(12 + 8 + first + 8 + second);
-  const view = new DataView(file);
-  [0x46546c67, 2, file.byteLength, first, 0x4e4f534a].forEach((word, i) => view.setUint32(4 * i, word, true));
-  const bytes = new Uint8Array(file);
-  bytes.fill(0x20, 20, 20 + first);
-  bytes.set(text, 20);
-  view.setUint32(20 + first, second, true);
-  view.setUint32(24 + first, 0x004e4942, true);
-  bytes.set(binary, 28 + first);
+// A file of these parts. `notes`: lines that say what it lacks of what it was made from.
+export function glbOf({ json, binary }: Parts, notes: readonly string[] = []): ArrayBuffer {
+  const encoded = (text: string) => new TextEncoder().encode(text);
+  const chunks: [number, Uint8Array, number][] = [[0x4e4f534a, encoded(JSON.stringify(json)), 0x20], [0x004e4942, binary, 0]];
+  if (notes.length) chunks.push([NOTES, encoded(notes.map((note) => `${note}\n`).join("")), 0x0a]);
+  const padded = (bytes: Uint8Array) => 4 * Math.ceil(bytes.length / 4);
+  const file = new ArrayBuffer(chunks.reduce((sum, [, content]) => sum + 8 + padded(content), 12));
+  const [view, bytes] = [new DataView(file), new Uint8Array(file)];
+  [0x46546c67, 2, file.byteLength].forEach((word, i) => view.setUint32(4 * i, word, true));
+  let at = 12;
+  for (const [kind, content, filling] of chunks) {
+    view.setUint32(at, padded(content), true);
+    view.setUint32(at + 4, kind, true);
+    bytes.fill(filling, at + 8, at + 8 + padded(content));
+    bytes.set(content, at + 8);
+    at += 8 + padded(content);
+  }
   return file;
 }
 
@@ -114,5 +120,5 @@ export async function safeGlb(file: ArrayBuffer): Promise<{ file: ArrayBuffer; h
   for (const name of ["animations", "cameras", "skins", "extensions", "extensionsUsed", "extensionsRequired"]) delete json[name];
   for (const node of listOf(json, "nodes")) for (const name of ["extensions", "camera", "skin"]) delete node[name];
   for (const mesh of listOf(json, "meshes")) for (const part of listOf(mesh, "primitives")) delete part["extensions"];
-  return { file: written(parts), hasMaterials: materials.length > 0 };
+  return { file: glbOf(parts), hasMaterials: materials.length > 0 };
 }

@@ -44,7 +44,11 @@ export async function readModel(bytes: ArrayBuffer, plain: boolean): Promise<Mod
       return;
     }
     const mesh = node as Mesh<BufferGeometry, Material>;
-    if (!mesh.geometry.hasAttribute("normal")) mesh.geometry.computeVertexNormals();
+    if (!mesh.geometry.hasAttribute("normal")) {
+      // Then every triangle is flat (glTF 2.0 specification, 3.7.2.1), and has its corners for itself.
+      if (mesh.geometry.index) mesh.geometry = mesh.geometry.toNonIndexed();
+      mesh.geometry.computeVertexNormals();
+    }
     const { material } = mesh;
     if (!known.has(material)) known.set(material, calm(material, plain));
     mesh.material = known.get(material)!;

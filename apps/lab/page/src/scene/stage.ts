@@ -204,7 +204,8 @@ export class Stage {
   private resize(host: HTMLElement): void {
     const { clientWidth: width, clientHeight: height } = host;
     if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    const ratio = Math.min(2, devicePixelRatio);
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio); // which begins the picture anew too
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();

@@ -2,6 +2,7 @@
 import type { Editor } from "../editor/editor.ts";
 import { nameForObject, objectText, placeForObject } from "../editor/new_object.ts";
 import { Refused } from "../home/connection.ts";
+import type { MeshConverter } from "../home/converter.ts";
 import type { SceneView } from "../scene/scene.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl, shownRun } from "../store/state.ts";
@@ -12,7 +13,7 @@ const MOST_FILES = 16; // at once
 const MANY_METRES = 10;
 const COMPANION = /\.(mtl|png|jpe?g|bin)$/i;
 
-export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store, intents: Intents, editor: Editor): void {
+export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store, intents: Intents, editor: Editor, converter: MeshConverter | null): void {
   const holds = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
   const over = (event: DragEvent) => {
     if (!holds(event)) return;
@@ -40,7 +41,10 @@ export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store,
     if (!inControl(store.state)) return intents.say("Only the page in control can put something into the program.");
     if (file.size > MOST_BYTES) return intents.say(`${file.name} has ${(file.size / 2 ** 20).toFixed(0)} MB; files of up to 32 MB are taken.`);
     try {
-      const { name: kept, size } = await intents.keepFile(file.name, new Uint8Array(await file.arrayBuffer()));
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const mesh = converter ? await converter.take(file.name, bytes) : { name: file.name, bytes };
+      if (!mesh) return;
+      const { name: kept, size } = await intents.keepFile(mesh.name, mesh.bytes);
       if (kept === "") return;
       const { text } = store.state;
       const found = scene.pointer.pointAt(pointer);

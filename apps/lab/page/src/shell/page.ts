@@ -1,7 +1,9 @@
 // The page: header, three columns, the bar of time; on a phone one column with tabs.
 import { Editor } from "../editor/editor.ts";
 import { elementPanel } from "../elements/panel.ts";
+import { findConverter } from "../home/converter.ts";
 import { SceneView } from "../scene/scene.ts";
+import type { Span } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl, isStale, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
@@ -35,7 +37,8 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   const main = el("main", { class: "columns" }, columns.program, columns.view, columns.elements);
   const bottom = el("footer", { class: "bottom", "aria-label": "Time" });
   const message = el("div", { class: "message", role: "status", "aria-live": "polite", hidden: true });
-  root.replaceChildren(top, main, bottom, phoneTabs(main), message, help);
+  const { tabs, choose } = phoneTabs(main);
+  root.replaceChildren(top, main, bottom, tabs, message, help);
 
   header(top, store, intents, { source, alone, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
   const editor = new Editor(editorHost, store, intents);
@@ -52,7 +55,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
         file: (name) => intents.file(name),
       });
       sceneTools(columns.view, scene, store, intents, editor);
-      droppedFiles(stage, scene, store, intents, editor);
+      droppedFiles(stage, scene, store, intents, editor, findConverter());
     } catch (error) {
       // Everything else works without it.
       columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
@@ -61,6 +64,10 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   };
   const along = el("div", { class: "along", hidden: true });
   elementPanel(elements, along, store, intents, ({ name, kind, span }) => editor.find(name, kind, span, version()));
+  columns.view.append(noRun(store, (span) => {
+    choose("program");
+    editor.select(span);
+  }));
   new TimeBar(bottom, store, intents);
   bottom.append(along);
   globalKeys(intents, open);
@@ -90,20 +97,32 @@ function whenPainted(store: Store, start: () => void): void {
   setTimeout(once, 2000);
 }
 
+// In the empty view why there is nothing to be seen; a click leads to the first mistake.
+function noRun(store: Store, show: (span: Span) => void): HTMLElement {
+  const first = () => store.state.diagnostics.find((d) => d.severity === "error");
+  const note = el("button", { class: "no-run", hidden: true, onclick: () => first()?.span && show(first()!.span!) });
+  store.watch((s) => [s.shown, s.diagnostics], (s) => {
+    const error = first();
+    note.hidden = s.shown !== null || !error;
+    if (error) setText(note, `The program has not run yet. ${error.span ? `Line ${error.span[0]}: ` : ""}${error.message}`);
+  });
+  return note;
+}
+
 function toggle(column: HTMLElement, name: ColumnName): boolean {
   const closed = column.classList.toggle("closed");
   remember(`closed.${name}`, closed ? "yes" : "no");
   return !closed;
 }
 
-function phoneTabs(main: HTMLElement): HTMLElement {
+function phoneTabs(main: HTMLElement): { tabs: HTMLElement; choose: (name: ColumnName) => void } {
   const buttons = COLUMNS.map((name) => el("button", { onclick: () => choose(name) }, TITLES[name]));
   const choose = (name: ColumnName) => {
     main.dataset["tab"] = name;
     buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(COLUMNS[i] === name)));
   };
   choose("view");
-  return el("nav", { class: "phone", "aria-label": "Parts of the page" }, ...buttons);
+  return { tabs: el("nav", { class: "phone", "aria-label": "Parts of the page" }, ...buttons), choose };
 }
 
 function drawLegend(legend: HTMLElement, top: number): void {

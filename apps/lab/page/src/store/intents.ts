@@ -6,7 +6,7 @@ import type { Store } from "./store.ts";
 import { inControl, shownRun, type State } from "./state.ts";
 
 const PAUSE_IN_TYPING = 150; // ms until the text runs
-const CHECK_AFTER = 30; // ms until it is checked
+const CHECK_EVERY = 30; // ms between two checks of a text that is typed, at least
 const WHILE_PLAYING = 200; // ms between questions for variables
 const WHILE_LOOKING = 60; // the same, while how near things are is shown
 const PIECE = 480_000; // bytes of a file in one message
@@ -20,6 +20,9 @@ export class Intents {
   private checking: ReturnType<typeof setTimeout> | undefined;
   private sentText: string | null = null;
   private checkedText: string | null = null;
+  private checkedAt = -Infinity;
+  private awaited: number | null = null; // the version of the text whose diagnostics have not come yet
+  private wantsCheck = false;
   private waitsForRun = false;
   private asking = false;
   private steps = 0;
@@ -47,6 +50,7 @@ export class Intents {
   heard(message: Incoming): void {
     if (message.type === "welcome") {
       this.sentText = message.text;
+      this.awaited = null;
       this.waitsForRun = false;
       this.givingInput = false;
     }
@@ -61,6 +65,10 @@ export class Intents {
       }
     }
     if (message.type === "control" && this.state.text !== this.sentText) this.sendText();
+    if (message.type === "diagnostics" && message.text_version >= (this.awaited ?? Infinity)) {
+      this.awaited = null;
+      if (this.wantsCheck) this.checkSoon();
+    }
     if (ended) {
       this.waitsForRun = false;
       if (this.pulledText) this.sendText();
@@ -72,7 +80,7 @@ export class Intents {
     return this.state.ghost !== null && this.state.text !== this.sentText;
   }
 
-  // The text was typed: it is checked soon and runs after a pause, or at once when `now`.
+  // The text was typed: it is checked and runs after a pause, or at once when `now`.
   typeText(text: string, now = false): void {
     this.store.change((s) => {
       s.text = text;
@@ -85,10 +93,20 @@ export class Intents {
       return;
     }
     this.typing = setTimeout(() => this.sendText(), PAUSE_IN_TYPING);
-    this.checking ??= setTimeout(() => {
+    this.wantsCheck = true;
+    this.checkSoon();
+  }
+
+  // The first key is checked at once. Of those that follow soon only the last counts: one check at a time, when the one
+  // before it has been answered.
+  private checkSoon(): void {
+    if (this.checking !== undefined || this.awaited !== null) return;
+    const wait = this.checkedAt + CHECK_EVERY - performance.now();
+    if (wait <= 0) return this.sendText(false);
+    this.checking = setTimeout(() => {
       this.checking = undefined;
-      this.sendText(false);
-    }, CHECK_AFTER);
+      if (this.wantsCheck) this.checkSoon();
+    }, wait);
   }
 
   // A number in the text is pulled: the path before it stays as a ghost, and as many texts run as can.
@@ -113,12 +131,15 @@ export class Intents {
   // The laboratory has the text of the editor after this; without `run` it only checks it.
   sendText(run = true): void {
     if (run) clearTimeout(this.typing);
+    this.wantsCheck = false;
     if (!this.live || !inControl(this.state) || this.state.text === (run ? this.sentText : this.checkedText)) return;
     if (!run && this.state.text === this.sentText) return;
     this.checkedText = this.state.text;
     if (run) this.sentText = this.state.text;
     this.waitsForRun ||= run;
     const version = this.state.textVersion + 1;
+    this.awaited = version;
+    this.checkedAt = performance.now();
     this.store.change((s) => (s.textVersion = version));
     this.connection.send({ type: "text", text: this.state.text, version, ...(run ? {} : { run: false }) });
   }

@@ -7,8 +7,8 @@ import type { Store } from "../store/store.ts";
 import { LEFT, lanesOf, rightMargin, spanOf, type Block, type Lane } from "./lanes.ts";
 
 const RULER = 18;
-const THIN = 4;
 const OTHERS = 8; // runs drawn as thin lines
+const ROOM = 16; // px for them, however many there are: a new run moves nothing else on the page
 
 interface Tick {
   t: number;
@@ -42,9 +42,11 @@ export class TimeBar {
   private readonly store: Store;
   private readonly intents: Intents;
   private drag: number | null = null;
+  // What is drawn whatever the instant, and what it was worked out from.
   private lanes: Lane[] = [];
-  private lanesFor = "";
+  private ticks: Tick[] = [];
   private right = 0;
+  private workedOutFrom: readonly unknown[] = [];
 
   constructor(host: HTMLElement, store: Store, intents: Intents) {
     this.host = host;
@@ -103,7 +105,7 @@ export class TimeBar {
     const robot = this.laneAt(y);
     const lane = this.lanes[robot];
     const block = x >= LEFT ? lane?.blocks.find((each) => each.t0 <= t && t <= each.t1) : undefined;
-    const tick = ticksOf(run).find((k) => Math.abs(this.x(k.t) - x) < 5);
+    const tick = this.ticks.find((k) => Math.abs(this.x(k.t) - x) < 5);
     setText(this.note, tick ? `${tick.t.toFixed(2)} s  ${tick.text}` : block ? block.text : x < LEFT ? (lane?.title ?? "") : "");
     this.note.style.left = `${Math.min(Math.max(LEFT, x), this.bar.clientWidth - 200)}px`;
     this.note.hidden = this.note.textContent === "";
@@ -119,15 +121,21 @@ export class TimeBar {
     return this.lanes.findIndex((lane) => y >= below && y < (below += lane.height));
   }
 
+  private workOut(run: Run | null, state: State): void {
+    const from = [run, run?.version, state.textVersion, state.plotsBelow];
+    if (from.every((each, i) => each === this.workedOutFrom[i])) return;
+    this.workedOutFrom = from;
+    this.lanes = lanesOf(run, state);
+    this.ticks = run ? ticksOf(run) : [];
+    this.right = rightMargin(state);
+  }
+
   private draw(state: State): void {
     const run = shownRun(state);
-    const key = `${run?.id} ${run?.version} ${state.textVersion}`;
-    if (key !== this.lanesFor) this.lanes = lanesOf(run, state);
-    this.lanesFor = key;
-    this.right = rightMargin(state);
+    this.workOut(run, state);
     const bottom = this.lanes.reduce((y, lane) => y + lane.height, RULER);
     const others = run ? otherRuns(state, run) : [];
-    const height = bottom + others.length * THIN + 12;
+    const height = bottom + ROOM + 12;
     const width = this.bar.clientWidth;
     if (!width) return;
     const scale = Math.min(2, devicePixelRatio);
@@ -159,7 +167,7 @@ export class TimeBar {
   private drawRuler(c: CanvasRenderingContext2D, color: (name: string) => string, height: number): void {
     const width = this.bar.clientWidth;
     const step = rulerStep(this.span, (width - LEFT) / 90);
-    const end = shownRun(this.store.state)?.tEnd === 0 ? 0 : this.span * 1.0001; // a run without time has no marks but its start
+    const end = shownRun(this.store.state)?.tEnd ? this.span * 1.0001 : 0; // a run without time has no marks but its start
     c.font = "11px system-ui, sans-serif";
     c.textBaseline = "middle";
     for (let k = 0; k * step <= end; k++) {
@@ -216,7 +224,7 @@ export class TimeBar {
   }
 
   private drawTicks(c: CanvasRenderingContext2D, color: (name: string) => string, run: Run, bottom: number, state: State): void {
-    for (const tick of ticksOf(run)) {
+    for (const tick of this.ticks) {
       const x = this.x(tick.t);
       c.fillStyle = tick.kind === "message" ? color("--warning") : tick.kind === "advice" ? color("--s4") : color("--text");
       c.beginPath();
@@ -252,9 +260,10 @@ export class TimeBar {
   }
 
   private drawOthers(c: CanvasRenderingContext2D, color: (name: string) => string, others: { t_end: number; lit: boolean }[], y: number): void {
+    const step = Math.min(4, ROOM / others.length);
     others.forEach((other, i) => {
       c.fillStyle = other.lit ? color("--accent") : color("--thin");
-      c.fillRect(LEFT, y + i * THIN, Math.max(1, this.x(Math.min(other.t_end, this.span)) - LEFT), 2);
+      c.fillRect(LEFT, y + i * step, Math.max(1, this.x(Math.min(other.t_end, this.span)) - LEFT), step / 2);
     });
   }
 
