@@ -50,6 +50,11 @@ Engine& Engine::add_functions(std::span<const NativeFunction> functions, std::st
   return *this;
 }
 
+Engine& Engine::only_values(std::span<const NativeFunction> functions) {
+  registry_->add_values(functions);
+  return *this;
+}
+
 Engine& Engine::define(const Definition& definition, std::string_view chapter) {
   const std::vector<std::string> faults = registry_->faults_of(definition.function);
   if (!faults.empty()) refuse("function", definition.function.name, faults);

@@ -1,6 +1,7 @@
 #include "registry.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/define_type.hpp"
@@ -75,6 +76,15 @@ const NativeFunction* Registry::add_functions(std::span<const NativeFunction> fu
     return &function;
   }
   return nullptr;
+}
+
+bool Registry::only_gives(const NativeFunction& function) const {
+  if (function.acts || function.commands || function.pauses || function.starts) return false;
+  return std::ranges::any_of(values_, [&](std::span<const NativeFunction> functions) {
+    const std::less<const NativeFunction*> before;
+    return !functions.empty() && !before(&function, functions.data()) &&
+           !before(&functions.back(), &function);
+  });
 }
 
 std::span<const NativeFunction> Registry::keep(const Definition& definition) {

@@ -53,6 +53,9 @@ class Registry {
   void add_record(std::string_view name, std::string_view fields);
   void add_messages(std::span<const CatalogEntry> rows) { messages_.add(rows); }
   [[nodiscard]] const MessageTables& messages() const { return messages_; }
+  // Functions that change nothing, so that a statement made of a call of one does nothing.
+  void add_values(std::span<const NativeFunction> functions) { values_.push_back(functions); }
+  [[nodiscard]] bool only_gives(const NativeFunction& function) const;
   void add_chapter(const Chapter& chapter) { chapters_.push_back(chapter); }
   // throws  ArgumentError for a word that is known already.
   void add_foreign_names(std::span<const ForeignName> rows);
@@ -107,6 +110,7 @@ class Registry {
   std::map<std::pair<ForeignKind, std::string_view>, ForeignName> foreign_;
   std::set<std::string_view> planned_;
   std::vector<Chapter> chapters_;
+  std::vector<std::span<const NativeFunction>> values_;
   std::deque<NativeFunction> defined_;
   std::vector<std::shared_ptr<const void>> kept_;  // what they need
   mutable std::mutex making_types_;

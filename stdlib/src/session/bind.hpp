@@ -17,6 +17,7 @@ struct Chapter {
   std::string_view title;
   std::span<const NativeFunction> functions;
   bool is_mathematics = false;  // docs/mathematics.md says what each of its functions is in C++
+  bool only_values = false;     // nothing else is changed by what gives a value
 };
 [[nodiscard]] std::span<const Chapter> chapters();
 

@@ -31,18 +31,19 @@ namespace bind {
 std::span<const Chapter> chapters() {
   constexpr auto mathematics = [](std::string_view title,
                                   std::span<const NativeFunction> functions) {
-    return Chapter{.title = title, .functions = functions, .is_mathematics = true};
+    return Chapter{
+        .title = title, .functions = functions, .is_mathematics = true, .only_values = true};
   };
   static const Chapter all[] = {
       mathematics("Mathematics", math_functions()),
-      {.title = "Lists", .functions = list_functions()},
+      {.title = "Lists", .functions = list_functions(), .only_values = true},
       mathematics("Vectors", vector_functions()),
       mathematics("Matrices", matrix_functions()),
       mathematics("Matrices: parts", matrix_part_functions()),
       mathematics("Linear algebra", linalg_functions()),
       mathematics("Fits, roots and equations", numeric_functions()),
       mathematics("Differential equations", ode_functions()),
-      {.title = "Text", .functions = text_functions()},
+      {.title = "Text", .functions = text_functions(), .only_values = true},
       mathematics("Positions and frames", pose_functions()),
       mathematics("Positions and frames: orientations", rotation_functions()),
       mathematics("Robots: models", model_functions()),
@@ -122,8 +123,10 @@ void install(Engine& engine) {
   engine.add_foreign_names(bind::kForeignNames);
   engine.add_constants(kConstants, "Mathematics");
   engine.add_planned(kPlanned);
-  for (const bind::Chapter& chapter : bind::chapters())
+  for (const bind::Chapter& chapter : bind::chapters()) {
     engine.add_functions(chapter.functions, chapter.title);
+    if (chapter.only_values) engine.only_values(chapter.functions);
+  }
 }
 
 const Engine& library_engine() {

@@ -88,6 +88,7 @@ struct FunctionContext {
       inner_of{};  // what captures has, by outer
   std::vector<JumpTarget> targets{};
   Flow flow{};
+  int tries = 0;                 // bodies of `try` that are open
   const Type* result = nullptr;  // declared, or of the first return; null: none so far
   bool result_is_declared = false;
   std::vector<hir::ReturnStmt*> returns{};  // of an inferred result

@@ -84,6 +84,36 @@ void refuse_idle_statement(Checker& checker, const ast::ExprStmt& stmt, const hi
   checker.report(std::move(diagnostic));
 }
 
+// sort(xs) alone on its line. In a `try` and in a function that is handed on, a call may be there
+// to see whether it fails; a function that is given may do something.
+void advise_forgotten_value(Checker& checker, const ast::ExprStmt& stmt, const hir::Expr& value) {
+  if (value.kind != hir::ExprKind::kCallNative || value.type->is(Kind::kVoid)) return;
+  const auto& call = value.as<hir::CallNativeExpr>();
+  FunctionContext& here = checker.scopes.here();
+  const bool may_probe = here.tries > 0 || here.kind == FunctionContext::Kind::kLambda ||
+                         here.kind == FunctionContext::Kind::kCondition;
+  if (may_probe || !checker.registry.only_gives(*call.function)) return;
+  if (std::ranges::any_of(call.arguments, [](const hir::Expr* argument) {
+        return argument != nullptr && argument->type->is(Kind::kFunction);
+      }))
+    return;
+  Diagnostic diagnostic =
+      make_diagnostic("W0746", stmt.value->span, {std::string(call.function->name)});
+  diagnostic.why = "it changes nothing; it gives " + type_phrase(value.type);
+  const hir::Expr* first = call.arguments.size() > 0 ? call.arguments[0] : nullptr;
+  const std::string name = first != nullptr ? checker.text_of(first->span) : std::string();
+  const Local* local = name.empty() ? nullptr : here.find(name);
+  const bool is_variable =
+      local != nullptr && (local->how == Declared::kVar || local->how == Declared::kClassic);
+  if (is_variable && local->variable->type == value.type) {
+    const Span begin{stmt.value->span.begin, stmt.value->span.begin, stmt.value->span.source};
+    diagnostic.fix = Fix{.text = "write " + name + " = " + checker.text_of(stmt.value->span),
+                         .edits = {{begin, name + " = "}},
+                         .confidence = Confidence::kMaybe};
+  }
+  checker.report(std::move(diagnostic));
+}
+
 }  // namespace
 
 hir::Block* Checker::check_block(ast::Seq<ast::Stmt*> body, Span span) {
@@ -251,7 +281,11 @@ hir::Stmt* check_expression_statement(Checker& checker, const ast::ExprStmt& stm
     refuse_idle_statement(checker, stmt, *value);
     return nullptr;
   }
-  if (hir::Expr* shown = shown_explanation(checker, stmt, value)) value = shown;
+  if (hir::Expr* shown = shown_explanation(checker, stmt, value)) {
+    value = shown;
+  } else {
+    advise_forgotten_value(checker, stmt, *value);
+  }
   return checker.make<hir::ExprStmt>(hir::StmtKind::kExpr, stmt.span, value);
 }
 
@@ -441,7 +475,9 @@ hir::Stmt* check_try(Checker& checker, const ast::TryStmt& stmt) {
   auto* out = checker.make<hir::TryStmt>(hir::StmtKind::kTry, stmt.span, nullptr, nullptr, nullptr,
                                          nullptr);
   const Flow before = checker.scopes.here().flow;
+  ++checker.scopes.here().tries;
   out->body = checker.check_block(stmt.body->body, stmt.body->span);
+  --checker.scopes.here().tries;
   Flow after = checker.scopes.here().flow;
   for (std::size_t i = 0; i < stmt.catches.size(); ++i) {
     const ast::CatchClause& clause = stmt.catches[i];
