@@ -182,6 +182,8 @@ std::shared_ptr<const TypePool> Registry::library_types() const {
   if (library_types_ == nullptr) {
     auto types = std::make_shared<TypePool>();
     declare_records(*types);
+    // Sessions that use them share these.
+    for (const auto& [name, type] : types_) static_cast<void>(types->list(types->host(type)));
     types->close();
     library_types_ = std::move(types);
   }

@@ -7,6 +7,7 @@
 #include "check/checker.hpp"
 #include "check/entries/keep.hpp"
 #include "check/entries/shown.hpp"
+#include "check/learnt.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/look_ahead.hpp"
@@ -61,9 +62,17 @@ void check_functions(Checker& checker) {
   checker.shared.instances.turn_round();
   work_off();
   for (auto& [name, function] : checker.names.functions()) {
-    if (!function.instances.empty() || function.is_generic()) continue;
+    if (!function.instances.empty()) continue;
+    if (function.is_generic() && !checker.shared.guesses) {
+      if (checker.shared.learnt != nullptr) checker.shared.learnt->leave_out();
+      continue;
+    }
     checker.messages.begin_statement();
-    instance_of(checker, function, function.parameters, function.node->name.span);
+    // A parameter without a type is known when the function is called.
+    std::vector<const Type*> types = function.parameters;
+    std::replace(types.begin(), types.end(), static_cast<const Type*>(nullptr),
+                 checker.types.any());
+    instance_of(checker, function, std::move(types), function.node->name.span);
     work_off();
   }
 }
@@ -98,6 +107,7 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   into.messages = &registry.messages();
   Shared shared(into, registry, before, sink);
   shared.learnt = learnt;
+  shared.guesses = learnt != nullptr && learnt->guesses();
   if (into.entry.is_one) shared.top_level.keep_all();
   std::deque<Checker> checkers;
   for (const FileTree& file : files)

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "check/tree/hir.hpp"
@@ -31,16 +32,30 @@ class Learnt {
     int parameter = -1;  // -1: the function itself
   };
 
+  // Guessing: what the text does not say yet counts as what it most likely becomes. Nobody may read
+  // the messages of such a check.
+  explicit Learnt(bool guesses = false) : guesses_(guesses) {}
+  [[nodiscard]] bool guesses() const { return guesses_; }
+  // A check that does not guess has left out something that one that guesses would teach.
+  void leave_out() { leaves_out_ = true; }
+  [[nodiscard]] bool leaves_out() const { return leaves_out_; }
+
   void value(const ast::Expr& written, const hir::Expr& checked) {
     values_.push_back({&written, checked.type});
+    if (guesses_) met_.insert(&written);
   }
+  // While guessing: whether it has been noted.
+  [[nodiscard]] bool has_met(const ast::Expr& written) const { return met_.contains(&written); }
   // A variable of the text; its type and the other properties are read when all is checked.
   void variable(const hir::Variable& variable) { variables_.push_back(&variable); }
   void constant(Span declaration, std::optional<Constant> value) {
     if (value) constants_.insert_or_assign(key(declaration), *std::move(value));
   }
-  // What a function of the text gives, for the types of its first call.
-  void result(Span declaration, const Type* type) { results_.try_emplace(key(declaration), type); }
+  // What a function of the text gives, for the types of the first call of which it is known.
+  void result(Span declaration, const Type* type) {
+    const Type*& known = results_[key(declaration)];
+    if (known == nullptr || known->is(Kind::kAny)) known = type;
+  }
   // `name` may have a module in front of it, and may be empty or another text, where a call leaves
   // out what it means.
   void use(Span name, Span declaration) { uses_.push_back({name, declaration}); }
@@ -73,7 +88,10 @@ class Learnt {
  private:
   static std::uint64_t key(Span at) { return std::uint64_t{at.source} << 32U | at.begin; }
 
+  bool guesses_;
+  bool leaves_out_ = false;
   std::vector<Value> values_;
+  std::unordered_set<const ast::Expr*> met_;
   std::vector<const hir::Variable*> variables_;
   std::vector<Use> uses_;
   std::vector<NativeUse> natives_;

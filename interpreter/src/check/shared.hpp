@@ -56,6 +56,7 @@ struct Shared {
         error_type(into.types->library_record("error")) {}
 
   Learnt* learnt = nullptr;  // what editors ask for; null: nobody does
+  bool guesses = false;      // see Learnt::guesses
   DiagnosticSink& sink;
   std::vector<Checker*> files{};  // imported ones before those that import them
   Earlier earlier;

@@ -17,6 +17,9 @@ namespace {
 // Files import each other in a chain at most this long, and a program has at most so many.
 constexpr std::size_t kMostFiles = 200;
 
+// Messages about files of a text that is mended, behind which nothing more of a file is read.
+constexpr int kMostUntold = 100;
+
 std::string without_folders(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
@@ -207,7 +210,7 @@ class Loader {
   Arena& tree_;
   const CompileOptions& options_;
   DiagnosticSink* sink_;
-  DiagnosticSink quiet_{0};
+  DiagnosticSink quiet_{kMostUntold};
   const KeptNames* kept_;  // what the entry before this one has left; null: there is none
   Mended* main_file_;
   const ReadBefore* before_;

@@ -24,25 +24,27 @@ std::vector<Diagnostic> as_guesses(std::vector<Diagnostic> all) {
   return all;
 }
 
-// The messages are about the statements without a mistake; what is learnt is about all of them.
+// The messages are about the statements without a mistake; what is learnt is about all of them, and
+// guessed where the text does not say it yet.
 void check_facts(Facts& facts, const Mended& read, DiagnosticSink& sink) {
   FileTree& main = facts.files.back();
   facts.is_whole = main.ok;
-  const auto check = [&](CompiledProgram& into, DiagnosticSink& to, Learnt* learnt) {
-    check_program(facts.files, into, *facts.registry, facts.options, to, learnt);
+  const auto check = [&](DiagnosticSink& to, Learnt* learnt) {
+    auto into = std::make_unique<CompiledProgram>(facts.options);
+    into->sources = facts.compiled->sources;
+    check_program(facts.files, *into, *facts.registry, facts.options, to, learnt);
+    facts.compiled = std::move(into);
   };
   if (main.ok) {
-    check(facts.compiled, sink, &facts.learnt);
-    return;
+    check(sink, &facts.learnt);
+    if (!sink.has_errors() && !facts.learnt.leaves_out()) return;
+  } else if (read.is_readable) {
+    check(sink, nullptr);
   }
-  if (read.is_readable) {
-    CompiledProgram exact(facts.options);
-    exact.sources = facts.compiled.sources;
-    check(exact, sink, nullptr);
-  }
-  main.program.body = facts.tree.copy(read.statements);
+  if (!main.ok) main.program.body = facts.tree.copy(read.statements);
+  facts.learnt = Learnt(true);
   DiagnosticSink quiet(0);
-  check(facts.compiled, quiet, &facts.learnt);
+  check(quiet, &facts.learnt);
 }
 
 void analyse(Facts& facts, DiagnosticSink& sink, const Facts* before) {
@@ -50,13 +52,13 @@ void analyse(Facts& facts, DiagnosticSink& sink, const Facts* before) {
   std::optional<ReadBefore> known;
   if (before != nullptr && !before->read.empty() && before->main_source() == facts.main_source())
     known.emplace(before->main().text(), before->read, facts.main().text());
-  facts.files = load_files(*facts.compiled.sources, facts.tree, facts.options, sink, &main,
+  facts.files = load_files(*facts.compiled->sources, facts.tree, facts.options, sink, &main,
                            known ? &*known : nullptr);
   facts.tokens = std::move(main.tokens);
   facts.comments = std::move(main.comments);
   facts.read = std::move(main.read);
   check_facts(facts, main, sink);
-  facts.signed_ = std::make_unique<Signed>(*facts.registry, *facts.compiled.types);
+  facts.signed_ = std::make_unique<Signed>(*facts.registry, *facts.compiled->types);
   index_facts(facts);
 }
 
@@ -69,7 +71,7 @@ std::unique_ptr<const Analysis::Facts> analyse_text(std::shared_ptr<const Regist
   std::unique_ptr<Analysis::Facts> facts;
   const auto begin_again = [&] {
     facts = std::make_unique<Analysis::Facts>(registry, options);
-    facts->compiled.sources->add(name, text);
+    facts->compiled->sources->add(name, text);
   };
   begin_again();
   DiagnosticSink sink(options.limits.errors);

@@ -146,7 +146,7 @@ class Completer {
       return add_block_settings(call, setting);
     if (const Symbol* symbol = callee_symbol(facts_, call, cursor_.at)) {
       for (const ast::Param& parameter : parameters_of(*symbol))
-        setting(parameter.name.text, std::string(facts_.compiled.sources->slice(parameter.span)));
+        setting(parameter.name.text, std::string(facts_.compiled->sources->slice(parameter.span)));
     }
     for (const NativeFunction* function : candidates(facts_, call)) {
       const auto& parameters = facts_.signed_->signatures.of(*function).parameters;
@@ -157,7 +157,7 @@ class Completer {
   }
 
   std::string parameter_text(const Parameter& parameter) const {
-    return pattern_name(parameter.type, {}, *facts_.compiled.types);
+    return pattern_name(parameter.type, {}, *facts_.compiled->types);
   }
 
   template <class F>
@@ -331,7 +331,7 @@ class Completer {
         add(name, NameKind::kLibraryFunction);
     }
     if (type.is(Kind::kEnum)) add("name", NameKind::kField, "string");
-    if (&type == facts_.compiled.types->library_record("error"))
+    if (&type == facts_.compiled->types->library_record("error"))
       add("getMessage", NameKind::kLibraryFunction);
     const std::string prefix = type_name(&type) + '.';
     for (const std::string_view name : facts_.registry->public_names()) {

@@ -104,8 +104,9 @@ struct Facts {
   std::vector<Diagnostic> diagnostics{};
   bool cancelled = false;
 
-  CompiledProgram compiled{options};  // sources, types, the typed tree
-  Arena tree{};                       // of all files
+  // Sources, types, the typed tree.
+  std::unique_ptr<CompiledProgram> compiled = std::make_unique<CompiledProgram>(options);
+  Arena tree{};  // of all files
   std::vector<FileTree> files{};
   Tokens tokens{};  // of the main text
   std::vector<Span> comments{};
@@ -120,9 +121,9 @@ struct Facts {
   std::vector<Span> functions{};  // of the main text: bodies that see all of its file
   std::unique_ptr<Signed> signed_{};
 
-  [[nodiscard]] const Source& main() const { return (*compiled.sources)[main_source()]; }
+  [[nodiscard]] const Source& main() const { return (*compiled->sources)[main_source()]; }
   // Its number: in a session, texts of earlier entries come before it.
-  [[nodiscard]] std::uint32_t main_source() const { return compiled.sources->first(); }
+  [[nodiscard]] std::uint32_t main_source() const { return compiled->sources->first(); }
   // A position as the documentation of Analysis says.
   [[nodiscard]] std::uint32_t place(std::uint32_t at) const;
   // The name that stands at a byte of the main text, or ends there.

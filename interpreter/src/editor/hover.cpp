@@ -105,7 +105,7 @@ std::optional<Hover> native_hover(const Facts& facts, const Learnt::NativeUse& u
   } else {
     const Parameter& parameter = facts.signed_->signatures.of(*use.function)
                                      .parameters[static_cast<std::size_t>(use.parameter)];
-    out.text = parameter.name + ": " + pattern_name(parameter.type, {}, *facts.compiled.types);
+    out.text = parameter.name + ": " + pattern_name(parameter.type, {}, *facts.compiled->types);
     out.help = "A setting of " + written_call(*facts.registry, *use.function);
   }
   return out.text.empty() ? std::nullopt : std::optional(out);

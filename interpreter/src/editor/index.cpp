@@ -64,7 +64,10 @@ class Indexer {
   void walk(const ast::Expr& expr) {
     if (main_ && expr.kind == ast::ExprKind::kMember)
       facts_.members.push_back(&expr.as<ast::MemberExpr>());
-    if (main_ && expr.kind == ast::ExprKind::kLambda) scopes_.push_back(expr.span);
+    if (expr.kind == ast::ExprKind::kLambda) {
+      const bool has_block = expr.as<ast::LambdaExpr>().body != nullptr;
+      add_scope(has_block ? expr.span : with_blanks(expr.span));
+    }
     ast::for_each_part(
         expr, [this](const ast::Expr& e) { walk(e); }, [this](const ast::Stmt& s) { walk(s); });
   }
@@ -126,6 +129,14 @@ class Indexer {
     }
   }
 
+  // What is written behind a blank at the end of a value belongs to the value.
+  [[nodiscard]] Span with_blanks(Span span) const {
+    if (!main_) return span;
+    const std::string_view text = facts_.main().text();
+    while (span.end < text.size() && (text[span.end] == ' ' || text[span.end] == '\t')) ++span.end;
+    return span;
+  }
+
   void add_scope(Span span) {
     if (main_) scopes_.push_back(span);
   }
@@ -147,7 +158,7 @@ class Indexer {
   }
 
   std::string_view slice(std::uint32_t begin, std::uint32_t end, std::uint32_t source) const {
-    return facts_.compiled.sources->slice({begin, std::max(begin, end), source});
+    return facts_.compiled->sources->slice({begin, std::max(begin, end), source});
   }
 
   std::string_view head(const ast::Stmt& stmt, const ast::Name& name, std::uint32_t end) const {
@@ -300,7 +311,7 @@ class Indexer {
   // ---- names
   // The last bytes of a span, if they are the name; otherwise it was not written there.
   [[nodiscard]] std::optional<Span> written(Span span, std::string_view name) const {
-    const std::string_view text = facts_.compiled.sources->slice(span);
+    const std::string_view text = facts_.compiled->sources->slice(span);
     if (name.empty() || !text.ends_with(name)) return std::nullopt;
     if (text.size() > name.size() && text[text.size() - name.size() - 1] != '.')
       return std::nullopt;

@@ -40,7 +40,7 @@ std::optional<SignatureHelp> help_of_symbol(const Facts& facts, const OpenCall& 
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (i > 0) one.text += ", ";
     const auto begin = static_cast<std::uint32_t>(one.text.size());
-    one.text += facts.compiled.sources->slice(parameters[i].span);
+    one.text += facts.compiled->sources->slice(parameters[i].span);
     one.parameters.emplace_back(begin, static_cast<std::uint32_t>(one.text.size()));
   }
   one.text += ')';

@@ -68,6 +68,11 @@ Value::Value(const std::vector<double>& numbers) : content_(List(numbers.begin()
 
 std::string Value::kind() const { return std::visit(KindText{}, content_); }
 
+void Value::refuse_large(std::uint64_t number) {
+  throw ArgumentError(std::to_string(number) +
+                      " is beyond the largest int of a program, 9223372036854775807.");
+}
+
 void Value::refuse(const std::string& wanted) const {
   throw ArgumentError("This value is " + kind() + ", not " + wanted + ".");
 }

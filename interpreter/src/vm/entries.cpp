@@ -174,8 +174,8 @@ void finish_entry(VmState& state, bool done) {
     state.programs.before->restore();
   }
   state.programs.before.reset();
-  if (done && state.programs.units.back()->callees.size() > 1) return;
-  drop_newest(state);
+  if (!done || state.programs.units.back()->callees.size() <= 1) drop_newest(state);
+  state.heap.rest();
 }
 
 }  // namespace armlet::lang

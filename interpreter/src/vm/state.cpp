@@ -15,13 +15,6 @@ namespace armlet::lang {
 
 // ---- steps ----------------------------------------------------------------------------------
 
-void StepMeter::settle() {
-  const auto done = static_cast<std::uint64_t>(chunk - left);
-  total += done;
-  since_pause += done;
-  chunk = left = 0;
-}
-
 bool StepMeter::refill() {
   settle();
   std::uint64_t most = std::min(kChunk, limit - std::min(limit, since_pause));

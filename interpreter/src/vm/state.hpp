@@ -61,7 +61,12 @@ struct StepMeter {
     return total + static_cast<std::uint64_t>(chunk - left);
   }
   // Books the running chunk.
-  void settle();
+  void settle() {
+    const auto done = static_cast<std::uint64_t>(chunk - left);
+    total += done;
+    since_pause += done;
+    chunk = left = 0;
+  }
   // Starts a new chunk; false if the limit is reached.
   [[nodiscard]] bool refill();
   // Whether the host has to be asked before the next step; books the running chunk.

@@ -381,6 +381,9 @@ constexpr NativeFunction kMathFunctions[] = {
     def<near_list>("near(a: D[], b: D[], tol: D) -> bool",
                    "Whether two lists differ by at most tol in every element.",
                    "near([1.0, 2.0], [1.0, 2.01], tol: 0.1)"),
+};
+
+constexpr NativeFunction kRandomFunctions[] = {
     def<random_unit>("random() -> double",
                      "A number from 0 up to but excluding 1; the same ones in every run.",
                      "random()"),
@@ -399,5 +402,6 @@ constexpr NativeFunction kMathFunctions[] = {
 }  // namespace
 
 std::span<const NativeFunction> math_functions() { return kMathFunctions; }
+std::span<const NativeFunction> random_functions() { return kRandomFunctions; }
 
 }  // namespace armlet::bind

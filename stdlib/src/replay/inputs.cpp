@@ -18,6 +18,9 @@ Instant Session::instant() const { return run_->vm == nullptr ? Instant{} : inst
 
 void Session::set_signal(std::string_view name, SignalValue value) {
   require_idle("set a signal");
+  if (const double* number = std::get_if<double>(&value); number != nullptr && *number != *number)
+    throw ArgumentError("The signal \"" + std::string(name) +
+                        "\" was given nan; any number will do, also an infinite one.");
   Input input{.at = {}, .what = SetSignal{std::string(name), value}};
   if (run_->host != nullptr) {
     run_->host->cell().signals().set(name, value);
@@ -53,8 +56,8 @@ void Session::keep(Input input) {
 void Session::note_progress() {
   Run& run = *run_;
   run.journal->note(instant(), cancellations(*run.vm));
+  if (!run.journal->has_left()) return;
   const std::optional<LoggedEntry> left = run.journal->left_run();
-  if (!left) return;
   std::vector<Entry> former = run.entries;
   former[run.current()].logged = *left;
   run.entries.erase(run.entries.begin() + static_cast<std::ptrdiff_t>(run.current()) + 1,
@@ -109,6 +112,10 @@ static bool comes_after_begin(const Input& input) {
 static bool is_used(const Budget& left) { return left.steps == 0 || left.statements == 0; }
 
 void Session::run_along(const Budget& budget) {
+  if (run_->journal->next() == nullptr) {
+    run_slice(budget);
+    return;
+  }
   const std::uint64_t steps = instant().steps;
   const std::uint64_t statements = statements_begun(*run_->vm);
   const auto left = [&] {

@@ -106,15 +106,18 @@ void Journal::stop_time(std::int64_t now_ns) {
 
 void Journal::note(const Instant& place, std::span<const Cancellation> cancelled) {
   place_ = place;
+  if (!cancelled.empty()) note_cancelled(cancelled);
+  cancelled_ = cancelled.size();
+  if (is_at_its_end() && !entry_->end.has_reached(place)) entry_->end = place;
+}
+
+void Journal::note_cancelled(std::span<const Cancellation> cancelled) {
   const std::size_t known = std::min(cancelled.size(), entry_->cancelled.size());
   const bool is_known = known == cancelled.size() &&
                         std::ranges::equal(cancelled, std::span(entry_->cancelled).first(known));
-  if (!is_known) {
-    part();
-    entry_->cancelled.assign(cancelled.begin(), cancelled.end());
-  }
-  cancelled_ = cancelled.size();
-  if (is_at_its_end() && !entry_->end.has_reached(place)) entry_->end = place;
+  if (is_known) return;
+  part();
+  entry_->cancelled.assign(cancelled.begin(), cancelled.end());
 }
 
 bool Journal::is_at_its_end() const {

@@ -68,11 +68,13 @@ class Journal {
   // Something happened that the log does not have: whatever follows in it belongs to another run,
   // which left_run() gives, once.
   void part();
+  [[nodiscard]] bool has_left() const { return left_.has_value(); }
   [[nodiscard]] std::optional<LoggedEntry> left_run() { return std::exchange(left_, std::nullopt); }
   // Whether nothing of the log is to come.
   [[nodiscard]] bool is_at_its_end() const;
 
  private:
+  void note_cancelled(std::span<const Cancellation> cancelled);
   Reply keep_unwritten(std::string_view name, std::string_view content);
 
   LoggedEntry* entry_ = nullptr;

@@ -22,6 +22,7 @@ struct Chapter {
 [[nodiscard]] std::span<const Chapter> chapters();
 
 std::span<const NativeFunction> math_functions();
+std::span<const NativeFunction> random_functions();
 std::span<const NativeFunction> list_functions();
 std::span<const NativeFunction> matrix_functions();
 std::span<const NativeFunction> matrix_part_functions();

@@ -36,6 +36,7 @@ std::span<const Chapter> chapters() {
   };
   static const Chapter all[] = {
       mathematics("Mathematics", math_functions()),
+      {.title = "Random numbers", .functions = random_functions(), .is_mathematics = true},
       {.title = "Lists", .functions = list_functions(), .only_values = true},
       mathematics("Vectors", vector_functions()),
       mathematics("Matrices", matrix_functions()),

@@ -70,12 +70,12 @@ class Session::OneCompilation {
 class Session::OneSlice {
  public:
   explicit OneSlice(Session& session) : session_(session) {
-    if (session_.is_running_.exchange(true))
+    if (session_.is_running_.exchange(true, std::memory_order_acquire))
       throw ArgumentError("The session runs already; use another one.");
   }
   ~OneSlice() {
     if (!session_.run_->is_under_way) session_.wish_.forget();
-    session_.is_running_.store(false);
+    session_.is_running_.store(false, std::memory_order_release);
   }
   OneSlice(const OneSlice&) = delete;
   OneSlice& operator=(const OneSlice&) = delete;
@@ -90,7 +90,7 @@ class Session::InReach {
  public:
   InReach(Session& session, Vm& vm)
       : session_(session), vm_(vm), before_(session.running_.exchange(&vm)) {
-    if (session_.wish_.is_new.exchange(false)) vm.cancel();
+    if (session_.wish_.is_new.load() && session_.wish_.is_new.exchange(false)) vm.cancel();
   }
   ~InReach() {
     session_.running_.store(before_);

@@ -79,7 +79,7 @@ void Session::begin_new(Entry entry) {
   const bool is_call = entry.logged.kind == EntryKind::kCall;
   // A session lives long with few entries: they do not get twice their room.
   if (run.entries.size() == run.entries.capacity())
-    run.entries.reserve(run.entries.size() + run.entries.size() / 4 + 1);
+    run.entries.reserve(run.entries.size() + run.entries.size() / 8 + 1);
   run.entries.push_back(std::move(entry));
   try {
     begin_entry();
@@ -187,7 +187,12 @@ Progress Session::run(const Budget& budget) {
   if (budget.statements != Budget::kNoLimit && !options_.markers)
     throw ArgumentError("A run by statements needs a program that was compiled with markers.");
   const OneSlice one_slice(*this);
-  guarded([&] { advance(budget); });
+  try {
+    advance(budget);
+  } catch (...) {
+    break_off();
+    throw;
+  }
   return run_->result.status;
 }
 
@@ -203,7 +208,7 @@ RunResult Session::run_test(std::size_t index) {
           : !run_->entries.empty() && run_->entries.front().logged.kind == EntryKind::kProgram;
   if (!is_program) throw ArgumentError("Tests are run of a whole program: compile() it.");
   const OneSlice one_slice(*this);
-  guarded([&] {
+  try {
     give_up();
     if (submitted_ == nullptr) run_->done = run_->entries.size();
     begin_next();
@@ -213,28 +218,26 @@ RunResult Session::run_test(std::size_t index) {
       finish_slice({});
     }
     end_entry();
-  });
+  } catch (...) {
+    break_off();
+    throw;
+  }
   return run_->result;
 }
 
 // What the host throws outside of the program ends the run. The machine cannot be gone on with.
-void Session::guarded(const std::function<void()>& go) {
-  try {
-    go();
-  } catch (...) {
-    Run& run = *run_;
-    if (!run.is_under_way) throw;
-    run.is_under_way = run.is_told = false;
-    run.host->cell().set_backend(nullptr);
-    if (run.done == 0) {
-      const bool is_program = run.entries.front().logged.kind == EntryKind::kProgram;
-      if (is_program) run.done = run.entries.size();  // it can begin again
-      if (!is_program) run_ = std::make_unique<Run>();
-    } else if (!is_silent_) {
-      run.entries.resize(run.done);
-      static_cast<void>(go_to_rest(run.done));
-    }
-    throw;
+void Session::break_off() {
+  Run& run = *run_;
+  if (!run.is_under_way) return;
+  run.is_under_way = run.is_told = false;
+  run.host->cell().set_backend(nullptr);
+  if (run.done == 0) {
+    const bool is_program = run.entries.front().logged.kind == EntryKind::kProgram;
+    if (is_program) run.done = run.entries.size();  // it can begin again
+    if (!is_program) run_ = std::make_unique<Run>();
+  } else if (!is_silent_) {
+    run.entries.resize(run.done);
+    static_cast<void>(go_to_rest(run.done));
   }
 }
 
@@ -278,6 +281,7 @@ bool Session::come_to_rest(const Budget& budget) {
 
 // A robot of a laboratory may slow down still when its program has ended.
 void Session::rest(const Budget& budget) {
+  if (!options_.laboratory) return;  // nothing waits for its host
   Vm& vm = *run_->vm;
   Host& host = *run_->host;
   while (!budget.until_ns && armlet::is_at_rest(vm)) {
@@ -311,6 +315,8 @@ void Session::end_entry() {
   Run& run = *run_;
   Entry& entry = run.entries[run.done];
   run.is_under_way = false;
+  // A wish that came when there was nothing left to stop is not for what runs next.
+  static_cast<void>(run.vm->take_cancellation());
   if (entry.logged.kind == EntryKind::kEntry && run.result.status != Progress::kDone) {
     take_back_entry();
     return;

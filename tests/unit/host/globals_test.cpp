@@ -1,5 +1,7 @@
 #include "armlet/interpreter/host/globals.hpp"
 
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "host_support.hpp"
@@ -103,7 +105,7 @@ TEST_CASE("what does not fit a variable is refused, and it stays as it was") {
         "`count` takes an int, and was given a double.");
   CHECK(refusal_of([&] {
           vm.set("names", {"x", 1});
-        }) == "`names` takes a string, and was given an int.");
+        }) == "Element 1 of `names` takes a string, and was given an int.");
   CHECK(refusal_of([&] {
           vm.set("state", Value::Enum{"State", "Gone"});
         }) == "`state` takes a value of State, which has no `Gone`.");
@@ -123,6 +125,73 @@ TEST_CASE("what does not fit a variable is refused, and it stays as it was") {
   Hosted fresh(kAll);
   fresh.vm.set("count", 9);
   CHECK(*vm.function<std::string()>("show")() == *fresh.vm.function<std::string()>("show")());
+}
+
+TEST_CASE("what is not a number is refused where it comes from, and infinities are numbers") {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr const char* kAnyNumber = " was given nan; any number will do, also an infinite one.";
+  Hosted host(kAll);
+  Vm& vm = host.vm;
+  const std::string before = *vm.function<std::string()>("show")();
+  CHECK(refusal_of([&] { vm.set("ratio", kNan); }) ==
+        std::string("`ratio` takes a double, and") + kAnyNumber);
+  CHECK(refusal_of([&] { vm.set("speed", -kNan, "mm/s"); }) ==
+        std::string("`speed` takes a speed, and") + kAnyNumber);
+  CHECK(refusal_of([&] {
+          vm.set("xs", std::vector<double>{1.0, kInfinite, kNan});
+        }) == std::string("Element 2 of `xs` takes a double, and") + kAnyNumber);
+  CHECK(refusal_of([&] {
+          vm.set("A", Value::Matrix{1, 2, {1.0, kNan}});
+        }) == std::string("`A` takes a matrix, and") + kAnyNumber);
+  CHECK(refusal_of([&] {
+          vm.set("stops", {Value::Record{"Stop", {{"name", "C"}, {"at", Value(kNan, "m")}}}});
+        }) ==
+        std::string("The field `at` of element 0 of `stops` takes a length, and") + kAnyNumber);
+  CHECK(*vm.function<std::string()>("show")() == before);
+  for (const double number : {kInfinite, -kInfinite}) {
+    vm.set("ratio", number);
+    vm.set("speed", number, "m/s");
+    vm.set("xs", std::vector<double>{number});
+    CHECK(vm.global<double>("ratio") == number);
+    CHECK(vm.global("speed") == Value(number, "m/s"));
+    CHECK(vm.global<std::vector<double>>("xs") == std::vector<double>{number});
+  }
+  CHECK(vm.function<std::string()>("show")()->find("-inf -inf m/s left [-inf]") !=
+        std::string::npos);
+}
+
+TEST_CASE("texts of programs are UTF-8, and ints have a largest one") {
+  Hosted host(kAll);
+  Vm& vm = host.vm;
+  for (const char* broken :
+       {"\xFF", "ab\xC3", "\x80", "\xED\xA0\x80", "\xC0\xAF", "\xF4\x90\x80\x80"})
+    CHECK(refusal_of([&] {
+            vm.set("name", broken);
+          }).starts_with("`name` takes a string, and was given bytes that are no text in UTF-8"));
+  CHECK(refusal_of([&] {
+          vm.set("names", {"a", "ab\xC3"});
+        }) ==
+        "Element 1 of `names` takes a string, and was given bytes that are no text in UTF-8, from "
+        "byte 2 on.");
+  CHECK(vm.global("name") == "left");
+  for (const char* whole : {"", "\x7F", "\u00e4\u20ac", "\U0001F600\U0010FFFF"}) {
+    vm.set("name", whole);
+    CHECK(vm.global("name") == whole);
+  }
+  CHECK(refusal_of([&] { vm.set("count", std::uint64_t{1} << 63U); }) ==
+        "9223372036854775808 is beyond the largest int of a program, 9223372036854775807.");
+  CHECK(vm.global("count") == 3);
+  vm.set("count", (std::uint64_t{1} << 63U) - 1);
+  CHECK(vm.global("count") == std::numeric_limits<std::int64_t>::max());
+}
+
+TEST_CASE("a new version of a program takes over what the old one has computed, also nan") {
+  constexpr const char* kText = "fn zero() -> double { return 0.0 }\nvar x = zero()\n";
+  Hosted old(std::string(kText) + "x = zero() / zero()");
+  Hosted fresh(kText);
+  CHECK(carry_globals(old.vm, fresh.vm).kept == std::vector<std::string>{"x"});
+  CHECK(std::isnan(fresh.vm.global<double>("x")));
 }
 
 TEST_CASE("a number with a unit is the same bits as the literal of a program") {

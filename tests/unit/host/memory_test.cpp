@@ -5,6 +5,7 @@
 #include <memory_resource>
 
 #include "host_support.hpp"
+#include "refusal_of.hpp"
 
 using namespace armlet;
 
@@ -98,6 +99,20 @@ TEST_CASE("each block that the host refuses fails the program clearly, and nothi
     CHECK(counter.blocks.empty());
     CHECK(counter.is_right);
   }
+}
+
+TEST_CASE("a value for which the host gives no memory is refused as that") {
+  Counter counter;
+  const Engine engine;
+  Vm vm(compiled(engine, kProgram), {.memory = counter.memory()});
+  REQUIRE(vm.run().status == Progress::kDone);
+  const std::vector<double> other(30'000, 1.0);
+  counter.refused = counter.taken + 1;
+  CHECK(refusal_of([&] { vm.set("large", other); }) ==
+        "`large` finds no memory: the host of the program gives none.");
+  CHECK(vm.global<std::vector<double>>("large") == std::vector<double>(20'000, 0.0));
+  vm.set("large", other);
+  CHECK(vm.global<std::vector<double>>("large") == other);
 }
 
 TEST_CASE("a memory resource of the standard library serves, also one that throws") {

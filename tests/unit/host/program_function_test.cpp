@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -79,6 +80,47 @@ TEST_CASE("a function that is asked for wrongly is refused with both signatures"
   const auto absent = vm.try_function<void()>("on_tik");
   REQUIRE_FALSE(absent);
   CHECK(absent.error().message == "The program has no function `on_tik`; did you mean `on_tick`?");
+}
+
+TEST_CASE("a function is not called with what is no number and no text") {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  Hosted host(R"(
+    var calls = 0
+    fn wait_for(n: int, dt: time) -> double { calls += 1
+      return dt / 1s }
+    fn half(x: double) -> double { calls += 1
+      return 0.5 * x }
+    fn first(xs: double[]) -> double { calls += 1
+      return xs[0] }
+    fn same(s: string) -> string { calls += 1
+      return s }
+  )");
+  Vm& vm = host.vm;
+  const auto wait_for = vm.function<double(std::int64_t, double)>("wait_for");
+  const auto half = vm.function<double(double)>("half");
+  const auto first = vm.function<double(std::vector<double>)>("first");
+  const auto of_values = vm.function<Value(Value)>("first");
+  CHECK(refusal_of([&] { static_cast<void>(wait_for(1, kNan)); }) ==
+        "`dt` of `wait_for` takes a time, and was given nan; any number will do, also an infinite "
+        "one.");
+  CHECK(refusal_of([&] { static_cast<void>(half(-kNan)); }).starts_with("`x` of `half` takes"));
+  CHECK(refusal_of([&] {
+          static_cast<void>(first({1.0, kNan}));
+        }).starts_with("`xs` of `first` takes a double[], and was given nan"));
+  CHECK(refusal_of([&] {
+          static_cast<void>(of_values(std::vector<double>{1.0, kNan}));
+        }).starts_with("Element 1 of `xs` takes a double, and was given nan"));
+  CHECK(refusal_of(
+            [&] { static_cast<void>(vm.function<std::string(std::string)>("same")("\xFF")); }) ==
+        "`s` of `same` takes a string, and was given bytes that are no text in UTF-8, from byte 0 "
+        "on.");
+  CHECK(vm.global("calls") == 0);
+  CHECK(*half(kInfinite) == kInfinite);
+  CHECK(*wait_for(1, -kInfinite) == -kInfinite);
+  CHECK(*first({kInfinite}) == kInfinite);
+  CHECK(*of_values(std::vector<double>{-kInfinite}) == Value(-kInfinite));
+  CHECK(vm.global("calls") == 4);
 }
 
 TEST_CASE("a failure of a function is told, and the next call succeeds") {

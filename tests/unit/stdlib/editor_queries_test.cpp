@@ -312,6 +312,81 @@ TEST_CASE("types of variables are shown where none is written") {
   CHECK(hints[1].text == ": double[]");
 }
 
+// What stands at the first place of a name in a text that ends there.
+static std::string type_in(const std::string& text, const std::string& name) {
+  const auto hover = analysis_of(text)->hover(static_cast<std::uint32_t>(text.find(name)));
+  return hover ? hover->text : "";
+}
+
+TEST_CASE("what a text does not say yet has the type that it most likely gets") {
+  // Calls that are not written to their end.
+  CHECK(type_in("let p = xyz(1mm, ", "p") == "p: posC");
+  CHECK(type_in("fn at(i: int, up: length) -> posC { return xyz(z: up) }\nlet p = at(1, ", "p =") ==
+        "p: posC");
+  CHECK(type_in("struct Slot { row: int, gap: length }\nlet s = Slot(row: ", "s =") == "s: Slot");
+  CHECK(type_in("let size = max(2mm, ", "size") == "size: length");
+  CHECK(type_in("let ys = [1, 2].map(fn(x) => 1mm * ", "x)") == "x: int");
+  CHECK(type_in("let y = [1mm, 2mm].fold(0mm, fn(a, b) => a + ", "b)") == "b: length");
+  // Sums, comparisons, lists and choices.
+  CHECK(type_in("let gap = 2mm\nlet sum = gap + ", "sum") == "sum: length");
+  CHECK(type_in("let gap = 2mm\nlet far = gap > ", "far") == "far: bool");
+  CHECK(type_in("let gaps = [2mm, ", "gaps") == "gaps: length[]");
+  CHECK(type_in("let gap = true ? 2mm : ", "gap") == "gap: length");
+  CHECK(type_in("let gap = 2mm\nlet area = gap * ", "area") == "area");  // it may be anything
+}
+
+TEST_CASE("functions without types of parameters are looked into before anybody calls them") {
+  const std::string body = "fn mean(xs, unit) {\n  let n = 2mm\n  let m = n\n  return xs[0] + ";
+  CHECK(type_in(body, "n = 2mm") == "n: length");
+  CHECK(analysis_of(body)->references(static_cast<std::uint32_t>(body.find("xs"))).size() == 2);
+  const std::string whole = body + "n\n}\n";
+  CHECK(type_in(whole, "n = 2mm") == "n: length");
+  CHECK(analysis_of(whole)->diagnostics().empty());  // nobody has called it wrongly
+  CHECK(type_in(whole + "print(mean([1mm], 2))\n", "xs") == "xs: length[]");
+}
+
+TEST_CASE("what stands beside a mistake keeps its meaning") {
+  const auto uses = [](const std::string& text, const std::string& name) {
+    return analysis_of(text)->references(static_cast<std::uint32_t>(text.find(name))).size();
+  };
+  CHECK(uses("let gap = 2mm\nlet A = [1, 2; 3, 4]\nlet b = A[gap, ", "gap") == 2);
+  CHECK(uses("let gap = 2mm\nlet xs = [nothing, gap]\nlet ys = [gap, gap]\n", "gap") == 4);
+  CHECK(uses("let gap = 2mm\nnothing.at(gap).up(gap, fn(x) => x + gap)\n", "gap") == 4);
+  CHECK(uses("let gap = 2mm\nvar xs = [1]\nxs.nothing[gap] = gap\n", "gap") == 3);
+  CHECK(uses("fn slot(i: int) => 2 * i\nlet n = 3\nlet m = n.slot", "slot") == 2);
+}
+
+TEST_CASE("a loop is there as soon as its variable is") {
+  for (const char* text : {"for (k in range(3", "for (k in range(3))", "for (k in range(3)) ",
+                           "if (true) { for (k in range(3)) "}) {
+    CAPTURE(text);
+    CHECK(type_in(text, "k") == "k: int");
+  }
+}
+
+TEST_CASE("files that a text imports are known while its brackets are open") {
+  Session session(
+      library_engine(),
+      {.default_world = table_world(), .load = [](const std::string& path, const std::string&) {
+         return ImportedText{.name = path,
+                             .text =
+                                 "struct Pallet { rows: int }\n"
+                                 "fn slot(p: Pallet) => xyz(1mm * p.rows)\n"};
+       }});
+  const std::string text =
+      "import \"pallets.rbt\" as pal\nlet tray = pal.Pallet(rows: 3)\n"
+      "let at = tray.slot()\nfor (i in range(tray.";
+  const auto analysis = session.analyse(text, "p.rbt");
+  CHECK(analysis->hover(static_cast<std::uint32_t>(text.find("tray")))->text == "tray: Pallet");
+  CHECK(analysis->hover(static_cast<std::uint32_t>(text.find("at =")))->text == "at: posC");
+  CHECK(offers(analysis->completion(end_of(text)), "rows"));
+}
+
+TEST_CASE("in the value of a function without a block its parameters are offered") {
+  const std::string text = "let takes = [1, 2].map(fn(entry) => ";
+  CHECK(offers(analysis_of(text)->completion(end_of(text)), "entry"));
+}
+
 TEST_CASE("texts that no program is do no harm") {
   for (const auto& path : programs_below("tests/fuzz/corpus")) {
     const std::string text = read(path);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -276,6 +277,11 @@ TEST_CASE("what cannot be is refusal_in_replay, and the session stays as it was"
   CHECK(refusal_of([&] { session.set("speed", Value(1.0, "s")); }).find("takes a speed") !=
         std::string::npos);
   CHECK(refusal_of([&] { static_cast<void>(session.call("add", {Value(1)})); }) != "");
+  const double nan = std::nan("");
+  CHECK(refusal_of([&] { session.set("speed", Value(nan, "m/s")); }) ==
+        "`speed` takes a speed, and was given nan; any number will do, also an infinite one.");
+  CHECK(refusal_of([&] { session.set_signal("force", nan); }) ==
+        "The signal \"force\" was given nan; any number will do, also an infinite one.");
   SessionLog other = session.log();
   other.robot = "puma560";
   CHECK(

@@ -270,6 +270,21 @@ TEST_CASE("what is cancelled leaves all as it was") {
   CHECK(enter("1 + 1") == "2");
 }
 
+TEST_CASE("a wish to stop that comes when nothing is left to stop does not stop the next entry") {
+  SessionOptions options = at_the_table();
+  Session* session = nullptr;
+  options.pace = [&](std::int64_t t_ns) {
+    if (session != nullptr && t_ns == 1'000'000'000) std::exchange(session, nullptr)->cancel();
+    return true;
+  };
+  Typed enter(std::move(options));
+  session = &enter.session;
+  enter("moveJ(home() + [0.1, 0, 0, 0], time: 1s)");  // it ends with the move
+  CHECK(session == nullptr);
+  CHECK(enter("1 + 1") == "2");
+  CHECK(enter("2 + 1") == "3");
+}
+
 TEST_CASE("what is written next is offered behind entries") {
   Typed enter;
   enter("let width = 4cm; struct Part { size: length; count: int }; enum Side { left, right }");

@@ -251,7 +251,7 @@ class Vm {
   void seed(std::uint64_t seed);
   // Whether somebody has asked to cancel since this was asked last.
   [[nodiscard]] bool take_cancellation() noexcept {
-    return cancelled_.exchange(false, std::memory_order_relaxed);
+    return cancelled_.load() && cancelled_.exchange(false);
   }
   struct State;  // the interpreter's own
   [[nodiscard]] State& state() { return *state_; }

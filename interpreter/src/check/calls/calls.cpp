@@ -33,6 +33,10 @@ bool waits(Checker& checker, const ast::Expr& expr) {
          !library_function(checker, expr).empty();
 }
 
+bool is_missing(const ast::Expr& expr) {
+  return expr.kind == ast::ExprKind::kName && expr.as<ast::NameExpr>().name.empty();
+}
+
 // What a list written in a call is going to be, when all functions of the name agree on it.
 const Type* list_hint(Checker& checker, std::string_view callee, const ast::Arg& arg,
                       std::size_t position) {
@@ -59,6 +63,9 @@ std::vector<Argument> arguments_of(Checker& checker, ast::Seq<ast::Arg> args,
   std::vector<Argument> out;
   for (std::size_t i = 0; i < args.size(); ++i) {
     const ast::Arg& arg = args[i];
+    // Where a value may come, none has to.
+    const bool is_last = i + 1 == args.size() && arg.name.text.empty();
+    if (checker.shared.guesses && is_last && is_missing(*arg.value)) break;
     Argument argument{.name = arg.name.text, .name_span = arg.name.span, .written = arg.value};
     if (!waits(checker, *arg.value))
       argument.value = checker.check_value(*arg.value, list_hint(checker, callee, arg, i));
@@ -194,8 +201,10 @@ hir::Expr* call_value(Checker& checker, hir::Expr* function, const ast::CallExpr
     checker.report(make_diagnostic("E0217", call.callee->span, {name, type_phrase(type)}));
     return checker.failed(call.span);
   }
-  if (!takes(checker, call, name, type->parameters.size(), type->parameters.size()))
-    return checker.failed(call.span);
+  if (!takes(checker, call, name, type->parameters.size(), type->parameters.size())) {
+    if (checker.shared.guesses) static_cast<void>(arguments_of(checker, call.args, name));
+    return checker.guessed(call.span, type->result);
+  }
   std::vector<hir::Expr*> values;
   std::vector<Span> spans;
   for (std::size_t i = 0; i < call.args.size(); ++i) {

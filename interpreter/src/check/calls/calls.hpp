@@ -13,6 +13,8 @@ hir::Expr* call_value(Checker& checker, hir::Expr* function, const ast::CallExpr
 hir::Expr* check_new_object(Checker& checker, const ast::NewObjectExpr& expr);
 std::vector<Argument> arguments_of(Checker& checker, ast::Seq<ast::Arg> args,
                                    std::string_view callee);
+// A name without text, which stands where one is missing (syntax/repair).
+[[nodiscard]] bool is_missing(const ast::Expr& expr);
 [[nodiscard]] bool waits(Checker& checker, const ast::Expr& expr);
 const Type* list_hint(Checker& checker, std::string_view callee, const ast::Arg& arg,
                       std::size_t position);

@@ -28,7 +28,7 @@ Instance* instance_of(Checker& checker, FunctionDecl& function, std::vector<cons
     if (!(*found)->result_known) checker.report(make_diagnostic("E0324", call, {name}));
     return (*found)->result_known ? *found : nullptr;
   }
-  if (function.failed && function.is_generic()) return nullptr;
+  if (function.failed && function.is_generic() && !checker.shared.guesses) return nullptr;
   if (function.instances.size() >= kMostInstances) {
     checker.report(make_diagnostic("E0125", call, {std::to_string(kMostInstances) + " levels"}));
     return nullptr;

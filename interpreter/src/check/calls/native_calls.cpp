@@ -24,6 +24,9 @@ namespace {
 
 hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFunction& function,
                          Span callee, Span span, std::vector<Argument>& arguments, Fit& fit);
+hir::Expr* guessed_call(Checker& checker, std::string_view name,
+                        std::span<const NativeFunction* const> candidates, Span callee, Span span,
+                        std::vector<Argument>& arguments);
 Ambient find_ambient(Checker& checker, const HostType& type, bool all = false);
 hir::Expr* ambient_value(Checker& checker, const HostType& type, Span callee);
 
@@ -76,13 +79,14 @@ hir::Expr* call_native(Checker& checker, std::string_view name,
                        std::vector<Argument> arguments) {
   if (candidates.empty()) return unknown_name(checker, name, callee);
   for (const Argument& argument : arguments) {
-    if (!argument.waits() && argument.value->type->is(Kind::kAny)) return checker.failed(span);
+    if (!argument.waits() && argument.value->type->is(Kind::kAny))
+      return guessed_call(checker, name, candidates, callee, span, arguments);
   }
   if (hir::Expr* told = explained_call(checker, name, arguments, span)) return told;
   settle_start(checker, candidates, arguments);
   Fit best;
   const NativeFunction* function = choose(checker, name, candidates, callee, span, arguments, best);
-  if (function == nullptr) return checker.failed(span);
+  if (function == nullptr) return guessed_call(checker, name, candidates, callee, span, arguments);
   return finish_native(checker, name, *function, callee, span, arguments, best);
 }
 
@@ -104,8 +108,8 @@ hir::Expr* waiting_argument(Checker& checker, std::string_view name, const Argum
     for (std::size_t i = 0; i + 1 < pattern.parts.size(); ++i) {
       parameters.push_back(instantiate(pattern.parts[i], bindings, checker.types));
       // Its own type takes the place of one that is not known.
-      if (parameters.back() == nullptr && is_written_with_type(*argument.written, i))
-        parameters.back() = checker.types.any();
+      const bool may_be_open = checker.shared.guesses || is_written_with_type(*argument.written, i);
+      if (parameters.back() == nullptr && may_be_open) parameters.back() = checker.types.any();
     }
     if (std::ranges::find(parameters, nullptr) == parameters.end()) {
       expected = checker.types.function(std::move(parameters), checker.types.any());
@@ -155,6 +159,31 @@ void note_native_names(Checker& checker, const NativeFunction& function, Span ca
   }
 }
 
+// A call that fails, for editors: names of settings, what is in lambdas, and the type that it will
+// have all the same.
+hir::Expr* guessed_call(Checker& checker, std::string_view name,
+                        std::span<const NativeFunction* const> candidates, Span callee, Span span,
+                        std::vector<Argument>& arguments) {
+  if (!checker.shared.guesses) return checker.failed(span);
+  Begun begun = choose_begun(checker, candidates, arguments);
+  const Signature* signature =
+      begun.function != nullptr ? &checker.shared.signatures.of(*begun.function) : nullptr;
+  if (signature != nullptr)
+    note_native_names(checker, *begun.function, callee, arguments, begun.fit);
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    Argument& argument = arguments[i];
+    if (!argument.waits()) continue;
+    const auto place = std::ranges::find(begun.fit.from, static_cast<int>(i));
+    if (place == begun.fit.from.end()) continue;
+    const auto p = static_cast<std::size_t>(place - begun.fit.from.begin());
+    argument.value = waiting_argument(checker, name, argument, signature->parameters[p].type,
+                                      begun.fit.bindings);
+    if (begun.result == nullptr)
+      begun.result = instantiate(signature->result, begun.fit.bindings, checker.types);
+  }
+  return checker.guessed(span, begun.result);
+}
+
 hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFunction& function,
                          Span callee, Span span, std::vector<Argument>& arguments, Fit& fit) {
   const Signature& signature = checker.shared.signatures.of(function);
@@ -165,7 +194,8 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
     if (from < 0 || !arguments[from].waits()) continue;
     arguments[from].value =
         waiting_argument(checker, name, arguments[from], parameters[p].type, fit.bindings);
-    if (arguments[from].value->type->is(Kind::kAny)) return checker.failed(span);
+    if (arguments[from].value->type->is(Kind::kAny))
+      return checker.guessed(span, instantiate(signature.result, fit.bindings, checker.types));
   }
   const Type* result = instantiate(signature.result, fit.bindings, checker.types);
   if (result == nullptr) {
@@ -180,7 +210,7 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
     const int from = fit.from[p];
     if (p == 0 && fit.ambient) {
       values[p] = ambient_value(checker, *type->host, callee);
-      if (values[p]->type->is(Kind::kAny)) return checker.failed(span);
+      if (values[p]->type->is(Kind::kAny)) return checker.guessed(span, result);
     } else if (from >= 0) {
       spans[p] = arguments[from].value->span;
       if (!arguments[from].name.empty()) spans[p] = cover(arguments[from].name_span, spans[p]);

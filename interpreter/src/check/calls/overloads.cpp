@@ -183,10 +183,13 @@ void match_argument(Checker& checker, const Signature& signature,
 }  // namespace
 
 Fit fit(Checker& checker, const Signature& signature, const std::vector<Argument>& arguments,
-        bool ambient) {
+        bool ambient, bool begun) {
   Fit out;
   out.ambient = ambient;
-  if (!place_arguments(signature, arguments, out)) return out;
+  if (!place_arguments(signature, arguments, out)) {
+    if (!begun || out.problem != Problem::kMissing) return out;
+    out.problem = Problem::kNone;
+  }
   // Zeros and lambdas take their type from the others, so they come last.
   const auto pass_of = [&](int argument) {
     const Argument& given = arguments[argument];
@@ -203,6 +206,26 @@ Fit fit(Checker& checker, const Signature& signature, const std::vector<Argument
       }
     }
   }
+  return out;
+}
+
+Begun choose_begun(Checker& checker, std::span<const NativeFunction* const> candidates,
+                   const std::vector<Argument>& arguments) {
+  Begun out;
+  bool agree = true;
+  for (const NativeFunction* candidate : candidates) {
+    const Signature& signature = checker.shared.signatures.of(*candidate);
+    for (const bool ambient : {false, true}) {
+      if (ambient && !is_ambient_first(signature)) continue;
+      Fit attempt = fit(checker, signature, arguments, ambient, true);
+      if (attempt.problem != Problem::kNone) continue;
+      const Type* result = instantiate(signature.result, attempt.bindings, checker.types);
+      agree = agree && (out.function == nullptr || result == out.result);
+      if (out.function != nullptr && rank(attempt) >= rank(out.fit)) continue;
+      out = {candidate, std::move(attempt), result};
+    }
+  }
+  if (!agree) out.result = nullptr;
   return out;
 }
 

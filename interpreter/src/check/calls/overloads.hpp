@@ -10,9 +10,20 @@
 
 namespace armlet::lang {
 
+// begun  the call may not be written to its end: values may be missing.
 [[nodiscard]] Fit fit(Checker& checker, const Signature& signature,
-                      const std::vector<Argument>& arguments, bool ambient);
+                      const std::vector<Argument>& arguments, bool ambient, bool begun = false);
 bool place_arguments(const Signature& signature, const std::vector<Argument>& arguments, Fit& fit);
+// Of a call that is not written to its end: the function that fits what is written best, and what
+// all that fit give; null: they differ.
+struct Begun {
+  const NativeFunction* function = nullptr;
+  Fit fit{};
+  const Type* result = nullptr;
+};
+[[nodiscard]] Begun choose_begun(Checker& checker,
+                                 std::span<const NativeFunction* const> candidates,
+                                 const std::vector<Argument>& arguments);
 // The best of all; null after a message.
 const NativeFunction* choose(Checker& checker, std::string_view name,
                              std::span<const NativeFunction* const> candidates, Span callee,

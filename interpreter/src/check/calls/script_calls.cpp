@@ -51,13 +51,39 @@ std::optional<std::vector<Argument*>> by_parameter(Checker& checker, std::string
                                     .optional = parameter.default_value != nullptr});
   }
   Fit fit;
-  if (!place_arguments(signature, arguments, fit)) {
+  const bool is_placed = place_arguments(signature, arguments, fit);
+  const bool is_begun = checker.shared.guesses && fit.problem == Fit::Problem::kMissing;
+  if (!is_placed && !is_begun) {
     report_misfit(checker, name, signature, callee, span, arguments, fit);
     return std::nullopt;
   }
   std::vector<Argument*> out;
   for (const int from : fit.from) out.push_back(from >= 0 ? &arguments[from] : nullptr);
   return out;
+}
+
+// Of a value of which not all is known: it failed, or is an empty list or map.
+bool is_open(const Type& type) {
+  return type.is(Kind::kAny) ||
+         ((type.is(Kind::kList) || type.is(Kind::kMap)) && type.element->is(Kind::kAny));
+}
+
+// Whether a value with a type does not suit a parameter of its own kind, after a message: a table
+// of other columns, or a list of nothing.
+bool refuse_kind(Checker& checker, const FunctionDecl& function, const ast::Param& parameter,
+                 const hir::Expr& value) {
+  const ast::TypeExpr* written = parameter.type;
+  if (is_any_table(*function.file, written) && !fits_any_table(written, value.type)) {
+    checker.report(make_diagnostic("E0313", value.span,
+                                   {std::string(function.node->name.text),
+                                    any_table_phrase(written), type_phrase(value.type)}));
+    return true;
+  }
+  if (!is_open(*value.type)) return false;
+  const bool is_map = value.type->is(Kind::kMap);
+  checker.report(
+      make_diagnostic("E0323", value.span, {is_map ? "this empty map" : "this empty list"}));
+  return true;
 }
 
 }  // namespace
@@ -68,7 +94,7 @@ hir::Expr* call_script(Checker& checker, FunctionDecl& function, Span callee, Sp
   const std::string_view name = node.name.text;
   if (checker.shared.learnt != nullptr) checker.shared.learnt->use(callee, node.name.span);
   const auto given = by_parameter(checker, name, node.params, callee, span, arguments);
-  if (!given) return checker.failed(span);
+  if (!given) return checker.guessed(span, function.result);
   const int receiver = !arguments.empty() && arguments[0].written == nullptr ? 1 : 0;
   std::vector<hir::Expr*> values;
   std::vector<const Type*> types;
@@ -84,7 +110,9 @@ hir::Expr* call_script(Checker& checker, FunctionDecl& function, Span callee, Sp
     spans.push_back(argument != nullptr ? argument->span()
                                         : Span{callee.end, callee.end, callee.source});
     hir::Expr* value = nullptr;
-    if (argument == nullptr) {
+    if (argument == nullptr && node.params[p].default_value == nullptr) {
+      value = checker.failed(span);
+    } else if (argument == nullptr) {
       value = default_value(checker, *function.file, *node.params[p].default_value, target);
     } else {
       if (!argument->name.empty()) target.role = Target::Role::kSetting;
@@ -96,25 +124,18 @@ hir::Expr* call_script(Checker& checker, FunctionDecl& function, Span callee, Sp
       }
       value = type != nullptr ? checker.require(argument->value, target) : argument->value;
     }
-    if (value->type->is(Kind::kAny)) return checker.failed(span);
-    const ast::TypeExpr* written = node.params[p].type;
-    if (is_any_table(*function.file, written) && !fits_any_table(written, value->type)) {
-      checker.report(make_diagnostic(
-          "E0313", value->span,
-          {std::string(name), any_table_phrase(written), type_phrase(value->type)}));
-      return checker.failed(span);
+    if (checker.shared.guesses && is_open(*value->type)) {
+      values.push_back(value);
+      types.push_back(type != nullptr ? type : checker.types.any());
+      continue;
     }
-    const bool is_map = value->type->is(Kind::kMap);
-    if ((is_map || value->type->is(Kind::kList)) && value->type->element->is(Kind::kAny)) {
-      checker.report(
-          make_diagnostic("E0323", value->span, {is_map ? "this empty map" : "this empty list"}));
+    if (value->type->is(Kind::kAny) || refuse_kind(checker, function, node.params[p], *value))
       return checker.failed(span);
-    }
     values.push_back(value);
     types.push_back(value->type);
   }
   Instance* instance = instance_of(*function.file, function, std::move(types), span);
-  if (instance == nullptr) return checker.failed(span);
+  if (instance == nullptr) return checker.guessed(span, function.result);
   note_call(checker, instance->function);
   return checker.make<hir::CallExpr>(hir::ExprKind::kCall, instance->function->result, span,
                                      instance->function, checker.seq(values),
@@ -127,7 +148,7 @@ hir::Expr* construct(Checker& checker, const StructDecl& structure, Span callee,
   const std::string_view name = node.name.text;
   if (checker.shared.learnt != nullptr) checker.shared.learnt->use(callee, node.name.span);
   const auto given = by_parameter(checker, name, node.fields, callee, span, arguments);
-  if (!given) return checker.failed(span);
+  if (!given) return checker.guessed(span, structure.type);
   std::vector<hir::Expr*> values;
   for (std::size_t i = 0; i < node.fields.size(); ++i) {
     Argument* argument = (*given)[i];
@@ -136,14 +157,16 @@ hir::Expr* construct(Checker& checker, const StructDecl& structure, Span callee,
                   .name = node.fields[i].name.text,
                   .function = name,
                   .call = span};
-    if (argument == nullptr) {
+    if (argument == nullptr && node.fields[i].default_value == nullptr) {
+      values.push_back(checker.failed(span));
+    } else if (argument == nullptr) {
       values.push_back(
           default_value(checker, *structure.file, *node.fields[i].default_value, target));
     } else {
       if (argument->waits()) argument->value = checker.check_value(*argument->written, target.type);
       values.push_back(checker.require(argument->value, target));
     }
-    if (values.back()->type->is(Kind::kAny)) return checker.failed(span);
+    if (values.back()->type->is(Kind::kAny) && !checker.shared.guesses) return checker.failed(span);
   }
   return checker.make<hir::RecordExpr>(hir::ExprKind::kRecord, structure.type, span,
                                        checker.seq(values));

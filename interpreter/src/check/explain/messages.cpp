@@ -28,6 +28,11 @@ hir::Expr* Checker::failed(Span span) {
   return make<hir::IntExpr>(hir::ExprKind::kInt, types.any(), span, std::int64_t{0});
 }
 
+hir::Expr* Checker::guessed(Span span, const Type* type) {
+  if (!shared.guesses || type == nullptr) return failed(span);
+  return make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, span);
+}
+
 hir::Expr* not_available(Checker& checker, Span span, std::string_view feature) {
   checker.report(make_diagnostic("E0199", span, {std::string(feature)}));
   return checker.failed(span);

@@ -23,6 +23,7 @@
 #include "check/statements/switches.hpp"
 #include "check/statements/tasks.hpp"
 #include "check/types/constants.hpp"
+#include "check/types/expressions.hpp"
 #include "check/types/members.hpp"
 #include "check/types/types.hpp"
 #include "compile/cancelled.hpp"
@@ -178,7 +179,10 @@ hir::Stmt* Checker::check_statement(const ast::Stmt& stmt) {
     return nullptr;
   }
   const Depth::Level level(shared.depth);
-  return check_any_statement(*this, stmt);
+  hir::Stmt* out = check_any_statement(*this, stmt);
+  if (stmt.kind == ast::StmtKind::kAssign || stmt.kind == ast::StmtKind::kStep)
+    learn_targets(*this, stmt);
+  return out;
 }
 
 namespace {

@@ -20,6 +20,7 @@
 #include "check/types/operators.hpp"
 #include "check/types/types.hpp"
 #include "compile/cancelled.hpp"
+#include "syntax/tree/ast_walk.hpp"
 
 namespace armlet::lang {
 
@@ -36,6 +37,44 @@ hir::Expr* check_until(Checker& checker, const ast::UntilExpr& until);
 
 }  // namespace
 
+namespace {
+
+void learn_part(Checker& checker, const ast::Expr& part) {
+  if (checker.shared.learnt->has_met(part)) return;
+  if (part.kind != ast::ExprKind::kLambda) {
+    checker.check(part);
+    return;
+  }
+  // Nobody says what it is called with.
+  const std::vector<const Type*> types(part.as<ast::LambdaExpr>().params.size(),
+                                       checker.types.any());
+  checker.check(part, checker.types.function(types, checker.types.any()));
+}
+
+// What stands in an expression that failed, as far as it was not looked at.
+void learn_rest(Checker& checker, const ast::Expr& expr) {
+  if (expr.kind == ast::ExprKind::kLambda) return;
+  const ast::Expr* callee =
+      expr.kind == ast::ExprKind::kCall ? expr.as<ast::CallExpr>().callee : nullptr;
+  // What is called is no value by itself.
+  if (callee != nullptr && callee->kind == ast::ExprKind::kMember)
+    learn_part(checker, *callee->as<ast::MemberExpr>().object);
+  ast::for_each_part(
+      expr,
+      [&](const ast::Expr& part) {
+        if (&part != callee) learn_part(checker, part);
+      },
+      [](const ast::Stmt&) {});
+}
+
+}  // namespace
+
+void learn_targets(Checker& checker, const ast::Stmt& stmt) {
+  if (!checker.shared.guesses) return;
+  ast::for_each_part(
+      stmt, [&](const ast::Expr& part) { learn_part(checker, part); }, [](const ast::Stmt&) {});
+}
+
 hir::Expr* Checker::check(const ast::Expr& expr, const Type* expected) {
   stop_if(options.cancelled);
   if (shared.depth.is_full()) {
@@ -46,6 +85,8 @@ hir::Expr* Checker::check(const ast::Expr& expr, const Type* expected) {
   if (!joined.bracket.empty()) messages.open(joined);
   const Depth::Level level(shared.depth);
   hir::Expr* out = check_any(*this, expr, expected);
+  if (shared.guesses && (out->type->is(Kind::kAny) || out->kind == hir::ExprKind::kAbsent))
+    learn_rest(*this, expr);
   if (shared.learnt != nullptr) shared.learnt->value(expr, *out);
   if (!joined.bracket.empty()) messages.close_joined();
   return out;
@@ -214,6 +255,8 @@ hir::Expr* check_conditional(Checker& checker, const ast::CondExpr& cond, const 
   hir::Expr* condition_value = checker.condition(*cond.condition);
   hir::Expr* yes = checker.check_value(*cond.yes, expected);
   hir::Expr* no = checker.check_value(*cond.no, expected);
+  if (yes->type->is(Kind::kAny) != no->type->is(Kind::kAny))
+    return checker.guessed(cond.span, yes->type->is(Kind::kAny) ? no->type : yes->type);
   const Type* type = common_type(checker, *yes, *no);
   hir::Expr* left = type != nullptr ? checker.convert(yes, type) : nullptr;
   hir::Expr* right = type != nullptr ? checker.convert(no, type) : nullptr;
@@ -240,8 +283,10 @@ hir::Expr* check_list(Checker& checker, const ast::Expr& expr, ast::Seq<ast::Exp
   const Type* element = nullptr;
   hir::Expr* widest = nullptr;
   for (const ast::Expr* item : items) {
-    values.push_back(checker.check_value(*item, wanted));
-    if (values.back()->type->is(Kind::kAny)) return checker.failed(expr.span);
+    hir::Expr* value = checker.check_value(*item, wanted);
+    if (value->type->is(Kind::kAny) && !checker.shared.guesses) return checker.failed(expr.span);
+    if (value->type->is(Kind::kAny)) continue;  // the others say what it most likely is
+    values.push_back(value);
     if (wanted != nullptr) continue;
     element = widest == nullptr ? values[0]->type : common_type(checker, *widest, *values.back());
     if (element == nullptr) {

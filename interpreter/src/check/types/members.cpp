@@ -171,6 +171,10 @@ hir::Expr* last_of(Checker& checker, hir::Expr* list, Span span) {
 }  // namespace
 
 hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::Name& field) {
+  // A call may be about to be written.
+  if (const FunctionDecl* function = checker.names.find_function(field.text);
+      checker.shared.guesses && function != nullptr)
+    checker.shared.learnt->use(field.span, function->node->name.span);
   // A field may have this name in a struct whose text failed.
   if (checker.messages.syntax_failed() || checker.messages.was_told(field.text))
     return checker.failed(field.span);

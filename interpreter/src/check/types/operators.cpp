@@ -193,6 +193,18 @@ hir::Expr* check_binary(Checker& checker, const ast::BinaryExpr& binary, const T
   return left;
 }
 
+namespace {
+
+// What an operator gives if one side is not known: a sum what the other side is. Null: anything.
+const Type* likely_type(const Checker& checker, BinaryOp op, const hir::Expr& left,
+                        const hir::Expr& right) {
+  if (row_of(kComparisons, op)) return checker.types.boolean();
+  const hir::Expr& known = left.type->is(Kind::kAny) ? right : left;
+  return is_sum(op) && !known.type->is(Kind::kAny) ? known.type : nullptr;
+}
+
+}  // namespace
+
 hir::Expr* combine(Checker& checker, const ast::BinaryExpr& node, hir::Expr* left,
                    hir::Expr* right) {
   if (node.op == BinaryOp::kAnd || node.op == BinaryOp::kOr) {
@@ -205,7 +217,8 @@ hir::Expr* combine(Checker& checker, const ast::BinaryExpr& node, hir::Expr* lef
     return checker.make<hir::BinaryExpr>(kind, checker.types.boolean(), node.span, Op::kEqI, left,
                                          right, node.op_span);
   }
-  if (left->type->is(Kind::kAny) || right->type->is(Kind::kAny)) return checker.failed(node.span);
+  if (left->type->is(Kind::kAny) || right->type->is(Kind::kAny))
+    return checker.guessed(node.span, likely_type(checker, node.op, *left, *right));
   if (row_of(kComparisons, node.op)) return compare(checker, node, left, right);
   if (left->type->is_number() && right->type->is_number()) {
     if (node.op == BinaryOp::kPow) return raise(checker, node, left, right);

@@ -361,7 +361,7 @@ void Emitter::finish(FunctionCode& into, CompiledProgram& program) {
   fill_tables(into, shift);
   for (const Shown& shown : shown_) {
     for (const Reg reg : shown.registers) {
-      program.noted.asserts[shown.assert_index].registers.push_back(place(reg));
+      program.noted->asserts[shown.assert_index].registers.push_back(place(reg));
     }
   }
 }

@@ -169,7 +169,7 @@ struct CompiledProgram {
   std::vector<RecordLayout> layouts;
   std::vector<std::vector<std::uint16_t>> layout_references;
   std::vector<Format> formats;
-  NotedStatements noted;
+  std::unique_ptr<NotedStatements> noted;  // null: there are none
   UnsetElements unset;
   UsedNames names;
   std::string what_takes_time;              // in the words of the host: "wait or move"

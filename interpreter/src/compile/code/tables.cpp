@@ -54,16 +54,21 @@ std::uint32_t Tables::format(const Format& format) {
   return known->second;
 }
 
+NotedStatements& Tables::noted() {
+  if (program_.noted == nullptr) program_.noted = std::make_unique<NotedStatements>();
+  return *program_.noted;
+}
+
 std::uint32_t Tables::add_assert(const hir::AssertStmt& statement) {
-  return append(program_.noted.asserts, AssertInfo{&statement, {}}, "assertions");
+  return append(noted().asserts, AssertInfo{&statement, {}}, "assertions");
 }
 
 std::uint32_t Tables::add_expect(const hir::AssertThrowsStmt& statement) {
-  return append(program_.noted.expects, &statement, "assertions");
+  return append(noted().expects, &statement, "assertions");
 }
 
 std::uint32_t Tables::add_wait(const hir::WaitUntilStmt& statement) {
-  return append(program_.noted.waits, &statement, "waits");
+  return append(noted().waits, &statement, "waits");
 }
 
 void Tables::finish() {

@@ -42,6 +42,8 @@ class Tables {
  private:
   using FormatKey = std::tuple<const Type*, TextStyle, std::string, double>;
 
+  NotedStatements& noted();
+
   CompiledProgram& program_;
   std::map<const NativeFunction*, std::uint32_t> natives_;
   std::map<std::string, std::uint32_t, std::less<>> texts_;

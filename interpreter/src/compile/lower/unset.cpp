@@ -18,8 +18,10 @@ void for_each_part(const Type& type, F f) {
 }  // namespace
 
 bool UnsetElements::may_be_in(const Type* type) {
-  if ((types_.empty() && !anything_) || !type->is_reference()) return false;
-  if (const auto found = known_.find(type); found != known_.end()) return found->second;
+  const bool is_none = !anything_ && (sets_ == nullptr || sets_->types.empty());
+  if (is_none || !type->is_reference()) return false;
+  auto& known = sets().known;
+  if (const auto at = known.find(type); at != known.end()) return at->second;
   bool found = false;
   std::unordered_set<const Type*> reached{type};  // a struct may hold lists of itself
   for (std::vector<const Type*> open{type}; !open.empty();) {
@@ -30,7 +32,7 @@ bool UnsetElements::may_be_in(const Type* type) {
       if (reached.insert(part).second) open.push_back(part);
     });
   }
-  known_[type] = found;
+  known[type] = found;
   for (const Type* part : reached) {
     if (found) (void)may_be_in(part);
   }

@@ -12,13 +12,15 @@ antlr4::Token* FirstFailure::recoverInline(antlr4::Parser* parser) {
 
 void FirstFailure::reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) {
   if (found_) return;
-  antlr4::RuleContext* ctx = parser->getContext();
-  while (ctx != nullptr && ctx->getRuleIndex() != RbtParser::RuleStmt) {
-    ctx = static_cast<antlr4::RuleContext*>(ctx->parent);
+  const std::size_t at = error.getOffendingToken()->getTokenIndex();
+  // A statement that has not begun is missing in the one around it.
+  std::size_t statement = at;
+  for (auto* ctx = static_cast<antlr4::ParserRuleContext*>(parser->getContext());
+       ctx != nullptr && statement == at;
+       ctx = static_cast<antlr4::ParserRuleContext*>(ctx->parent)) {
+    if (ctx->getRuleIndex() == RbtParser::RuleStmt) statement = ctx->start->getTokenIndex();
   }
-  const auto* statement = static_cast<antlr4::ParserRuleContext*>(ctx);
-  found_ = {.statement = statement == nullptr ? 0 : statement->start->getTokenIndex(),
-            .at = error.getOffendingToken()->getTokenIndex()};
+  found_ = {.statement = statement, .at = at};
 }
 
 void FirstFailure::recover(antlr4::Parser*, std::exception_ptr error) {

@@ -8,9 +8,11 @@
 // headers. Of many only some are freed at once, the others when the next ones die or memory is
 // needed.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -99,6 +101,8 @@ class Heap {
 
   // Frees all dead objects that are still waiting.
   void drain();
+  // If no object is left, its memory is given back: perhaps nothing comes for long.
+  void rest();
 
   [[nodiscard]] std::uint64_t used() const { return used_; }
   [[nodiscard]] std::uint64_t limit() const { return limit_; }
@@ -198,6 +202,15 @@ class Heap {
   std::vector<Marks> marks_;
   std::vector<std::uint32_t> free_marks_;  // entries without a table
 };
+
+inline void Heap::rest() {
+  drain();
+  if (used_ != 0) return;
+  for (std::size_t i = 0; i < chunks_.size(); ++i) free_large(chunks_[i], size_of_chunk(i) / kUnit);
+  chunks_ = {};
+  chunk_at_ = chunk_end_ = nullptr;
+  std::fill(std::begin(free_), std::end(free_), nullptr);
+}
 
 // Elements and bytes that an object holds at most. Where addresses have four bytes, so few that the
 // size of their block, 32 bytes for each at most, has no more.

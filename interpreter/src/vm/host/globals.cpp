@@ -102,7 +102,7 @@ std::string carry(lang::VmState& from, const lang::hir::Variable& old, lang::VmS
                                              : was + " is no longer what it was";
   try {
     const Value value = lang::value_in(from.globals.values[old.index], *old.type, "it");
-    replace(to, fresh, lang::slot_of_value(to, value, *fresh.type, "it"));
+    replace(to, fresh, lang::slot_of_value(to, value, *fresh.type, "it", lang::Undefined::kKept));
     return {};
   } catch (const ArgumentError& error) {
     const std::string why = error.what();

@@ -6,9 +6,12 @@
 
 namespace armlet {
 
+// Asked after each slice, and nothing is changed: it is enough that nobody runs the program.
 Instant instant_of(Vm& vm) {
-  const lang::Turn turn(vm.state());
-  return vm.state().instant();
+  const lang::VmState& state = vm.state();
+  if (const void* other = state.host.thread.load(std::memory_order_acquire)) [[unlikely]]
+    lang::refuse_turn(other);
+  return state.instant();
 }
 
 std::span<const Cancellation> cancellations(Vm& vm) { return vm.state().cancellations.noticed; }

@@ -260,6 +260,25 @@ Outcome ReadyFunction::run_reals() const {
   return run_in_turn(state, callee_of(state, function_));
 }
 
+namespace {
+
+[[noreturn]] void refuse_argument(const lang::hir::Function& function, std::size_t parameter,
+                                  const std::string& why) {
+  throw ArgumentError('`' + std::string(function.parameters[parameter]->name) + "` of `" +
+                      std::string(function.name) + "` " + why + '.');
+}
+
+}  // namespace
+
+void ReadyFunction::refuse_undefined(std::size_t parameter) const {
+  lang::VmState& state = *state_;
+  const lang::Turn turn(state);
+  const lang::hir::Function& function = declared(state, function_);
+  refuse_argument(
+      function, parameter,
+      "takes " + type_phrase(function.parameters[parameter]->type) + lang::kUndefinedNumber);
+}
+
 // ---- in slices
 
 void ReadyFunction::begin(std::span<const Value> arguments) const {
@@ -313,6 +332,12 @@ Outcome ReadyFunction::Call::run(std::span<const Slot> arguments, Slot& result) 
 void ReadyFunction::Call::keep(Obj* object) { kept_[count_++] = object; }
 
 void ReadyFunction::Call::fail() { lang::keep_failure(function_.vm().state()); }
+
+void ReadyFunction::Call::require_text(std::size_t parameter, std::string_view text) const {
+  if (const auto at = lang::broken_byte(text))
+    refuse_argument(declared(function_.vm().state(), function_.function_), parameter,
+                    lang::broken_text(*at));
+}
 
 void ReadyFunction::Call::pass_value(std::size_t parameter, const Value& value, Slot& slot) {
   const lang::hir::Variable& variable =

@@ -1,6 +1,7 @@
 #include "vm/host/values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <set>
 #include <utility>
@@ -162,7 +163,8 @@ class Owned {
 
 class Writer {
  public:
-  Writer(VmState& state, const std::string& what) : state_(state), what_(what) {}
+  Writer(VmState& state, const std::string& what, Undefined undefined)
+      : state_(state), what_(what), undefined_(undefined) {}
 
   Slot write(const Value& value, const Type& type) {
     const Level level(level_, what_);
@@ -176,7 +178,7 @@ class Writer {
       case Kind::kEnum:
         return write_enum(value, type);
       case Kind::kText:
-        return held(state_.heap.new_text(need<std::string>(value, type)));
+        return write_text(need<std::string>(value, type));
       case Kind::kList:
         return write_list(value, type);
       case Kind::kMatrix:
@@ -192,18 +194,44 @@ class Writer {
       case Kind::kFunction:
         break;
     }
-    refuse(what_, "is " + type_phrase(&type) + ", which only the program can make");
+    refuse("is " + type_phrase(&type) + ", which only the program can make");
   }
 
  private:
+  // A part of the value, while that is written.
+  struct Part {
+    const std::string* field;  // null: an element of a list, or an entry of a map
+    std::size_t index;
+  };
+  Slot write_part(Part part, const Value& value, const Type& type) {
+    parts_.push_back(part);
+    const Slot slot = write(value, type);
+    parts_.pop_back();
+    return slot;
+  }
+  // "Element 2 of the field `at` of `stations`".
+  [[nodiscard]] std::string place() const {
+    std::string out;
+    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
+      out += part->field != nullptr ? "the field `" + *part->field + "` of "
+                                    : "element " + std::to_string(part->index) + " of ";
+    }
+    out += what_;
+    if (what_.starts_with('`') && !parts_.empty()) out.front() = out.front() == 't' ? 'T' : 'E';
+    return out;
+  }
+  [[noreturn]] void refuse(const std::string& why) const { lang::refuse(place(), why); }
+  void require_number(double number, const Type& type) const {
+    if (std::isnan(number) && undefined_ == Undefined::kRefused)
+      refuse("takes " + type_phrase(&type) + kUndefinedNumber);
+  }
   [[noreturn]] void misfit(const Value& value, const Type& type) const {
     const auto* number = value.get_if<Value::Number>();
     const bool lacks_unit = type.is_quantity() && (value.get_if<std::int64_t>() != nullptr ||
                                                    (number != nullptr && number->dim.is_none()));
-    refuse(what_,
-           "takes " + type_phrase(&type) + ", and was given " + value.kind() +
-               (lacks_unit ? "; give its unit, such as \"" + display_unit(type.dim, 1.0).name + '"'
-                           : ""));
+    refuse(
+        "takes " + type_phrase(&type) + ", and was given " + value.kind() +
+        (lacks_unit ? "; give its unit, such as \"" + display_unit(type.dim, 1.0).name + '"' : ""));
   }
   template <class T>
   const T& need(const Value& value, const Type& type) const {
@@ -213,10 +241,17 @@ class Writer {
   }
   template <class T>
   Slot held(T* object) const {
+    if (object == nullptr && state_.heap.was_refused())
+      refuse("finds no memory: the host of the program gives none");
     if (object == nullptr)
-      refuse(what_, "does not fit into the memory of the program, " +
-                        std::to_string(state_.heap.limit()) + " bytes at most");
+      refuse("does not fit into the memory of the program, " + std::to_string(state_.heap.limit()) +
+             " bytes at most");
     return slot_of(static_cast<Obj*>(object));
+  }
+
+  Slot write_text(const std::string& text) const {
+    if (const auto at = broken_byte(text)) refuse(broken_text(*at));
+    return held(state_.heap.new_text(text));
   }
 
   Slot write_number(const Value& value, const Type& type) const {
@@ -224,6 +259,7 @@ class Writer {
       return slot_of(static_cast<double>(*whole));
     const auto& number = need<Value::Number>(value, type);
     if (number.dim != type.dim) misfit(value, type);
+    require_number(number.si, type);
     return slot_of(number.si);
   }
 
@@ -232,7 +268,7 @@ class Writer {
     if (given.type != type.enumeration->name) misfit(value, type);
     const int index = type.enumeration->index_of(given.value);
     if (index >= 0) return slot_of(std::int64_t{index});
-    refuse(what_, "takes a value of " + given.type + ", which has no `" + given.value + '`');
+    refuse("takes a value of " + given.type + ", which has no `" + given.value + '`');
   }
 
   Slot write_list(const Value& value, const Type& type) {
@@ -240,16 +276,17 @@ class Writer {
     const bool references = type.element->is_reference();
     Owned list(state_.heap, held(state_.heap.new_list(items.size(), references)), true);
     Slot* place = static_cast<ListObj*>(list.get().o)->data;
-    for (const Value& item : items) *place++ = write(item, *type.element);
+    for (std::size_t i = 0; i < items.size(); ++i)
+      place[i] = write_part({nullptr, i}, items[i], *type.element);
     return list.give();
   }
 
   Slot write_matrix(const Value& value, const Type& type) const {
     const auto& given = need<Value::Matrix>(value, type);
     if (given.elements.size() != std::size_t{given.rows} * given.cols)
-      refuse(what_, "is a matrix of " + std::to_string(given.rows) + " by " +
-                        std::to_string(given.cols) + ", and was given " +
-                        std::to_string(given.elements.size()) + " elements");
+      refuse("is a matrix of " + std::to_string(given.rows) + " by " + std::to_string(given.cols) +
+             ", and was given " + std::to_string(given.elements.size()) + " elements");
+    for (const double element : given.elements) require_number(element, type);
     const Slot slot = held(state_.heap.new_matrix(given.rows, given.cols));
     std::ranges::copy(given.elements, static_cast<MatrixObj*>(slot.o)->data());
     return slot;
@@ -258,9 +295,11 @@ class Writer {
   Slot write_map(const Value& value, const Type& type) {
     const auto& entries = need<Value::Map>(value, type);
     Owned map(state_.heap, held(state_.heap.new_map(map_flags(type), 0)), true);
-    for (const auto& [key, item] : entries) {
-      const Owned at(state_.heap, write(key, *type.key), type.key->is_reference());
-      const Slot content = write(item, *type.element);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const auto& [key, item] = entries[i];
+      const Owned at(state_.heap, write_part({nullptr, i}, key, *type.key),
+                     type.key->is_reference());
+      const Slot content = write_part({nullptr, i}, item, *type.element);
       if (put_into_map(state_.vm, *static_cast<MapObj*>(map.get().o), at.get(), content)) continue;
       state_.fault.reset();
       held<Obj>(nullptr);
@@ -269,7 +308,7 @@ class Writer {
   }
 
   Slot write_record(const Value& value, const Type& type) {
-    if (type.is_table()) refuse(what_, "is a table, which only the program can make");
+    if (type.is_table()) refuse("is a table, which only the program can make");
     const auto& given = need<Value::Record>(value, type);
     const auto& fields = type.record->fields;
     if (given.type != type.record->name) misfit(value, type);
@@ -278,10 +317,11 @@ class Writer {
     Slot* places = static_cast<RecordObj*>(record.get().o)->fields();
     std::fill_n(places, layout.size, Slot{.i = 0});
     for (std::size_t i = 0; i < fields.size(); ++i)
-      places[i] = write(field_of(given, fields[i].name), *fields[i].type);
+      places[i] =
+          write_part({&fields[i].name, 0}, field_of(given, fields[i].name), *fields[i].type);
     if (given.fields.size() != fields.size())
-      refuse(what_, "has " + std::to_string(fields.size()) + " fields, and was given " +
-                        std::to_string(given.fields.size()));
+      refuse("has " + std::to_string(fields.size()) + " fields, and was given " +
+             std::to_string(given.fields.size()));
     return record.give();
   }
 
@@ -289,7 +329,7 @@ class Writer {
     for (const auto& [field, value] : given.fields) {
       if (field == name) return value;
     }
-    refuse(what_, "needs the field `" + name + "` of " + given.type);
+    refuse("needs the field `" + name + "` of " + given.type);
   }
 
   Slot write_host(const Value& value, const Type& type) const {
@@ -308,6 +348,8 @@ class Writer {
 
   VmState& state_;
   const std::string& what_;
+  const Undefined undefined_;
+  std::vector<Part> parts_{};
   int level_ = 0;
 };
 
@@ -342,12 +384,39 @@ class Comparison {
 
 }  // namespace
 
+std::optional<std::size_t> broken_byte(std::string_view text) {
+  constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};  // by length
+  for (std::size_t at = 0; at < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const std::size_t size = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    if ((lead >= 0x80 && lead < 0xC2) || lead > 0xF4 || size > text.size() - at) return at;
+    std::uint32_t code = size == 1 ? lead : lead & (0x7FU >> size);
+    for (std::size_t i = 1; i < size; ++i) {
+      if (!starts_character(text[at + i])) {
+        code = code << 6U | (static_cast<unsigned char>(text[at + i]) & 0x3FU);
+      } else {
+        return at;
+      }
+    }
+    const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
+    if (code < kSmallest[size] || code > 0x10FFFF || is_surrogate) return at;
+    at += size;
+  }
+  return std::nullopt;
+}
+
+std::string broken_text(std::size_t byte) {
+  return "takes a string, and was given bytes that are no text in UTF-8, from byte " +
+         std::to_string(byte) + " on";
+}
+
 Value value_in(Slot slot, const Type& type, const std::string& what) {
   return Reader(what).read(slot, type);
 }
 
-Slot slot_of_value(VmState& state, const Value& value, const Type& type, const std::string& what) {
-  return Writer(state, what).write(value, type);
+Slot slot_of_value(VmState& state, const Value& value, const Type& type, const std::string& what,
+                   Undefined undefined) {
+  return Writer(state, what, undefined).write(value, type);
 }
 
 bool is_same_type(const Type& a, const Type& b) { return Comparison().same(a, b); }

@@ -1,7 +1,11 @@
 #pragma once
 // Values of the program into those that a host owns, and back.
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "armlet/interpreter/host/value.hpp"
 #include "vm/state.hpp"
@@ -12,12 +16,26 @@ namespace armlet::lang {
 //         function, or an element without a value.
 [[nodiscard]] Value value_in(Slot slot, const Type& type, const std::string& what);
 
+// What a program computes may be NaN. What comes from outside may not: where it comes from would be
+// found nowhere. It may be infinite, as in programs.
+enum class Undefined : std::uint8_t { kRefused, kKept };
+
+// Behind "takes a speed".
+inline constexpr const char* kUndefinedNumber =
+    ", and was given nan; any number will do, also an infinite one";
+
+// The first byte that is no part of a character in UTF-8; nothing: all are. Programs hold no other
+// texts.
+[[nodiscard]] std::optional<std::size_t> broken_byte(std::string_view text);
+[[nodiscard]] std::string broken_text(std::size_t byte);  // "takes a string, and was given ..."
+
 // A slot that owns its value, which has the type.
 //
-// throws  ArgumentError, which begins with `what`, if the value is of another type or the heap is
-//         full.
+// throws  ArgumentError, which begins with the part of `what`, if that is of another type or NaN,
+//         and if the heap is full.
 [[nodiscard]] Slot slot_of_value(VmState& state, const Value& value, const Type& type,
-                                 const std::string& what);
+                                 const std::string& what,
+                                 Undefined undefined = Undefined::kRefused);
 
 // Whether types of two programs mean the same: equal names, fields, units and so on.
 [[nodiscard]] bool is_same_type(const Type& a, const Type& b);

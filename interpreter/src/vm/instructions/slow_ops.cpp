@@ -399,7 +399,7 @@ bool op_retry(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool op_assertfail(VmState& state, Slot* base, const Instr* pc) {
-  return raise_assertion(state, state.code().noted.asserts[pc->a],
+  return raise_assertion(state, state.code().noted->asserts[pc->a],
                          static_cast<TextObj*>(base[pc->b].o), static_cast<TextObj*>(base[pc->c].o),
                          base);
 }
@@ -407,7 +407,7 @@ bool op_assertfail(VmState& state, Slot* base, const Instr* pc) {
 bool op_expecterr(VmState& state, Slot* base, const Instr* pc) {
   const auto* thrown = static_cast<RecordObj*>(base[pc->b].o);
   const auto* kind = static_cast<TextObj*>(base[pc->c].o);
-  return raise_expectation(state, *state.code().noted.expects[pc->a], thrown, kind);
+  return raise_expectation(state, *state.code().noted->expects[pc->a], thrown, kind);
 }
 
 bool may_pause(VmState& state) {

@@ -131,7 +131,8 @@ bool op_waituntil(VmState& state, Slot* base, const Instr* pc) {
       !check_time(state, {.what = "a timeout", .time = "the time to wait"}, timeout.d, ns))
     return false;
   const double seconds = limited ? timeout.d : 0.0;
-  state.pending = std::make_unique<WaitUntil>(state, *state.code().noted.waits[pc->c], seconds, ns);
+  state.pending =
+      std::make_unique<WaitUntil>(state, *state.code().noted->waits[pc->c], seconds, ns);
   return true;
 }
 

@@ -11,14 +11,23 @@ namespace armlet {
 inline constexpr std::size_t kAmpleStack = std::size_t{4} << 20U;
 inline constexpr std::size_t kOwnStack = std::size_t{64} << 20U;
 
-// Runs `work` in this thread: on the present stack if kAmpleStack bytes of it are left, otherwise
-// on one of its own, whose pages get memory when they are first touched. What `work` throws is
-// thrown here.
-//
-// throws  std::bad_alloc if the system has no addresses for another stack.
-void on_ample_stack(const std::function<void()>& work);
-
 // Bytes that are left of the present stack; 0 if its bounds are not known.
 [[nodiscard]] std::size_t stack_left();
+
+// Runs `work` in this thread on a stack of its own, whose pages get memory when they are first
+// touched. What `work` throws is thrown here.
+//
+// throws  std::bad_alloc if the system has no addresses for another stack.
+void on_own_stack(const std::function<void()>& work);
+
+// The same on the present stack if kAmpleStack bytes of it are left.
+template <class Work>
+void on_ample_stack(const Work& work) {
+  if (stack_left() >= kAmpleStack) {
+    work();
+  } else {
+    on_own_stack([&work] { work(); });
+  }
+}
 
 }  // namespace armlet

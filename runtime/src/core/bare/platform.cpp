@@ -39,6 +39,6 @@ std::string program_folder() { return {}; }
 
 // The one stack there is: how much of it is left nobody can tell, so a host sets limits for it.
 std::size_t stack_left() { return 0; }
-void on_ample_stack(const std::function<void()>& work) { work(); }
+void on_own_stack(const std::function<void()>& work) { work(); }
 
 }  // namespace armlet

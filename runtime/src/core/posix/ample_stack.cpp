@@ -141,8 +141,7 @@ std::size_t stack_left() {
   return here > bounds.low && here < bounds.high ? here - bounds.low : 0;
 }
 
-void on_ample_stack(const std::function<void()>& work) {
-  if (stack_left() >= kAmpleStack) return work();
+void on_own_stack(const std::function<void()>& work) {
   const Stack stack;
   Errand errand{.work = work, .thrown = nullptr, .here = {}, .there = {}};
   const Bounds before = std::exchange(present_bounds(), stack.bounds());

@@ -223,7 +223,7 @@ class Session {
   void require_idle(std::string_view what) const;
   void require_rest(std::string_view what) const;
   void require_run(std::string_view what) const;
-  void guarded(const std::function<void()>& go);
+  void break_off();
   void advance(const Budget& budget);
   void begin_next();
   void begin_new(Entry entry);

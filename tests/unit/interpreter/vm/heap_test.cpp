@@ -32,6 +32,23 @@ TEST_CASE("every byte is counted and given back") {
   CHECK(heap.used() == 0);
 }
 
+TEST_CASE("a heap that rests without objects keeps no memory, and works on") {
+  Heap heap(kPlenty);
+  TextObj* text = heap.new_text("left");
+  ListObj* list = heap.new_list(3, true);
+  heap.rest();
+  CHECK(heap.reserved() > 0);
+  CHECK(text->view() == "left");
+  heap.release(text);
+  heap.release(list);
+  heap.rest();
+  CHECK(heap.reserved() == 0);
+  text = heap.new_text("again");
+  REQUIRE(text != nullptr);
+  CHECK(text->view() == "again");
+  heap.release(text);
+}
+
 TEST_CASE("the limit is exact") {
   Heap heap(96);
   TextObj* first = heap.new_text("0123456789");

@@ -74,6 +74,7 @@ class ReadyFunction {
 
    private:
     void pass_value(std::size_t parameter, const Value& value, Slot& slot);
+    void require_text(std::size_t parameter, std::string_view text) const;
     [[nodiscard]] Value take_value(Slot result);
     void keep(Obj* object);
     void fail();
@@ -90,6 +91,9 @@ class ReadyFunction {
   // throws  ArgumentError unless the program has run to its end and all its variables have values,
   //         if the number of arguments is another one or one of them has another type, and as run.
   void begin(std::span<const Value> arguments) const;
+
+  // throws  ArgumentError that says for which parameter NaN was given.
+  [[noreturn, gnu::cold]] void refuse_undefined(std::size_t parameter) const;
 
   [[nodiscard]] Vm& vm() const { return *vm_; }
 
@@ -112,6 +116,28 @@ constexpr ValueKind passed_kind() {
   } else {
     return kStoredKind<T>;
   }
+}
+
+// Whether a number is NaN, or one in a list.
+template <class T>
+[[nodiscard]] bool is_undefined(const T& value) {
+  if constexpr (std::is_same_v<T, double>) {
+    return value != value;
+  } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+    for (const double each : value)
+      if (each != each) return true;
+    return false;
+  } else {
+    return false;
+  }
+}
+
+// Which of some values is the first one of these.
+template <class... T>
+[[nodiscard, gnu::cold]] std::size_t first_undefined(const T&... values) {
+  std::size_t at = 0;
+  static_cast<void>(((is_undefined(values) || (++at, false)) || ...));
+  return at;
 }
 
 // As it is written: const std::string& and std::string_view are std::string.
@@ -139,8 +165,10 @@ class ProgramFunction<Result_(Arguments...)> {
     return ProgramFunction(*ready);
   }
 
-  // throws  ArgumentError while the Vm runs (ReadyFunction::run).
+  // throws  ArgumentError for NaN, and while the Vm runs (ReadyFunction::run).
   Answer<Result_> operator()(const typed::Passed<Arguments>&... arguments) const {
+    if ((typed::is_undefined(arguments) || ...)) [[unlikely]]
+      ready_.refuse_undefined(typed::first_undefined(arguments...));
     if constexpr (kIsReal) {
       const ReadyFunction::Outcome outcome = ready_.run_reals(arguments...);
       if (!outcome.done) return Failed{};
@@ -210,6 +238,7 @@ bool ReadyFunction::Call::pass(std::size_t parameter, const T& value, Slot& slot
     pass_value(parameter, value, slot);
     return true;
   } else {
+    if constexpr (std::is_same_v<T, std::string>) require_text(parameter, value);
     if (Given<T>::leave(function_.vm(), value, slot) != Signal::kDone) {
       fail();
       return false;

@@ -60,8 +60,13 @@ class Value {
 
   Value() = default;  // nothing
   Value(bool truth) : content_(truth) {}
+  // throws  ArgumentError for what is beyond the largest int, 2^63 - 1.
   template <std::integral T>
-  Value(T number) : content_(static_cast<std::int64_t>(number)) {}
+  Value(T number) : content_(static_cast<std::int64_t>(number)) {
+    if constexpr (std::unsigned_integral<T> && sizeof(T) == sizeof(std::int64_t)) {
+      if (std::get<std::int64_t>(content_) < 0) refuse_large(number);
+    }
+  }
   Value(double number) : content_(Number{number}) {}
   // throws  ArgumentError if there is no such unit.
   Value(double number, std::string_view unit);
@@ -103,6 +108,7 @@ class Value {
 
  private:
   [[noreturn]] void refuse(const std::string& wanted) const;
+  [[noreturn]] static void refuse_large(std::uint64_t number);
 
   Content content_{};
 };
