@@ -47,7 +47,10 @@ function pictureName(words: readonly string[]): string {
 }
 
 export function readObj(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
-  const [vertices, colors, pictures, normals]: number[][][] = [[], [], [], []];
+  const vertices: number[][] = [];
+  const colors: number[][] = []; // of vertices; empty: none
+  const pictures: number[][] = [];
+  const normals: number[][] = [];
   const looks = new Map<string, Look>();
   let look = -1;
   let paint: Look | undefined;
@@ -60,31 +63,30 @@ export function readObj(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
   };
   const cornerOf = (word: string): Corner => {
     const [v, vt, vn] = word.split("/");
-    const at = named(vertices!, "v", v);
-    const color = colors![at]!;
+    const at = named(vertices, "v", v);
+    const color = colors[at]!;
     return {
-      at: vertices![at]!,
-      picture: vt ? pictures![named(pictures!, "vt", vt)] : undefined,
-      normal: vn ? normals![named(normals!, "vn", vn)] : undefined,
+      at: vertices[at]!,
+      picture: vt ? pictures[named(pictures, "vt", vt)] : undefined,
+      normal: vn ? normals[named(normals, "vn", vn)] : undefined,
       color: color.length && !paint?.picture ? color : undefined,
     };
   };
-  const uncolored = () => (look < 0 ? -1 : look);
   statementsOf(bytes, (words, line) => {
     const [kind, ...rest] = words;
     const number = (k: number) => numberOf(rest[k], `line ${line}`);
     switch (kind) {
       case "v": {
         // Behind x, y and z there may be w, or a colour.
-        vertices!.push([number(0), number(1), number(2)]);
-        colors!.push(rest.length >= 6 ? [number(rest.length - 3), number(rest.length - 2), number(rest.length - 1), 1] : []);
+        vertices.push([number(0), number(1), number(2)]);
+        colors.push(rest.length >= 6 ? [number(rest.length - 3), number(rest.length - 2), number(rest.length - 1), 1] : []);
         break;
       }
       case "vt":
-        pictures!.push([number(0), rest.length > 1 ? number(1) : 0]);
+        pictures.push([number(0), rest.length > 1 ? number(1) : 0]);
         break;
       case "vn":
-        normals!.push([number(0), number(1), number(2)]);
+        normals.push([number(0), number(1), number(2)]);
         break;
       case "mtllib": {
         // One name, which may have blanks in it, or several.
@@ -103,9 +105,9 @@ export function readObj(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
       case "f": case "fo": {
         if (rest.length > MOST_CORNERS) refuse(`line ${line} has a face of ${rest.length} corners, but the limit is ${MOST_CORNERS}`);
         const corners = rest.map(cornerOf);
-        const colored = corners.length > 0 && corners.every((corner) => corner.color);
-        const number = colored ? into.look({ name: paint?.name ?? "", color: [1, 1, 1, paint?.color[3] ?? 1], picture: "" }) : uncolored();
-        for (const [a, b, c] of cutPolygon(corners.map((corner) => corner.at))) into.add(number, [corners[a]!, corners[b]!, corners[c]!]);
+        const isColored = corners.length > 0 && corners.every((corner) => corner.color);
+        const own = isColored ? into.look({ name: paint?.name ?? "", color: [1, 1, 1, paint?.color[3] ?? 1], picture: "" }) : look;
+        for (const [a, b, c] of cutPolygon(corners.map((corner) => corner.at))) into.add(own, [corners[a]!, corners[b]!, corners[c]!]);
         break;
       }
     }
