@@ -189,7 +189,6 @@ constexpr auto kToolboxes = std::to_array<Habit>({
     {"@ . gripper . close ( )", "{1}.grasp()", ""},
     {"gripper . open ( )", "release()", ""},
     {"gripper . close ( )", "grasp()", ""},
-    {"@ . speed = $", kNoSuchThing, kSpeeds},
     {"@ . goHome ( )", "{1}.moveJ({1}.home())", ""},
     {"@ . moveHome ( )", "{1}.moveJ({1}.home())", ""},
     {"goHome ( )", "moveJ(home())", ""},

@@ -46,14 +46,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> most_similar(std::string_view name,
                                              std::span<const std::string_view> candidates) {
+  constexpr std::size_t kBeginning = 2;  // as far away as a name that is not written to its end
   std::optional<std::string_view> best;
-  std::size_t best_distance = similar_enough(name) + 1;
+  std::size_t best_distance = kLongest;
   for (const std::string_view candidate : candidates) {
     std::size_t distance = edit_distance(name, candidate);
     if (same_but_for_capitals(name, candidate)) distance = 0;
     const bool begins = (name.size() > 2 && candidate.starts_with(name)) ||
                         (candidate.size() > 2 && name.starts_with(candidate));
-    if (begins) distance = std::min({distance, std::size_t{2}, similar_enough(name)});
+    if (begins) distance = std::min(distance, kBeginning);
+    if (!begins && distance > similar_enough(name)) continue;
     // Of equally near ones the one that begins like the name.
     const bool begins_better = best && distance == best_distance &&
                                candidate.starts_with(name.substr(0, 1)) &&

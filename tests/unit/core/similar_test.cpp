@@ -29,5 +29,8 @@ TEST_CASE("the most similar name is found, and nothing when none is near") {
     CHECK_FALSE(most_similar(other, short_names));
   CHECK(most_similar("shwo", short_names) == "show");
   CHECK(most_similar("ran", short_names) == "range");
+  const std::vector<std::string_view> beginnings = {"closings", "close"};
+  CHECK(most_similar("clos", beginnings) == "close");
+  CHECK(most_similar("closin", beginnings) == "closings");
   CHECK(most_similar("pritn", short_names) == "print");
 }

@@ -91,12 +91,11 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
-  // The tables must outlive the engine. Signatures are read when first used; `check_signatures`
-  // reads all. `chapter` is where the reference lists them (reference.hpp).
+  // The tables outlive the engine. Signatures are read when first used; `check_signatures` reads all.
+  // `chapter` is where the reference lists them (reference.hpp).
   Engine& add_functions(std::span<const NativeFunction> functions,
                         std::string_view chapter = "Functions of the host");
-  // Of functions that were added: those that do not act, command or take time change nothing. Who
-  // calls one and leaves its value is told (W0746).
+  // Of functions that were added: those that do not act, command or take time only give a value.
   Engine& only_values(std::span<const NativeFunction> functions);
   // A function that `def` made (define.hpp); the engine and its programs keep it. The types in its
   // signature have been added before.
