@@ -91,17 +91,15 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
-  // The tables outlive the engine. Signatures are read when first used; `check_signatures` reads all.
-  // `chapter` is where the reference lists them (reference.hpp).
+  // The tables outlive the engine; signatures are read when first used. `chapter` is where the
+  // reference lists them (reference.hpp).
   Engine& add_functions(std::span<const NativeFunction> functions,
                         std::string_view chapter = "Functions of the host");
   // Of functions that were added: those that do not act, command or take time only give a value.
   Engine& only_values(std::span<const NativeFunction> functions);
-  // A function that `def` made (define.hpp); the engine and its programs keep it. The types in its
-  // signature have been added before.
-  //
-  // throws  ArgumentError if the signature cannot be read or says something else than the C++
-  //         types: every difference is told.
+  // A function that `def` made (define.hpp), kept by the engine and its programs; its types are
+  // there. throws  ArgumentError: all in which its signature is wrong or differs from the C++ types
+  // is told.
   Engine& define(const Definition& definition, std::string_view chapter = "Functions of the host");
   // A type and its functions, that `type<T>` made (define_type.hpp).
   //
