@@ -97,9 +97,9 @@ class Engine {
                         std::string_view chapter = "Functions of the host");
   // Of functions that were added: those that do not act, command or take time only give a value.
   Engine& only_values(std::span<const NativeFunction> functions);
-  // A function that `def` made (define.hpp), kept by the engine and its programs; its types are
-  // there. throws  ArgumentError: all in which its signature is wrong or differs from the C++ types
-  // is told.
+  // A function that `def` made (define.hpp), kept by the engine and its programs; its types exist.
+  //
+  // throws  ArgumentError: every difference between its signature and the C++ types is told.
   Engine& define(const Definition& definition, std::string_view chapter = "Functions of the host");
   // A type and its functions, that `type<T>` made (define_type.hpp).
   //
