@@ -115,8 +115,8 @@ test("a page with a converter of its own takes STL, OBJ and PLY, and refuses wha
     await page.evaluate(() => {
       globalThis.setTimeout = ((original) => (work, wait, ...more) => original(work, wait === 20_000 ? 300 : wait, ...more))(globalThis.setTimeout);
     });
-    const corners = Array.from({ length: 30_000 }, (_, k) => `v ${Math.cos(k * 2.4)} ${Math.sin(k * 2.4)} ${k % 7}\n`).join("");
-    await dropFiles(page, { "slow.obj": Buffer.from(`${corners}f ${Array.from({ length: 30_000 }, (_, k) => k + 1).join(" ")}\n`) });
+    const corners = Array.from({ length: 200_000 }, (_, k) => `v ${Math.cos(k * 2.4)} ${Math.sin(k * 2.4)} ${k % 7}\n`).join("");
+    await dropFiles(page, { "slow.obj": Buffer.from(`${corners}f ${Array.from({ length: 200_000 }, (_, k) => k + 1).join(" ")}\n`) });
     await page.locator(".message", { hasText: /slow\.obj: it was not read after 20 s\./ }).waitFor();
     await untilStatus(page, /1 move, 1\.00 s/);
   });
