@@ -98,7 +98,8 @@ function(armlet_hurry_hot_code)
   endforeach()
 endfunction()
 
-# Sources of the library armlet_TARGET, in FOLDER, that have to be quick: compiled with ARMLET_QUICK.
+# Sources of the library armlet_TARGET, in FOLDER, that have to be quick: compiled with ARMLET_QUICK. Clang refuses headers that were
+# precompiled with -Oz in a source with -O2, so the preset switches precompiled headers off.
 function(armlet_hurry target folder)
   list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/${folder})
   list(TRANSFORM ARGN APPEND .cpp)
