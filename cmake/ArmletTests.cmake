@@ -112,6 +112,7 @@ endfunction()
 # Meshes of other formats. What a false size does is told by the limit on memory, which sanitizers do not keep.
 function(armlet_add_convert_tests)
   armlet_add_unit_tests(convert armlet_mesh_client ${PROJECT_SOURCE_DIR}/apps/mesh)
+  target_sources(test_convert PRIVATE ${PROJECT_SOURCE_DIR}/apps/mesh/converter/confine.cpp)
   set(converter "")
   if(TARGET armlet-mesh)
     set(converter $<TARGET_FILE:armlet-mesh>)
