@@ -1,8 +1,6 @@
 #include "syntax/parse.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <mutex>
 
 #include "compile/cancelled.hpp"
 #include "syntax/build/build_ast.hpp"
@@ -31,17 +29,6 @@ constexpr int kMostQuietMessages = 100;
 
 // Statements of the top level that are mended: each takes some trials.
 constexpr int kMostMended = 50;
-
-std::timed_mutex& parser_mutex() {
-  static std::timed_mutex mutex;
-  return mutex;
-}
-
-std::unique_lock<std::timed_mutex> lock_parser(const std::atomic<bool>* cancelled) {
-  std::unique_lock lock(parser_mutex(), std::defer_lock);
-  while (!lock.try_lock_for(std::chrono::milliseconds(10))) stop_if(cancelled);
-  return lock;
-}
 
 // One text, or the value inside a formatted text.
 class Front {
@@ -398,19 +385,16 @@ class Front {
 
 Parsed parse(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits,
              Shape* shape, const std::atomic<bool>* cancelled) {
-  const std::unique_lock lock = lock_parser(cancelled);
   return Front(source, arena, sink, limits, shape, cancelled).program();
 }
 
 Mended parse_and_mend(const Source& source, Arena& arena, DiagnosticSink& sink,
                       const ParseLimits& limits, const std::atomic<bool>* cancelled,
                       const ReadBefore* before) {
-  const std::unique_lock lock = lock_parser(cancelled);
   return Front(source, arena, sink, limits, nullptr, cancelled).mended_program(before);
 }
 
 bool is_complete(const Source& source, const ParseLimits& limits) {
-  const std::unique_lock lock = lock_parser(nullptr);
   DiagnosticSink sink;
   if (!check_text(source, sink, limits)) return true;
   const Lexed lexed = lex(source, program_range(source), sink, limits);
@@ -418,7 +402,6 @@ bool is_complete(const Source& source, const ParseLimits& limits) {
 }
 
 bool goes_on(const Source& source, std::uint32_t byte, const ParseLimits& limits) {
-  const std::unique_lock lock = lock_parser(nullptr);
   DiagnosticSink sink;
   if (!check_text(source, sink, limits)) return false;
   const Lexed lexed = lex(source, program_range(source), sink, limits);

@@ -6,7 +6,8 @@
 
 namespace armlet::lang {
 
-// Answers from the tables, otherwise as ANTLR does, which reads the grammar first.
+// Answers from the tables, otherwise as ANTLR does, which reads the grammar first. Threads parse at
+// once; only ANTLR's own answers, which few programs need, come one after the other.
 class TablePrediction : public antlr4::atn::ParserATNSimulator {
  public:
   TablePrediction(antlr4::Parser* of, ParserATNSimulator& other)
