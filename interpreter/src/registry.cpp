@@ -8,8 +8,8 @@
 #include "armlet/interpreter/resource.hpp"
 #include "reference/foreign_names.hpp"
 #include "syntax/tokens/foreign_words.hpp"
+#include "syntax/tokens/lex.hpp"
 #include "syntax/tokens/marks.hpp"
-#include "syntax/tokens/words.hpp"
 #include "types/typed_signature.hpp"
 
 namespace armlet::lang {
@@ -209,18 +209,33 @@ void Registry::declare_records(TypePool& types) const {
 
 namespace {
 
+std::string no_name(std::string_view text) {
+  return '`' + std::string(text) + "` cannot be a name";
+}
+
+// "Math.sin": names with points between them.
+bool is_path_of_names(std::string_view text) {
+  for (;;) {
+    const std::size_t point = text.find('.');
+    if (!is_name(text.substr(0, point))) return false;
+    if (point == std::string_view::npos) return true;
+    text.remove_prefix(point + 1);
+  }
+}
+
 std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
                                 const TypeNames& names) {
   if (function.name.empty()) return {"it has no name"};
   std::string error;
   const auto signature = parse_signature(function.signature, types, names, error);
-  return signature ? typed_faults(function, *signature) : std::vector<std::string>{error};
-}
-
-// A name that programs can write.
-bool can_be_name(std::string_view text) {
-  return !text.empty() && !(text[0] >= '0' && text[0] <= '9') &&
-         std::ranges::all_of(text, is_word_character) && !is_reserved_word(text);
+  if (!signature) return {error};
+  std::vector<std::string> all = typed_faults(function, *signature);
+  if (is_written(function.name) && !is_path_of_names(function.name))
+    all.push_back(no_name(function.name));
+  for (const Parameter& parameter : signature->parameters) {
+    if (!is_argument_name(parameter.name)) all.push_back(no_name(parameter.name));
+  }
+  return all;
 }
 
 // What a function of the type `type` is called, without what the checker looks it up by.
@@ -241,7 +256,7 @@ bool is_operator_row(std::string_view name) {
 std::vector<std::string> Registry::add_type(const TypeDefinition& definition) {
   const HostType& type = definition.type();
   std::vector<std::string> all(definition.mistakes().begin(), definition.mistakes().end());
-  if (!can_be_name(type.name)) all.push_back('`' + std::string(type.name) + "` cannot be a name");
+  if (!is_name(type.name)) all.push_back(no_name(type.name));
   TypePool types;
   declare_records(types);
   std::string error;
@@ -255,8 +270,7 @@ std::vector<std::string> Registry::add_type(const TypeDefinition& definition) {
   const TypeNames names = type_names(types);
   for (const NativeFunction& function : definition.functions()) {
     const std::string name(written_name(function.name, type.name));
-    if (!can_be_name(name) && !is_operator_row(name))
-      all.push_back('`' + name + "` cannot be a name");
+    if (!is_name(name) && !is_operator_row(name)) all.push_back(no_name(name));
     for (const std::string& fault : faults(function, types, names))
       all.push_back('`' + name + "`: " + fault);
   }

@@ -110,7 +110,7 @@ class SignatureReader {
     } else if (accept("?")) {
       out.optional = true;
     } else if (accept("=")) {
-      out.default_value = literal();
+      out.default_value = fitting_literal(out);
     }
     return out;
   }
@@ -256,33 +256,56 @@ class SignatureReader {
     return types_.any();
   }
 
-  Constant literal() {
+  struct Literal {
+    Constant value;
+    const Type* type;
+  };
+
+  // The default of a parameter, which has its type.
+  Constant fitting_literal(const Parameter& parameter) {
     skip();
-    if (accept("true")) return {.kind = Constant::Kind::kBool, .truth = true};
-    if (accept("false")) return {.kind = Constant::Kind::kBool};
+    const std::size_t begin = at_;
+    Literal written = literal();
+    const bool is_zero = written.type->dim.is_none() && written.value.real == 0.0 &&
+                         (written.type->is(Kind::kInt) || written.type->is(Kind::kReal));
+    Bindings bindings;
+    if (ok() && match(parameter.type, written.type, is_zero, bindings) < 0) {
+      at_ = begin;
+      fail("the default of `" + parameter.name + "` is " + type_phrase(written.type) + ", not " +
+           pattern_name(parameter.type, {}, types_) + ',');
+    }
+    return std::move(written.value);
+  }
+
+  Literal literal() {
+    skip();
+    if (accept("true")) return {{.kind = Constant::Kind::kBool, .truth = true}, types_.boolean()};
+    if (accept("false")) return {{.kind = Constant::Kind::kBool}, types_.boolean()};
     if (accept("\"")) {
       const std::string_view text = take([](unsigned char c) { return c != '"'; });
       expect("\"");
-      return {.kind = Constant::Kind::kText, .text = std::string(text)};
+      return {{.kind = Constant::Kind::kText, .text = std::string(text)}, types_.text()};
     }
     return number();
   }
 
-  Constant number() {
+  Literal number() {
     const double sign = accept("-") ? -1.0 : 1.0;
     const std::string_view digits =
         take([](unsigned char c) { return c != ',' && c != ')' && c != ' '; });
     if (const auto quantity = parse_quantity(digits)) {
-      return {.kind = Constant::Kind::kReal, .real = sign * quantity->si};
+      return {{.kind = Constant::Kind::kReal, .real = sign * quantity->si},
+              types_.quantity(quantity->dim)};
     }
     const auto value = parse_number(digits);
     if (!value) {
       fail("the default is not a literal");
-      return {};
+      return {{}, types_.integer()};
     }
     const bool whole = std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
-    if (!whole) return {.kind = Constant::Kind::kReal, .real = sign * *value};
-    return {.integer = static_cast<std::int64_t>(sign * *value), .real = sign * *value};
+    if (!whole) return {{.kind = Constant::Kind::kReal, .real = sign * *value}, types_.real()};
+    return {{.integer = static_cast<std::int64_t>(sign * *value), .real = sign * *value},
+            types_.integer()};
   }
 
   std::string_view text_;

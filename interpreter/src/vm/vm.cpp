@@ -113,6 +113,7 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
     const std::uint64_t steps = state.steps.total - steps_before_;
     if (exit != lang::Exit::kSliced) {
       result_ = ended(state, exit);
+      if (result_.error) state.host.error = result_.error;
       // The timeline may have told of the same wish first.
       if (result_.status == Progress::kCancelled) static_cast<void>(take_cancellation());
       if (state.host.call) state.finish_call(exit == lang::Exit::kDone);

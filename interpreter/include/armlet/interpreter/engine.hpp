@@ -210,7 +210,8 @@ class Vm {
   [[nodiscard]] ProgramFunction<Signature> function(std::string_view name);
   template <class Signature>
   [[nodiscard]] Result<ProgramFunction<Signature>> try_function(std::string_view name);
-  // Why the last call of one failed, and the same as people read it; null and empty: none has.
+  // Why the run, or the last call of a function that failed, failed, and the same as people read it;
+  // null and empty: nothing has.
   [[nodiscard]] const Diagnostic* error() const;
   [[nodiscard]] std::string error_text() const;
   // A variable of the top level: as a Value, or as a type of C++.

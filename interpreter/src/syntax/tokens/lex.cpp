@@ -119,6 +119,18 @@ Piece trimmed(std::string_view text, std::size_t begin, Piece quantity) {
   return quantity;
 }
 
+// Words of statements that may name an argument.
+bool names_arguments(std::uint16_t type) {
+  return type == RbtLexer::EVERY || type == RbtLexer::WHEN;
+}
+
+// The kind of a text that is one token and UTF-8; an error otherwise.
+std::uint16_t token_type(std::string_view text) {
+  if (text.empty() || first_bad_byte(text)) return RbtLexer::ERR;
+  const Piece piece = longest_token(text, 0, nullptr);
+  return piece.end == text.size() ? piece.type : std::uint16_t{RbtLexer::ERR};
+}
+
 // The tokens of one part of a text.
 class Reader {
  public:
@@ -177,8 +189,7 @@ class Reader {
     const std::uint16_t before = out_.tokens[count - 2].type;
     Token& word = out_.tokens[count - 1];
     const bool opens = before == RbtLexer::LPAREN || before == RbtLexer::COMMA;
-    if (opens && (word.type == RbtLexer::EVERY || word.type == RbtLexer::WHEN))
-      word.type = RbtLexer::ID;
+    if (opens && names_arguments(word.type)) word.type = RbtLexer::ID;
   }
 
   void check(const Token& token) {
@@ -257,6 +268,15 @@ bool check_text(const Source& source, DiagnosticSink& sink, const ParseLimits& l
     return false;
   }
   return true;
+}
+
+bool is_name(std::string_view text) {
+  const std::uint16_t type = token_type(text);
+  return type == RbtLexer::ID || word_of(type).kind == WordKind::kSoft;
+}
+
+bool is_argument_name(std::string_view text) {
+  return is_name(text) || names_arguments(token_type(text));
 }
 
 Span program_range(const Source& source) {

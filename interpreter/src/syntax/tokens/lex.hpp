@@ -2,6 +2,7 @@
 // Text to tokens. What is no token is reported here, in the words of the program.
 
 #include <atomic>
+#include <string_view>
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
@@ -25,6 +26,12 @@ struct Lexed {
 // deeper than the limit. Throws Cancelled soon after `cancelled` has become true.
 [[nodiscard]] Lexed lex(const Source& source, Span range, DiagnosticSink& sink,
                         const ParseLimits& limits, const std::atomic<bool>* cancelled = nullptr);
+
+// Whether a text is one word that programs can give to something: a name of the grammar.
+[[nodiscard]] bool is_name(std::string_view text);
+// Whether an argument can be called so: names, and `every` and `when`, which are words of
+// statements elsewhere.
+[[nodiscard]] bool is_argument_name(std::string_view text);
 
 // The part of a text that holds the program: without a byte-order mark and a first line that starts
 // with #!.

@@ -245,4 +245,59 @@ TEST_CASE("every difference between a signature and the types of C++ is told") {
 }
 
 }  // namespace
+namespace {
+
+// Why the engine refuses a function; empty: it does not.
+template <class F>
+std::string refusal(const char* signature, F function) {
+  Engine engine;
+  try {
+    engine.define(def(signature, function, "Help.", "f()"));
+  } catch (const ArgumentError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a default has the type of its parameter") {
+  const auto of_double = [](double x) { return x; };
+  const auto of_int = [](std::int64_t x) { return x; };
+  const auto of_bool = [](bool x) { return x; };
+  const auto of_text = [](std::string_view x) { return static_cast<std::int64_t>(x.size()); };
+  for (const char* written : {"3", "-2.5", "90deg"})
+    CHECK(refusal((std::string("f(x: double = ") + written + ") -> double").c_str(), of_double) ==
+          "");
+  CHECK(refusal("f(x: length = 3mm) -> length", of_double) == "");
+  CHECK(refusal("f(x: length = 0) -> length", of_double) == "");
+  CHECK(refusal("f(x: bool = true) -> bool", of_bool) == "");
+  CHECK(refusal("f(x: string = \"a\") -> int", of_text) == "");
+  const auto names = [](const std::string& why, std::string_view is, std::string_view not_this) {
+    CHECK_MESSAGE(why.find("the default of `x` is " + std::string(is) + ", not " +
+                           std::string(not_this)) != std::string::npos,
+                  why);
+  };
+  names(refusal("f(x: double = \"a\") -> double", of_double), "a string", "double");
+  names(refusal("f(x: double = true) -> double", of_double), "a bool", "double");
+  names(refusal("f(x: int = 2.5) -> int", of_int), "a double", "int");
+  names(refusal("f(x: bool = 3) -> bool", of_bool), "an int", "bool");
+  names(refusal("f(x: length = 3) -> length", of_double), "an int", "length");
+  names(refusal("f(x: length = 3s) -> length", of_double), "a time", "length");
+  names(refusal("f(x: string = 3mm) -> int", of_text), "a length", "string");
+}
+
+TEST_CASE("functions and their parameters have names that programs can write") {
+  const auto half = [](double x) { return 0.5 * x; };
+  for (const char* good : {"f", "group.f", "na\u00EFve", "test", "path"})
+    CHECK(refusal((std::string(good) + "(x: double) -> double").c_str(), half) == "");
+  for (const char* bad : {"while", "2f", "a b", "f.", ".f", "f.if", "a-b", "\u540D", "double"}) {
+    const std::string why = refusal((std::string(bad) + "(x: double) -> double").c_str(), half);
+    CHECK_MESSAGE(why.find("cannot be a name") != std::string::npos, bad, ": ", why);
+  }
+  CHECK(refusal("f(every: double) -> double", half) == "");
+  CHECK(refusal("f(while: double) -> double", half).find("`while` cannot be a name") !=
+        std::string::npos);
+}
+
 }  // namespace armlet

@@ -307,3 +307,21 @@ TEST_CASE("an engine takes each name once") {
 }
 
 }  // namespace armlet
+
+TEST_CASE("a run that fails says why, as a whole and in slices") {
+  const Engine engine;
+  const auto program =
+      engine.compile("let xs = [1]\nprint(xs[3 + xs.length])\n", "bad.rbt").program;
+  REQUIRE(program != nullptr);
+  Vm whole(program);
+  CHECK(whole.error() == nullptr);
+  REQUIRE(whole.run().status == Progress::kFailed);
+  REQUIRE(whole.error() != nullptr);
+  CHECK(whole.error()->code == "R0606");
+  CHECK(whole.error_text().find("bad.rbt:2:7") != std::string::npos);
+  Vm sliced(program);
+  Progress progress = Progress::kPaused;
+  while (progress == Progress::kPaused) progress = sliced.run(Budget{.steps = 2});
+  CHECK(progress == Progress::kFailed);
+  CHECK(sliced.error_text() == whole.error_text());
+}
