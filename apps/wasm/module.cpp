@@ -205,7 +205,7 @@ EMSCRIPTEN_KEEPALIVE int armlet_cancel(int session) {
 EMSCRIPTEN_KEEPALIVE double armlet_time(int session) {
   double time = 0.0;
   guarded([&] {
-    time = 1e-9 * static_cast<double>(seat_of(session).now_ns());
+    time = static_cast<double>(seat_of(session).now_ns()) / 1e9;
     return kDone;
   });
   return time;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 
+#include "armlet/interpreter/virtual_time.hpp"
 #include "diagnostic/display_width.hpp"
 
 namespace armlet {
@@ -265,7 +266,7 @@ bool tells_something(const std::optional<When>& when) {
 std::string when_text(const When& when) {
   // A program that calls itself without end has thousands of calls; the innermost ones tell enough.
   constexpr std::size_t kShownCalls = 4;
-  std::string out = fmt::format("at t = {:.2f} s", static_cast<double>(when.time_ns) * 1e-9);
+  std::string out = fmt::format("at t = {:.2f} s", seconds_of(when.time_ns));
   if (!when.resource.empty()) out += ", " + when.resource_type + ' ' + when.resource;
   if (!when.task.empty()) out += ", " + when.task;
   if (!when.note.empty()) out += ", " + when.note;

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "armlet/interpreter/render.hpp"
+#include "armlet/interpreter/virtual_time.hpp"
 
 namespace armlet {
 namespace {
@@ -48,7 +49,7 @@ Json fix_json(const Fix& fix, std::uint32_t main, const SourceSet& sources) {
 
 Json when_json(const When& when) {
   Json out;
-  out["time"] = static_cast<double>(when.time_ns) / 1e9;
+  out["time"] = seconds_of(when.time_ns);
   if (!when.resource.empty()) add_text(out, when.resource_type, when.resource);
   add_text(out, "task", when.task);
   add_text(out, "note", when.note);

@@ -121,14 +121,14 @@ class JsonlBackend final : public Backend {
   void write(const Undone& undone) {
     if (undone.from >= undone.number) {
       begin_line(undone.t_ns, "redone");
-      field("back", static_cast<double>(undone.back_ns) * 1e-9);
+      field("back", static_cast<double>(undone.back_ns) / 1e9);
       return end_line();
     }
     const auto behind = std::ranges::upper_bound(stretches_, undone.from, {}, &Stretch::number);
     const Stretch& stretch = behind == stretches_.begin() ? *behind : *std::prev(behind);
     begin_line(undone.t_ns, "undone");
     field("line", static_cast<double>(stretch.line + undone.from - stretch.number));
-    field("back", static_cast<double>(undone.back_ns) * 1e-9);
+    field("back", static_cast<double>(undone.back_ns) / 1e9);
     end_line();
   }
 

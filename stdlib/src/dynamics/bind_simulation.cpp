@@ -23,8 +23,8 @@ struct Rows {
   ListObj* t = nullptr;
   MatrixObj *q = nullptr, *qd = nullptr, *tau = nullptr;
 
-  void put(std::uint32_t row, const ArmSimulation& arm, const JointVector& forces) {
-    t->data[row].d = arm.t();
+  void put(std::uint32_t row, double time, const ArmSimulation& arm, const JointVector& forces) {
+    t->data[row].d = time;
     const Eigen::Index n = forces.size();
     for (Eigen::Index i = 0; i < n; ++i) {
       const std::size_t at =
@@ -60,16 +60,26 @@ Answer<std::uint32_t> holds_of(Vm& vm, const SimulationCall& call) {
                  SimulationCall::kEvery, {}, "use a longer every");
 }
 
+// The start of hold k. A time that is a whole number of nanoseconds but for rounding is that
+// number, as on the clock, so that row 3 of holds of 200 us is at 0.6 ms.
+double start_of(std::uint32_t k, double every) {
+  constexpr double kRounding = 4e-16;  // relative, of the product
+  const double ns = k * every * 1e9;
+  const double whole = std::round(ns);
+  return std::abs(ns - whole) <= kRounding * ns ? whole / 1e9 : k * every;
+}
+
 // From tick to tick, the torques of each held until the next.
 Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, MotorLimits& motors,
                  const SimulationCall& call, const SimulationOptions& options, std::uint32_t holds,
                  Rows& rows) {
+  double now = 0.0;
   for (std::uint32_t k = 0;; ++k) {
-    const auto asked = law(arm.robot(), arm.t(), arm.q(), arm.qd());
+    const auto asked = law(arm.robot(), now, arm.q(), arm.qd());
     if (!asked) return Failed{};
-    const double next = k + 1 >= holds ? call.during : (k + 1) * call.every;
+    const double next = k + 1 >= holds ? call.during : start_of(k + 1, call.every);
     const JointVector tau = motors.given(*asked, next - arm.t());
-    rows.put(k, arm, tau);
+    rows.put(k, now, arm, tau);
     if (k == holds) return {};
     const double steps = std::max(1.0, (next - arm.t()) / options.step);
     if (!charge_steps(vm, static_cast<std::uint64_t>(20.0 * std::min(steps, 1e15))))
@@ -77,11 +87,28 @@ Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, MotorLimits& motors
     const SimulationOutcome outcome = arm.advance(tau, next - arm.t());
     if (outcome.status != SimulationStatus::kDone)
       return cannot_simulate(vm, arm, outcome, options);
+    now = next;
   }
 }
 
-Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue tau, double during,
-                            double every, const PosJ* from, std::optional<JointList> speeds,
+// The joints where a simulation starts: where the robot is, or at rest in a position.
+Answer<Eigen::VectorXd> start_position(Vm& vm, const CellRobot& state, JointList from,
+                                       int parameter) {
+  return joint_argument(vm, *state.model, from, parameter);
+}
+
+Answer<Eigen::VectorXd> start_position(Vm& vm, const CellRobot& state, const PosJ* from,
+                                       int parameter) {
+  if (from == nullptr) return Eigen::VectorXd(state.q);
+  return joint_argument(vm, *state.model, *from, parameter);
+}
+
+bool is_given(JointList) { return true; }
+bool is_given(const PosJ* from) { return from != nullptr; }
+
+template <class From>
+Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue function, double during,
+                            double every, From from, std::optional<JointList> speeds,
                             std::string_view method, std::optional<double> step, double restitution,
                             std::optional<JointList> most, std::optional<JointList> rates) {
   constexpr int kFrom = SimulationCall::kEvery + 1, kSpeeds = kFrom + 1, kOwn = 2;
@@ -94,23 +121,20 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue tau, double
   const CellRobot& state = state_of(vm, r);
   auto motors = motor_limits(vm, call, *state.model);
   if (!motors) return Failed{};
-  Eigen::VectorXd q = state.q, qd = state.qd;
-  if (from != nullptr) {
-    const auto given = joint_argument(vm, *state.model, *from, kFrom);
-    if (!given) return Failed{};
-    q = *given;
-    qd.setZero();
-  }
+  const auto q = start_position(vm, state, from, kFrom);
+  if (!q) return Failed{};
+  Eigen::VectorXd qd = state.qd;
+  if (is_given(from)) qd.setZero();
   if (speeds) {
     const auto given = joint_argument(vm, *state.model, *speeds, kSpeeds);
     if (!given) return Failed{};
     qd = *given;
   }
   try {
-    ArmSimulation arm(state.loaded, q, qd, *options);
-    Rows rows = new_rows(vm, *holds + 1, static_cast<std::uint32_t>(q.size()));
+    ArmSimulation arm(state.loaded, *q, qd, *options);
+    Rows rows = new_rows(vm, *holds + 1, static_cast<std::uint32_t>(q->size()));
     if (rows.record == nullptr) return Failed{};
-    TorqueLaw law(vm, tau);
+    TorqueLaw law(vm, function);
     const bool done = static_cast<bool>(run(vm, arm, law, *motors, call, *options, *holds, rows));
     ListObj* const events = done ? joint_events(vm, arm) : nullptr;
     rows.record->fields()[4].o = events;
@@ -185,7 +209,7 @@ class TorqueWaiting : public Waiting {
   // Asks for torques, and moves on until it asks again.
   Answer<void> hold(Vm& vm) {
     arm_.set_robot(state().loaded);
-    const auto asked = law_(arm_.robot(), arm_.t(), arm_.q(), arm_.qd());
+    const auto asked = law_(arm_.robot(), to_seconds(next_ns_ - begin_ns_), arm_.q(), arm_.qd());
     if (!asked) return Failed{};
     next_ns_ = std::min(next_ns_ + every_ns_, end_ns_);
     const double until = to_seconds(next_ns_ - begin_ns_);
@@ -285,9 +309,9 @@ Started torque_j(Vm& vm, const RobotRef& r, FunctionValue law, double during, do
 constexpr std::string_view kSimulateHelp =
     "What the robot would do under these torques, without moving it: M(q) qdd + C qd + g + f = "
     "tau, "
-    "with dry friction that holds and lets go, and stops at the limits of the joints. tau(t, q, "
-    "qd) "
-    "is asked at the start and every so often, and held in between. It starts where the robot is, "
+    "with dry friction that holds and lets go, and stops at the limits of the joints. law(t, q, "
+    "qd), t from the start, is asked at the start and every so often, and held in between. It "
+    "starts where the robot is, "
     "or from a position, at rest or with these speeds. t, q, qd and tau hold the start and the end "
     "of every hold; events are the instants at which a joint ran against its stop (\"stop\"), came "
     "to stand (\"stick\") or began to move (\"slip\"), the first thousand; drift is the error of "
@@ -303,12 +327,20 @@ constexpr std::string_view kTorqueHelp =
     "end the arm is brought to rest under control.";
 
 constexpr NativeFunction kSimulationFunctions[] = {
-    def<simulate>(
-        "simulate(r: robot, tau: fn(double, double[], double[]) -> double[], during: time, every: "
+    def<simulate<const PosJ*>>(
+        "simulate(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
         "time = 1ms, from: posJ?, speeds: double[]?, method: string = \"rk4\", step: time?, "
         "restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
         "Simulation",
         kSimulateHelp, "robots.puma560().simulate(fn(t, q, qd) => zeros(6), during: 100ms).t.last"),
+    def<simulate<JointList>>(
+        "simulate(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
+        "time = 1ms, from: double[], speeds: double[]?, method: string = \"rk4\", step: time?, "
+        "restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
+        "Simulation",
+        "The same from joint values in rad and m.",
+        "robots.scara().simulate(fn(t, q, qd) => zeros(4), during: 100ms, from: [0.0, 0.5, 0.1, "
+        "0.0]).t.last"),
     def<torque_j>(
         "torqueJ(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
         "time = 1ms, method: string = \"rk4\", step: time?, restitution: double = 0.0, maxTorques: "

@@ -10,7 +10,8 @@ Answer<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, JointList val
       Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   if (q.size() != robot.n()) {
     return failure(vm, "R0613",
-                   fmt::format("{} joint values for a robot with {} joints", q.size(), robot.n()),
+                   fmt::format("{} joint value{} for a robot with {} joint{}", q.size(),
+                               q.size() == 1 ? "" : "s", robot.n(), robot.n() == 1 ? "" : "s"),
                    parameter);
   }
   if (!q.allFinite()) return not_finite(vm, "a joint value", q.sum(), parameter);

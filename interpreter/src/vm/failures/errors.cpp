@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "armlet/interpreter/messages/catalog.hpp"
+#include "armlet/interpreter/virtual_time.hpp"
 #include "vm/failures/failures.hpp"
 
 namespace armlet::lang {
@@ -86,8 +87,7 @@ RecordObj* catch_error(VmState& state) {
   field(state, *error, "kind").o = state.heap.new_text(fault->kind);
   field(state, *error, "line").i =
       diagnostic.mark.span.empty() ? 0 : line_of(state, diagnostic.mark.span);
-  field(state, *error, "time").d =
-      diagnostic.when ? static_cast<double>(diagnostic.when->time_ns) * 1e-9 : 0.0;
+  field(state, *error, "time").d = diagnostic.when ? seconds_of(diagnostic.when->time_ns) : 0.0;
   link_of(state, *error).o = new_link(state, fault);
   return complete(state, error, diagnostic.when);
 }
@@ -101,7 +101,7 @@ RecordObj* make_error(VmState& state, TextObj* message, TextObj* kind) {
   field(state, *error, "message").o = message;
   field(state, *error, "kind").o = kind != nullptr ? kind : state.heap.new_text({});
   field(state, *error, "line").i = at == nullptr ? 0 : line_of(state, at->span);
-  field(state, *error, "time").d = static_cast<double>(state.vm.timeline().now_ns()) * 1e-9;
+  field(state, *error, "time").d = seconds_of(state.vm.timeline().now_ns());
   return complete(state, error, {});
 }
 

@@ -46,7 +46,7 @@ namespace armlet {
 
 double time_left(Vm& vm) {
   const std::int64_t left = vm.state().options.limits.time_ns - vm.timeline().now_ns();
-  return static_cast<double>(std::max<std::int64_t>(left, 0)) * 1e-9;
+  return seconds_of(std::max<std::int64_t>(left, 0));
 }
 
 }  // namespace armlet

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "armlet/interpreter/virtual_time.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "format_value.hpp"
 #include "table_functions.hpp"
@@ -185,7 +186,7 @@ bool Recordings::take(Recording& recording) {
   const bool done = state_.evaluate(*recording.task, recording.sample, row);
   state_.steps.paused();
   if (!done) return false;
-  table_in(row).fields()[0].d = static_cast<double>(now) * 1e-9;
+  table_in(row).fields()[0].d = seconds_of(now);
   recording.last_ns = now;
   if (append(state_, *recording.table, row)) return true;
   state_.heap.release(row.o);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "armlet/interpreter/resource.hpp"
+#include "armlet/interpreter/virtual_time.hpp"
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/instructions/slow_ops.hpp"
@@ -83,8 +84,7 @@ class WaitUntil final : public Waiting {
         "R0607", statement_.condition_span,
         {quantity_text(timeout_, dims::kTime), std::string(statement_.condition_text)});
     char since[64];
-    std::snprintf(since, sizeof since, "false since t = %.2f s",
-                  static_cast<double>(armed_ns_) * 1e-9);
+    std::snprintf(since, sizeof since, "false since t = %.2f s", seconds_of(armed_ns_));
     failure.mark.label = since;
     failure.why = others(state_);
     failure.fix = Fix{"use a longer timeout, or catch the error", {}, Confidence::kMaybe};
