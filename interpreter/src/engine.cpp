@@ -25,6 +25,12 @@ Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 
+Engine::Vocabulary& Engine::vocabulary() const {
+  if (registry_ == nullptr)
+    throw ArgumentError("This Engine has been moved from; use the one that it was moved into.");
+  return *registry_;
+}
+
 namespace {
 
 [[noreturn]] void refuse_again(std::string_view what, std::string_view name) {
@@ -43,68 +49,68 @@ namespace {
 }  // namespace
 
 Engine& Engine::add_functions(std::span<const NativeFunction> functions, std::string_view chapter) {
-  if (const NativeFunction* there = registry_->add_functions(functions)) {
+  if (const NativeFunction* there = vocabulary().add_functions(functions)) {
     refuse_again("function", std::string(there->name) + std::string(there->signature));
   }
-  registry_->add_chapter({chapter, functions, {}});
+  vocabulary().add_chapter({chapter, functions, {}});
   return *this;
 }
 
 Engine& Engine::only_values(std::span<const NativeFunction> functions) {
-  registry_->add_values(functions);
+  vocabulary().add_values(functions);
   return *this;
 }
 
 Engine& Engine::define(const Definition& definition, std::string_view chapter) {
-  const std::vector<std::string> faults = registry_->faults_of(definition.function);
+  const std::vector<std::string> faults = vocabulary().faults_of(definition.function);
   if (!faults.empty()) refuse("function", definition.function.name, faults);
-  return add_functions(registry_->keep(definition), chapter);
+  return add_functions(vocabulary().keep(definition), chapter);
 }
 
 Engine& Engine::define(const TypeDefinition& definition, std::string_view chapter) {
-  const std::vector<std::string> faults = registry_->add_type(definition);
+  const std::vector<std::string> faults = vocabulary().add_type(definition);
   if (!faults.empty()) refuse("type", definition.type().name, faults);
-  registry_->add_chapter({chapter, definition.functions(), {}});
+  vocabulary().add_chapter({chapter, definition.functions(), {}});
   return *this;
 }
 
 Engine& Engine::add_constants(std::span<const NativeConstant> constants, std::string_view chapter) {
   std::set<std::string_view> met;
   for (const NativeConstant& constant : constants) {
-    if (!met.insert(constant.name).second || registry_->constant(constant.name) != nullptr)
+    if (!met.insert(constant.name).second || vocabulary().constant(constant.name) != nullptr)
       refuse_again("constant", constant.name);
   }
-  registry_->add_chapter({chapter, {}, constants});
-  for (const NativeConstant& constant : constants) registry_->add_constant(constant);
+  vocabulary().add_chapter({chapter, {}, constants});
+  for (const NativeConstant& constant : constants) vocabulary().add_constant(constant);
   return *this;
 }
 
 Engine& Engine::add_type(const HostType& type) {
-  if (registry_->type(type.name) != nullptr) refuse_again("type", type.name);
-  registry_->add_type(type);
+  if (vocabulary().type(type.name) != nullptr) refuse_again("type", type.name);
+  vocabulary().add_type(type);
   return *this;
 }
 
 Engine& Engine::add_record(std::string_view name, std::string_view fields) {
-  if (registry_->records().contains(name)) refuse_again("record", name);
-  registry_->add_record(name, fields);
+  if (vocabulary().records().contains(name)) refuse_again("record", name);
+  vocabulary().add_record(name, fields);
   return *this;
 }
 
 Engine& Engine::add_messages(std::span<const CatalogEntry> rows) {
-  registry_->add_messages(rows);
+  vocabulary().add_messages(rows);
   return *this;
 }
 
 Engine& Engine::add_foreign_names(std::span<const ForeignName> rows) {
-  registry_->add_foreign_names(rows);
+  vocabulary().add_foreign_names(rows);
   return *this;
 }
 
-const MessageTables& Engine::messages() const { return registry_->messages(); }
+const MessageTables& Engine::messages() const { return vocabulary().messages(); }
 
 Engine& Engine::add_planned(std::span<const std::string_view> names) {
-  for (const std::string_view name : names) registry_->add_planned(name);
+  for (const std::string_view name : names) vocabulary().add_planned(name);
   return *this;
 }
 
@@ -121,11 +127,11 @@ Compilation Engine::compile(std::string text, std::string name,
     throw ArgumentError(
         "A text can be an entry only behind an entry: the one before was compiled without "
         "CompileOptions::is_entry.");
-  if (options.after != nullptr && options.after->compiled().messages != &registry_->messages())
+  if (options.after != nullptr && options.after->compiled().messages != &vocabulary().messages())
     throw ArgumentError("An entry is compiled by the engine that compiled the one before it.");
   const lang::LowerOptions lowering{.optimise = !options.markers, .markers = options.markers};
   Compilation made =
-      lang::compile_text(*registry_, std::move(text), std::move(name), options, lowering);
+      lang::compile_text(vocabulary(), std::move(text), std::move(name), options, lowering);
   if (made.program == nullptr) return made;
   struct Kept {
     std::shared_ptr<const Program> program;
@@ -144,7 +150,7 @@ std::shared_ptr<const Analysis> Engine::analyse(
                          before != nullptr ? &before->facts() : nullptr));
 }
 
-std::vector<std::string> Engine::check_signatures() const { return registry_->check_signatures(); }
+std::vector<std::string> Engine::check_signatures() const { return vocabulary().check_signatures(); }
 
 // ---- Compilation
 // --------------------------------------------------------------------------------------------------

@@ -46,6 +46,19 @@ std::shared_ptr<const Program> build(const Registry& registry,
   return std::make_shared<const Program>(std::move(compiled));
 }
 
+// What the host answers; what it throws is why there is no text.
+ImportedText asked(const ModuleLoader& load, const std::string& path, const std::string& from) {
+  try {
+    return load(path, from);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& thrown) {
+    return {.name = path, .why = std::string("the host that loads files failed: ") + thrown.what()};
+  } catch (...) {
+    return {.name = path, .why = "the host that loads files failed"};
+  }
+}
+
 // Asks the host for each file once.
 ModuleLoader remembered(const ModuleLoader& load) {
   if (!load) return load;
@@ -53,7 +66,7 @@ ModuleLoader remembered(const ModuleLoader& load) {
   return [&load, known = std::make_shared<std::map<Question, ImportedText>>()](
              const std::string& path, const std::string& from) {
     const auto [at, is_new] = known->try_emplace({path, from});
-    if (is_new) at->second = load(path, from);
+    if (is_new) at->second = asked(load, path, from);
     return at->second;
   };
 }

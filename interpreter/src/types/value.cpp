@@ -1,5 +1,6 @@
 #include "armlet/interpreter/host/value.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "armlet/interpreter/type.hpp"
@@ -48,6 +49,48 @@ struct KindText {
 };
 
 }  // namespace
+
+namespace {
+
+// Moves the values inside into a list.
+struct TakeParts {
+  Value::List& parts;
+
+  void operator()(Value::List& list) const {
+    for (Value& each : list) parts.push_back(std::move(each));
+    list.clear();
+  }
+  void operator()(Value::Record& record) const {
+    for (auto& field : record.fields) parts.push_back(std::move(field.second));
+    record.fields.clear();
+  }
+  void operator()(Value::Map& map) const {
+    for (auto& [key, value] : map) {
+      parts.push_back(std::move(key));
+      parts.push_back(std::move(value));
+    }
+    map.clear();
+  }
+  template <class Flat>
+  void operator()(Flat&) const {}
+};
+
+}  // namespace
+
+void Value::dismantle() noexcept {
+  // A list of flat values, as most are, needs no second one.
+  const auto is_flat = [](const Value& each) { return each.content_.index() <= kLastFlat; };
+  if (const auto* list = std::get_if<List>(&content_);
+      list != nullptr && std::ranges::all_of(*list, is_flat))
+    return;
+  List parts;
+  std::visit(TakeParts{parts}, content_);
+  while (!parts.empty()) {
+    Value last = std::move(parts.back());
+    parts.pop_back();
+    std::visit(TakeParts{parts}, last.content_);
+  }
+}
 
 // Both written out: clang 14 fails where a comparison that leads to itself is defaulted.
 bool Value::Record::operator==(const Record& other) const {

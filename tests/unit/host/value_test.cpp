@@ -41,3 +41,24 @@ TEST_CASE("equal values have equal content, whatever their kind") {
   CHECK(refusal_of([&] { static_cast<void>(Value(stop)["name"]); }) ==
         "This value is a Stop, not one with a field `name`.");
 }
+
+TEST_CASE("a value of any depth is destroyed") {
+  Value list;
+  Value record;
+  Value map;
+  for (int i = 0; i < 300000; ++i) {  // without initializer lists, whose elements are copied
+    Value::List items;
+    items.push_back(std::move(list));
+    items.emplace_back(i);
+    list = Value(std::move(items));
+    Value::Record node{"Node", {}};
+    node.fields.emplace_back("next", std::move(record));
+    record = Value(std::move(node));
+    Value::Map entries;
+    entries.emplace_back(Value(i), std::move(map));
+    map = Value(std::move(entries));
+  }
+  CHECK(list.kind() == "a list");
+  CHECK(record.kind() == "a Node");
+  CHECK(map.kind() == "a map");
+}

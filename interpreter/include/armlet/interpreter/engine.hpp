@@ -138,9 +138,11 @@ class Engine {
   // tests).
   [[nodiscard]] std::vector<std::string> check_signatures() const;
   struct Vocabulary;  // the interpreter's own
-  [[nodiscard]] const Vocabulary& registry() const { return *registry_; }
+  [[nodiscard]] const Vocabulary& registry() const { return vocabulary(); }
 
  private:
+  // throws  ArgumentError if this engine has been moved from.
+  [[nodiscard]] Vocabulary& vocabulary() const;
   std::shared_ptr<Vocabulary> registry_;  // programs keep it too
 };
 
@@ -198,7 +200,8 @@ class Vm {
   // How far the run has come; kPaused before its start.
   [[nodiscard]] const RunResult& result() const { return result_; }
   // May be called from any thread or a signal handler: the program stops at its next pause point or
-  // step check.
+  // step check. A run that is paused, or has not begun, stops when it goes on; a request that comes
+  // when nothing runs and no run is paused is dropped by the next call of a function.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
   // ---- the program's functions and variables by name, while it is not running

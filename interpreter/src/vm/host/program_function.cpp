@@ -100,12 +100,20 @@ class Running {
   Supervised kernels_;
 };
 
+// A stop request that came before the call is for the run that is paused; where none is, it came
+// too late.
+[[gnu::cold, gnu::noinline]] void keep_for_paused_run(lang::VmState& state) {
+  if (state.vm.result().status == Progress::kPaused) state.vm.cancel();
+}
+
 // With the arguments in their window, where the result is left. The loop leaves the task at the
 // frame of the host.
 [[gnu::always_inline]] inline lang::Left enter(lang::VmState& state, const lang::Callee& callee) {
   lang::Task& task = *state.host.task;
   Slot* window = state.host.window;
   const Running running(state, task);
+  if (state.vm.take_cancellation()) [[unlikely]]
+    keep_for_paused_run(state);
   if (!lang::count_step(state)) [[unlikely]]
     return {lang::Exit::kFailed};
   lang::Frame* frame = task.stack.frames + 2;

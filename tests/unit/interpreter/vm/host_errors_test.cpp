@@ -306,6 +306,26 @@ TEST_CASE("an engine takes each name once") {
   CHECK(engine.compile("print(throws(0), TAU)", "p.rbt").program != nullptr);
 }
 
+TEST_CASE("an engine that has been moved from says so") {
+  Engine from;
+  const Engine to = std::move(from);
+  CHECK(to.compile("print(1)", "here.rbt").program != nullptr);
+  CHECK_THROWS_WITH_AS(static_cast<void>(from.compile("print(1)", "gone.rbt")),
+                       doctest::Contains("moved from"), ArgumentError);
+  CHECK_THROWS_AS(static_cast<void>(from.check_signatures()), ArgumentError);
+}
+
+TEST_CASE("a loader that throws is why a file cannot be imported") {
+  const Engine engine;
+  CompileOptions options;
+  options.load = [](const std::string&, const std::string&) -> ImportedText {
+    throw std::runtime_error("the disk is on fire");
+  };
+  const std::string shown = engine.compile("import \"a.rbt\" as a", "main.rbt", options).text();
+  CHECK_MESSAGE(shown.find("the disk is on fire") != std::string::npos, shown);
+  CHECK_MESSAGE(shown.find("Armlet itself") == std::string::npos, shown);
+}
+
 }  // namespace armlet
 
 TEST_CASE("a run that fails says why, as a whole and in slices") {

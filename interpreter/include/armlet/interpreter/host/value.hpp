@@ -13,6 +13,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -59,6 +60,13 @@ class Value {
                                Matrix, Record, Enum, Map, Host>;
 
   Value() = default;  // nothing
+  Value(const Value&) = default;
+  Value(Value&&) noexcept = default;
+  Value& operator=(const Value&) = default;
+  Value& operator=(Value&&) noexcept = default;
+  ~Value() {
+    if (content_.index() > kLastFlat) dismantle();
+  }
   Value(bool truth) : content_(truth) {}
   // throws  ArgumentError for what is beyond the largest int, 2^63 - 1.
   template <std::integral T>
@@ -107,6 +115,11 @@ class Value {
   bool operator==(const Value& other) const;
 
  private:
+  // Alternatives up to this one hold no other values.
+  static constexpr std::size_t kLastFlat = 4;
+  static_assert(std::is_same_v<std::variant_alternative_t<kLastFlat + 1, Content>, List>);
+  // Destroys what is inside, however deep, without a call for each level.
+  void dismantle() noexcept;
   [[noreturn]] void refuse(const std::string& wanted) const;
   [[noreturn]] static void refuse_large(std::uint64_t number);
 
