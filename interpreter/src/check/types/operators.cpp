@@ -119,7 +119,8 @@ hir::Expr* check_unary(Checker& checker, const ast::UnaryExpr& unary, const Type
   }
   if (unary.op == ast::UnaryOp::kPlus && type->is_number()) return value;
   if (unary.op == ast::UnaryOp::kMinus) {
-    if (value->kind == hir::ExprKind::kInt) {
+    constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+    if (value->kind == hir::ExprKind::kInt && value->as<hir::IntExpr>().value != kLeast) {
       return checker.make<hir::IntExpr>(hir::ExprKind::kInt, type, unary.span,
                                         -value->as<hir::IntExpr>().value);
     }
