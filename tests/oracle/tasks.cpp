@@ -47,7 +47,7 @@ struct Tasks::Task {
   Condition condition{};
   std::uint64_t order = 0;  // of arming
   bool is_over = false;
-  bool came_true = false;
+  bool came_true = false;       // at this instant
   bool joins = false;           // all its branches
   std::size_t closing = kNone;  // the bodies of this block and those inside
   std::optional<Raised> raised{};
@@ -101,9 +101,8 @@ void Tasks::look_at_conditions() {
     Task* task = armed.task;
     Watch* watch = armed.watch;
     try {
-      if (task != nullptr && task->condition()) {
-        armed_.erase(order);
-        task->is_over = task->came_true = true;
+      if (task != nullptr) {
+        task->came_true = task->condition();
       } else if (watch != nullptr && watch->condition) {
         const bool was_true = std::exchange(watch->was_true, false);
         watch->was_true = watch->condition();
@@ -127,7 +126,7 @@ bool Tasks::continue_tasks() {
   do {
     for (; next < tasks_.size(); ++next) {
       Task& task = *tasks_[next];
-      if (!may_continue(task)) continue;
+      if (!has_turn(task, any)) continue;
       any = true;
       give_turn(task);
       if (task.has_ended) ended(task);
@@ -135,6 +134,38 @@ bool Tasks::continue_tasks() {
   } while (begin_beats());
   std::erase_if(tasks_, [](const auto& task) { return task->has_ended && task->parent; });
   return any && !tasks_.front()->has_ended;
+}
+
+// What came true goes on only if it still holds when its turn comes.
+bool Tasks::has_turn(Task& task, bool& any) {
+  if (!may_continue(task)) return false;
+  Watch* watch = task.watch;
+  try {
+    if (task.came_true && !task.is_over) {
+      task.came_true = task.condition();
+    } else if (!task.has_begun && watch != nullptr && watch->condition) {
+      watch->was_true = watch->condition();
+      if (watch->was_true) return true;
+      drop(task);
+      any = any || may_continue(*watch->owner);
+      return false;
+    }
+  } catch (const Failure& failure) {
+    any = true;
+    if (task.has_begun) {
+      interrupt(task, {Raised::kError, failure});
+    } else {
+      drop(task);
+      raise_in_block(*watch, failure);
+      return false;
+    }
+  }
+  return may_continue(task);
+}
+
+void Tasks::drop(Task& task) {
+  task.has_ended = true;
+  ended(task);
 }
 
 bool Tasks::begin_beats() {
@@ -168,7 +199,7 @@ bool Tasks::may_continue(const Task& task) const {
   if (!task.has_begun) return true;
   if (task.joins) return task.branches.empty();
   if (task.closing != kNone) return !task.has_bodies(task.closing);
-  return task.is_over || now_ >= task.due;
+  return task.is_over || task.came_true || now_ >= task.due;
 }
 
 void Tasks::give_turn(Task& task) {
@@ -237,7 +268,7 @@ bool Tasks::wait_until(Condition condition, std::optional<std::int64_t> timeout_
   armed_[task.order] = {&task, nullptr};
   give_back();
   raise(std::exchange(task.raised, {}));
-  return task.came_true;
+  return std::exchange(task.came_true, false);
 }
 
 // What interrupts the whole outranks the error of a branch.
@@ -330,6 +361,7 @@ void Tasks::interrupt(Task& task, Raised raised) {
   }
   if (task.order != 0) armed_.erase(task.order);
   task.is_over = true;
+  task.came_true = false;
 }
 
 void Tasks::cancel(Task& task) {
@@ -337,8 +369,7 @@ void Tasks::cancel(Task& task) {
   if (task.has_begun) {
     interrupt(task, {Raised::kWholeTask, {}});
   } else {
-    task.has_ended = true;
-    ended(task);
+    drop(task);
   }
 }
 

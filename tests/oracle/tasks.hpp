@@ -72,6 +72,9 @@ class Tasks {
   [[nodiscard]] bool begin_beats();
   [[nodiscard]] std::int64_t next_instant() const;
   [[nodiscard]] bool may_continue(const Task& task) const;
+  // any  set to true if something happens that lets others go on.
+  [[nodiscard]] bool has_turn(Task& task, bool& any);
+  void drop(Task& task);  // a body that has not begun
   void give_turn(Task& task);
   void give_back();  // the running task waits until it has the turn again
 

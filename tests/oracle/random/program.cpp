@@ -35,7 +35,7 @@ std::string RandomProgram::text() {
   std::string all = "print(";
   for (const Var& variable : vars_) all += (all.size() > 6 ? ", " : "") + variable.name;
   if (has_grid_) all += ", grid";
-  line(all + (has_tasks_ ? ", looks, now())" : ")"));
+  line(all + (has_tasks_ ? ", now())" : ")"));
   if (shows_end) close();
   return out_;
 }
@@ -155,7 +155,6 @@ void RandomProgram::declare_globals() {
   line("var counter = 0");
   line("var pile = [5, 6, 7, 8]");
   vars_ = {{"counter", int_, true}, {"pile", list_of(int_), true}};
-  if (has_tasks_) line("var looks = 0");
   const bool with_grid = one_in(4);
   if (with_grid) line("var grid = [1, 2, 3; 4.5, " + real(1) + ", 6]");
   has_grid_ = with_grid;
@@ -177,7 +176,7 @@ void RandomProgram::declare_helpers() {
     functions_.push_back(std::move(function));
   };
   const Ty* ints = list_of(int_);
-  if (has_tasks_) line("fn looked(b: bool) -> bool { looks += 1; return b }");
+  if (has_tasks_) line("fn looked(b: bool) -> bool { print(\"looks at\", now(), b); return b }");
   add("fn seen(n: int) -> int { print(\"seen\", n); return n }", {"seen", {{"n", int_, ""}}, int_});
   add("fn told(b: bool) -> bool { print(\"told\", b); return b }",
       {"told", {{"b", bool_, ""}}, bool_});

@@ -6,11 +6,10 @@
 
 #include <array>
 #include <optional>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
-#include "check/tree/walk.hpp"
+#include "check/statements/changes.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -97,43 +96,10 @@ void note_callbacks(Checker& checker, const NativeFunction& function,
   }
 }
 
-// Whether a call of the host's in these statements changes something.
-static bool body_acts(const hir::Function& function) {
-  const auto acts = [](const hir::Expr& e) {
-    if (e.kind != hir::ExprKind::kCallNative) return false;
-    const NativeFunction& called = *e.as<hir::CallNativeExpr>().function;
-    return called.acts || called.commands || (called.gives != nullptr && e.type->is(Kind::kVoid));
-  };
-  bool found = false;
-  std::vector<const hir::Stmt*> open;
-  if (function.body != nullptr) open.push_back(function.body);
-  while (!open.empty() && !found) {
-    const hir::Stmt& s = *open.back();
-    open.pop_back();
-    for_each_child(
-        s, [&](const hir::Expr& e) { found = found || any_part(e, acts); },
-        [&](const hir::Stmt& child) { open.push_back(&child); });
-  }
-  return found;
-}
-
-static bool may_act(Checker& checker, const hir::Function* first) {
-  std::unordered_set<const hir::Function*> known{first};
-  std::vector<const hir::Function*> open{first};
-  while (!open.empty()) {
-    const hir::Function* function = open.back();
-    open.pop_back();
-    if (body_acts(*function)) return true;
-    for (const hir::Function* called : checker.shared.uses.of(function).calls)
-      if (known.insert(called).second) open.push_back(called);
-  }
-  return false;
-}
-
 void check_callbacks(Checker& checker) {
   for (const Postponed::Callback& callback : checker.shared.postponed.callbacks()) {
     if (!checker.shared.uses.may_pause(checker.shared.uses.of(callback.function))) {
-      if (!callback.is_read || !may_act(checker, callback.function)) continue;
+      if (!callback.is_read || !first_change(checker, callback.function)) continue;
       checker.messages.begin_statement();
       checker.report(make_diagnostic("E0520", callback.span,
                                      {std::string(callback.called_by), "change anything"}));

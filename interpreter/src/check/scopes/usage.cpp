@@ -5,6 +5,7 @@
 #include "check/calls/over_list.hpp"
 #include "check/checker.hpp"
 #include "check/entries/keep.hpp"
+#include "check/statements/changes.hpp"
 #include "check/statements/paths.hpp"
 #include "check/statements/recordings.hpp"
 
@@ -136,6 +137,7 @@ void check_conditions(Checker& checker) {
 
 void finish_usage(Checker& checker) {
   check_conditions(checker);
+  check_condition_changes(checker);
   check_callbacks(checker);
   check_paths(checker);
   prepare_tests(checker);

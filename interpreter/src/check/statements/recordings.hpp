@@ -19,6 +19,9 @@ hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& 
 // What `for (row in run)` visits.
 hir::Expr* rows_of(Checker& checker, hir::Expr* table);
 
+// Whether the function takes the samples of a recording.
+[[nodiscard]] bool is_sample(const hir::Function& function);
+
 // E0505, for a condition or for what is recorded.
 void report_pause(Checker& checker, const hir::Function& condition, Span span);
 

@@ -140,6 +140,8 @@ struct Task {
   Obj* condition = nullptr;            // armed: when it comes true, `waiting` is stopped; owned
   std::shared_ptr<Fault> interrupted;  // raised instead of going on when the wait is over
   std::uint64_t armed = 0;             // the condition's place in the order of arming; 0: none
+  bool waits_until = false;  // `wait until`: the condition has to hold when the task goes on
+  bool came_true = false;    // it did at this instant; it stays armed until the task's turn
 
   std::shared_ptr<const void> host_data;  // see Vm::task_data
 

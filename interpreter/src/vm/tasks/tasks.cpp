@@ -23,7 +23,7 @@ constexpr std::int64_t kPatience_ns = 3600LL * 1'000'000'000LL;
 
 bool may_continue(const Task& task) {
   if (task.has_ended) return false;
-  return task.is_ready || task.waiting->is_over() || task.waiting->has_work();
+  return task.is_ready || task.came_true || task.waiting->is_over() || task.waiting->has_work();
 }
 
 // The program after its end, in a run that stays.
@@ -166,10 +166,41 @@ void Scheduler::evaluate(Task& task) {
   bool is_true = false;
   if (!state_.evaluate(task, task.condition, is_true)) {
     tree_.interrupt(task, std::move(state_.fault));
+  } else if (task.waits_until) {
+    task.came_true = is_true;
   } else if (is_true) {
     tree_.disarm(task);
     task.waiting->stop();
   }
+}
+
+bool Scheduler::still_holds(Task& task) {
+  evaluate(task);
+  state_.steps.paused();
+  if (task.interrupted != nullptr) return true;  // the condition failed, which is raised now
+  if (task.came_true) task.waiting->stop();
+  return task.waiting->is_over();
+}
+
+bool Scheduler::still_triggered(Task& body) {
+  Watch& watch = *body.origin.watch;
+  const bool was_evaluated = state_.evaluate(*watch.owner, watch.condition, watch.was_true);
+  state_.steps.paused();
+  if (was_evaluated && watch.was_true) return true;
+  const FaultPtr fault = std::move(state_.fault);
+  tree_.end(body, nullptr);
+  if (!was_evaluated) tree_.fail_block(watch, fault);
+  // A block that has come to its end may have waited for this body alone.
+  if (may_continue(*watch.owner)) pass_.progress = true;
+  return false;
+}
+
+bool Scheduler::has_turn(Task& task) {
+  if (!may_continue(task)) return false;
+  if (task.came_true) return still_holds(task);
+  const bool is_triggered =
+      task.is_ready && task.origin.watch != nullptr && task.origin.watch->condition != nullptr;
+  return !is_triggered || still_triggered(task);
 }
 
 // What comes true while the body runs is dropped.
@@ -186,7 +217,7 @@ bool Scheduler::run_tasks() {
   do {
     for (; pass_.next <= tree_.all().size(); ++pass_.next) {
       Task& task = pass_.next == 0 ? state_.main : *tree_.all()[pass_.next - 1];
-      if (!pass_.inside && !may_continue(task)) continue;
+      if (!pass_.inside && !has_turn(task)) continue;
       const Exit exit = run(task);
       pass_.inside = exit == Exit::kSliced;
       if (pass_.inside) return false;

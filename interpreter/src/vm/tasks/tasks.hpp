@@ -56,6 +56,11 @@ class Scheduler {
   void evaluate_conditions();
   void evaluate(Task& task);
   void evaluate(Watch& watch);
+  // What came true before others had their turn may not hold any more: false, and the task goes on
+  // waiting.
+  bool still_holds(Task& task);
+  // The same for the body of a `when` that has not begun; it is dropped.
+  bool still_triggered(Task& body);
   // What happened in one pass over the tasks.
   struct Pass {
     Exit exit = Exit::kPaused;  // of the program itself
@@ -66,6 +71,7 @@ class Scheduler {
   };
   // False: the slice is over.
   bool run_tasks();
+  [[nodiscard]] bool has_turn(Task& task);
   Exit run(Task& task);
   Exit interpret_on(Task& task);
   Exit resume(Task& task);

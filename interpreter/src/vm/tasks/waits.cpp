@@ -146,7 +146,8 @@ bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc) {
   }
   const Frame& frame = *task.stack.top;
   Obj* condition = nullptr;
-  if (pc->op == OpCode::WAITUNTIL) condition = frame.base[pc->a].o;
+  task.waits_until = pc->op == OpCode::WAITUNTIL;
+  if (task.waits_until) condition = frame.base[pc->a].o;
   if (pc > frame.callee->code && pc[-1].op == OpCode::GUARD) condition = frame.base[pc[-1].a].o;
   task.waiting = std::move(state.pending);
   task.result = result;

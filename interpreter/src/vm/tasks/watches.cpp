@@ -16,6 +16,7 @@ void TaskTree::arm(Task& task) {
 void TaskTree::disarm(Task& task) {
   if (task.armed != 0) armed_.erase(task.armed);
   task.armed = 0;
+  task.waits_until = task.came_true = false;
   state_.heap.release(task.condition);
   task.condition = nullptr;
 }
