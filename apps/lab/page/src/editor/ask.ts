@@ -1,5 +1,5 @@
 // Completion, what stands under the pointer, and the call that is being written: questions to the laboratory.
-import { autocompletion, type Completion, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
+import { acceptCompletion, autocompletion, completionStatus, moveCompletionSelection, selectedCompletionIndex, type Completion, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
 import { StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
 import { closeHoverTooltips, EditorView, hoverTooltip, showTooltip, ViewPlugin, type Tooltip, type ViewUpdate } from "@codemirror/view";
 import type { IncomingOf, Position, Span } from "../protocol/messages.ts";
@@ -26,7 +26,7 @@ const KINDS: Record<string, string> = { method: "method", field: "property", var
 
 async function complete(intents: Intents, context: CompletionContext): Promise<CompletionResult | null> {
   const word = context.matchBefore(/[\w.]+/);
-  if (!context.explicit && (!word || /^\d+\.?\d*$/.test(word.text))) return null;
+  if (!context.explicit && (!word || /^\d/.test(word.text))) return null;
   const answer = await intents.ask<"completion">({ type: "complete", at: positionOf(context.state.doc, context.pos) }).catch(() => null);
   if (!answer?.items.length || context.aborted) return null;
   const from = answer.replaced ? rangeOf(context.state.doc, answer.replaced).from : (context.matchBefore(/\w*/)?.from ?? context.pos);
@@ -36,6 +36,13 @@ async function complete(intents: Intents, context: CompletionContext): Promise<C
     ...(item.detail ? { detail: item.detail } : {}),
   }));
   return { from, options, ...(answer.more ? {} : { validFor: /^\w*$/ }) };
+}
+
+// Tab takes the completion that is chosen, or else the first one.
+export function takeFirst(view: EditorView): boolean {
+  if (completionStatus(view.state) !== "active") return false;
+  if (selectedCompletionIndex(view.state) === null) moveCompletionSelection(true)(view);
+  return acceptCompletion(view);
 }
 
 function paragraph(className: string, text: string | null | undefined): HTMLElement[] {
@@ -188,7 +195,8 @@ function signatures(intents: Intents): Extension {
 
 export function asking(intents: Intents): Extension {
   return [
-    autocompletion({ override: [(context) => complete(intents, context)], activateOnTypingDelay: 80 }),
+    // Enter takes only what somebody has chosen with the arrow keys: it ends a line otherwise.
+    autocompletion({ override: [(context) => complete(intents, context)], activateOnTypingDelay: 80, selectOnOpen: false }),
     hovering(intents),
     resting,
     signatures(intents),

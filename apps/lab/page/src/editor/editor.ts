@@ -4,7 +4,7 @@ import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirro
 import { bracketMatching, indentOnInput, indentUnit } from "@codemirror/language";
 import { forEachDiagnostic, lintGutter, lintKeymap, setDiagnostics, type Action, type Diagnostic as LintDiagnostic } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Compartment, EditorState, Transaction } from "@codemirror/state";
+import { Compartment, EditorState, Transaction, type Annotation, type StateEffect } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
 import { fixed } from "../elements/units.ts";
 import type { Diagnostic, Edit, Span } from "../protocol/messages.ts";
@@ -12,7 +12,7 @@ import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
 import { currentLine, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
-import { asking, positionOf, rangeOf } from "./ask.ts";
+import { asking, positionOf, rangeOf, takeFirst } from "./ask.ts";
 import { language } from "./language.ts";
 import { marking, setMarks } from "./marks.ts";
 import { placeOfName } from "./names.ts";
@@ -24,6 +24,7 @@ export class Editor {
   private readonly highlighting = new Compartment();
   private readonly writing = new Compartment();
   private taking = false;
+  private showed: { line: number | null; followed: number } = { line: null, followed: 0 };
 
   constructor(host: HTMLElement, store: Store, intents: Intents) {
     this.intents = intents;
@@ -47,6 +48,7 @@ export class Editor {
           closeBrackets(), highlightSelectionMatches(), lintGutter(), EditorState.tabSize.of(4), indentUnit.of("    "),
           pulling, asking(intents),
           keymap.of([
+            { key: "Tab", run: takeFirst },
             { key: "Shift-Alt-f", run: () => (void this.format(), true) },
             { key: "F12", run: () => (void this.goToDefinition(), true) },
             { key: "F9", run: (view) => (intents.toggleBreakpoint(positionOf(view.state.doc, view.state.selection.main.head)[0]), true) },
@@ -63,7 +65,7 @@ export class Editor {
     store.watch((s) => [inControl(s), intents.live], (s) => this.view.dispatch({ effects: this.writing.reconfigure(EditorState.readOnly.of(!inControl(s) || !intents.live)) }));
     store.watch((s) => [s.diagnostics, shownRun(s)?.error], (s) => this.diagnose(s));
     store.watch(
-      (s) => [s.breakpoints, currentLine(s), hoveredLine(s), shownRun(s), shownRun(s)?.version, isStale(s)],
+      (s) => [s.breakpoints, currentLine(s), hoveredLine(s), shownRun(s), shownRun(s)?.version, isStale(s), s.followed],
       (s) => this.mark(s),
     );
   }
@@ -112,7 +114,7 @@ export class Editor {
     const answer = await this.intents.ask<"formatted">({ type: "format" }).catch(() => null);
     if (!answer) return;
     if (answer.text === null) this.intents.say("The program has mistakes: it can be laid out when they are mended.");
-    else this.replaceAll(answer.text, "input.format");
+    else this.replaceAll(answer.text, [Transaction.userEvent.of("input.format")]);
   }
 
   async goToDefinition(): Promise<void> {
@@ -122,19 +124,20 @@ export class Editor {
   }
 
   // Only what differs is replaced, so that the cursor stays where it is.
-  private replaceAll(text: string, userEvent: string): void {
+  private replaceAll(text: string, annotations: readonly Annotation<unknown>[]): void {
     const old = this.view.state.doc.toString();
     let from = 0;
     while (from < old.length && from < text.length && old[from] === text[from]) from++;
     let end = 0;
     while (end < old.length - from && end < text.length - from && old.at(-1 - end) === text.at(-1 - end)) end++;
     if (from + end === old.length && old.length === text.length) return;
-    this.view.dispatch({ changes: { from, to: old.length - end, insert: text.slice(from, text.length - end) }, annotations: Transaction.userEvent.of(userEvent) });
+    this.view.dispatch({ changes: { from, to: old.length - end, insert: text.slice(from, text.length - end) }, annotations });
   }
 
+  // What was loaded, or written on another page, is not this person's to undo.
   private take(text: string): void {
     this.taking = true;
-    this.replaceAll(text, "input.take");
+    this.replaceAll(text, [Transaction.userEvent.of("input.take"), Transaction.addToHistory.of(false)]);
     this.taking = false;
   }
 
@@ -172,7 +175,15 @@ export class Editor {
       margin: run ? marginOf(run) : [],
       stale: isStale(state),
     };
-    this.view.dispatch({ effects: setMarks.of(value) });
+    this.view.dispatch({ effects: [setMarks.of(value), ...this.showing(value.current, state.followed)] });
+  }
+
+  // Scrolls to the current line where somebody went there; not while the text is written, which gives new runs with other lines.
+  private showing(line: number | null, followed: number): StateEffect<unknown>[] {
+    const { doc } = this.view.state;
+    const isNew = followed > 0 && (line !== this.showed.line || followed !== this.showed.followed);
+    this.showed = { line, followed };
+    return isNew && line !== null && line <= doc.lines ? [EditorView.scrollIntoView(doc.line(line).from, { y: "nearest", yMargin: 2 * this.view.defaultLineHeight })] : [];
   }
 }
 

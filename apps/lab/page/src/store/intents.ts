@@ -27,6 +27,8 @@ export class Intents {
   private asking = false;
   private steps = 0;
   private askedFor = "";
+  private moved = false; // somebody went to an instant that the laboratory has not been asked about yet
+  private visits = 0; // counts that
   private askedAt = 0;
   private input: { element: string; what: Input } | null = null;
   private givingInput = false;
@@ -84,6 +86,7 @@ export class Intents {
   typeText(text: string, now = false): void {
     this.store.change((s) => {
       s.text = text;
+      s.followed = 0;
       s.ghost = null;
       s.nearest = null;
     });
@@ -113,6 +116,7 @@ export class Intents {
   pullText(text: string): void {
     this.store.change((s) => {
       s.text = text;
+      s.followed = 0;
       s.ghost ??= s.shown;
       s.nearest = null;
     });
@@ -171,8 +175,11 @@ export class Intents {
   }
 
   goTo(t: number): void {
+    this.moved = true;
+    this.visits++;
     this.store.change((s) => {
       s.t = this.placeFor(t);
+      s.followed++;
       s.nearest = null;
     });
     this.askForInstant();
@@ -183,6 +190,7 @@ export class Intents {
     if (on && (!run || run.tEnd <= 0)) return;
     this.store.change((s) => {
       s.playing = on;
+      if (on) s.followed++;
       if (on && s.t >= (run?.tEnd ?? 0) - 1e-9) s.t = 0;
       if (!on) s.t = this.placeFor(s.t);
     });
@@ -211,11 +219,20 @@ export class Intents {
   }
 
   async step(how: StepHow): Promise<void> {
-    this.store.change((s) => (s.playing = false));
+    this.store.change((s) => {
+      s.playing = false;
+      s.followed++;
+    });
+    // A step begins where the laboratory's cursor is: first it goes where this page is, if it is not there yet.
+    if (this.steps === 0 ? this.isElsewhere() : this.moved) void this.goThere();
     this.steps++; // until its answer is there, nothing is asked about where this page was
+    const { visits } = this;
     const instant = await this.answered<"instant">({ type: "step", how });
     this.steps--;
-    if (instant) this.store.change((s) => (s.t = instant.t));
+    if (instant && visits === this.visits) {
+      this.store.change((s) => (s.t = instant.t));
+      this.askedFor = `${instant.run} ${instant.t}`;
+    }
     this.askForInstant();
   }
 
@@ -351,24 +368,31 @@ export class Intents {
 
   // Variables and values of elements at the instant that is looked at: one question at a time.
   private askForInstant(): void {
-    const { shown, t, playing, connection } = this.state;
-    const key = `${shown} ${t}`;
+    const { shown, t, playing, connection, instant } = this.state;
     if (!this.live) this.showLook();
-    if (!this.live || this.asking || this.steps > 0 || shown === null || connection !== "open" || key === this.askedFor) return;
-    const now = Date.now();
-    if (playing && now - this.askedAt < (this.looksClosely ? WHILE_LOOKING : WHILE_PLAYING)) return;
-    const instant = this.state.instant;
-    if (instant && instant.run === shown && Math.abs(instant.t - t) < 1e-9) return;
+    if (!this.live || this.asking || this.steps > 0 || shown === null || connection !== "open" || !this.isElsewhere()) return;
+    if (playing && Date.now() - this.askedAt < (this.looksClosely ? WHILE_LOOKING : WHILE_PLAYING)) return;
+    // Several statements may be at one instant: who goes there comes to where all of them were.
+    if (!this.moved && instant && instant.run === shown && Math.abs(instant.t - t) < 1e-9) return;
     this.asking = true;
-    this.askedFor = key;
-    this.askedAt = now;
-    this.connection
-      .ask({ type: "goto", t, run: shown })
-      .catch(() => {})
-      .finally(() => {
-        this.asking = false;
-        this.askForInstant();
-      });
+    void this.goThere().finally(() => {
+      this.asking = false;
+      this.askForInstant();
+    });
+  }
+
+  // Whether the laboratory has not been asked about the instant that is looked at.
+  private isElsewhere(): boolean {
+    return this.moved || `${this.state.shown} ${this.state.t}` !== this.askedFor;
+  }
+
+  private async goThere(): Promise<void> {
+    const { shown, t } = this.state;
+    if (shown === null) return;
+    this.moved = false;
+    this.askedFor = `${shown} ${t}`;
+    this.askedAt = Date.now();
+    await this.connection.ask({ type: "goto", t, run: shown }).catch(() => {});
   }
 }
 

@@ -89,7 +89,10 @@ const handlers: Handlers = {
   instant(state, message) {
     state.instant = message;
     // An answer is about where this page was when it asked: it may have gone on since. Who steps goes along by itself.
-    if (message.cursor && !state.playing && typeof message.to !== "number") state.t = message.t;
+    if (message.cursor && !state.playing && typeof message.to !== "number") {
+      state.t = message.t;
+      state.followed++;
+    }
   },
   breakpoints(state, message) {
     state.breakpoints = message.lines;

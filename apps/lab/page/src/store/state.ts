@@ -34,6 +34,8 @@ export interface State {
   t: number;
   playing: boolean;
   speed: number;
+  // Counts how often somebody went to an instant or a statement since the text was changed last. Above 0 the current line is kept in view.
+  followed: number;
   hover: Hover;
   pull: Pull | null;
   instant: M.InstantMessage | null;
@@ -68,6 +70,7 @@ export function initialState(): State {
     t: 0,
     playing: false,
     speed: 1,
+    followed: 0,
     hover: null,
     pull: null,
     instant: null,

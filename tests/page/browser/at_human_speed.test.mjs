@@ -1,0 +1,156 @@
+// What everybody does in the first minutes, as fast as people do it: with pauses between keys, and some to look.
+import assert from "node:assert/strict";
+import test, { after } from "node:test";
+import { ARM, closeBrowser, lineOf, placeOf, status, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
+
+after(closeBrowser);
+
+const KEY = { delay: 70 }; // ms from key to key
+const LOOKS = 600; // ms
+
+const program = (page) => page.locator(".cm-content").evaluate((content) => [...content.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
+const popup = (page) => page.locator(".cm-tooltip-autocomplete li");
+const currentLine = (page, text) => page.locator(".line-current").filter({ hasText: text });
+
+async function typeAtEnd(page, text) {
+  await page.locator(".cm-content").focus();
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type(text, KEY);
+  await page.waitForTimeout(LOOKS);
+}
+
+test("Enter behind a number with its unit ends the line and puts in nothing", () =>
+  withLab("var a = 1\nvar m = 2\nwait(1s)\n", async (open) => {
+    const page = await open();
+    await untilStatus(page, /1\.00 s/);
+    const written = ["let h = 85mm", "let k = 90deg", "let w = 200g", "let v = 100mm/s", "let x = 2m", "let t = 1.5s"];
+    for (const line of written) {
+      await typeAtEnd(page, line);
+      await page.keyboard.press("Enter");
+    }
+    assert.equal(await program(page), `var a = 1\nvar m = 2\nwait(1s)\n${written.join("\n")}\n`);
+  }));
+
+test("a completion is taken by Enter when it was chosen, and by Tab", () =>
+  withLab(`${ARM}wait(1s)\n`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /1\.00 s/);
+    await typeAtEnd(page, "arm.moveJ");
+    await popup(page).first().waitFor();
+    await page.keyboard.press("Enter");
+    await page.keyboard.type("arm.homeP", KEY); // no such name
+    await page.waitForTimeout(LOOKS);
+    await page.keyboard.press("Enter");
+    await page.keyboard.type("arm.mov", KEY);
+    await popup(page).first().waitFor();
+    await page.waitForTimeout(LOOKS);
+    const [first, second] = (await popup(page).locator(".cm-completionLabel").allInnerTexts()).slice(0, 2);
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("Enter");
+    assert.ok((await program(page)).endsWith(`\narm.moveJ\narm.homeP\narm.${second}`), await program(page));
+    await page.keyboard.press("Enter");
+    await page.keyboard.type("arm.mov", KEY);
+    await popup(page).first().waitFor();
+    await page.waitForTimeout(LOOKS);
+    await page.keyboard.press("Tab");
+    assert.ok((await program(page)).endsWith(`\narm.${second}\narm.${first}`), await program(page));
+  }));
+
+test("a text that was loaded cannot be undone; what was written can", () =>
+  withLab(null, async (open) => {
+    const page = await open();
+    await untilStatus(page, /\d moves, /);
+    const [before, run] = [await program(page), await status(page).innerText()];
+    const { x, y } = await placeOf(page, "robot", "robot");
+    await page.mouse.click(x, y);
+    await page.waitForTimeout(LOOKS);
+    await page.keyboard.press("Control+z");
+    await page.waitForTimeout(LOOKS);
+    assert.equal(await program(page), before);
+    await typeAtEnd(page, "wait(1s)");
+    assert.notEqual(await program(page), before);
+    await page.keyboard.press("Control+z");
+    await page.waitForTimeout(LOOKS);
+    await page.keyboard.press("Control+z");
+    await page.waitForTimeout(LOOKS);
+    assert.equal(await program(page), before);
+    await untilStatus(page, new RegExp(`^${run.replaceAll(".", "\\.")}$`));
+  }));
+
+const STEPS = `${ARM}let lag = 1.5s
+wait(2s)
+wait(lag)
+wait(1s)
+`;
+
+test("a step goes on from where the page is: from the start after going to the start", () =>
+  withLab(STEPS, async (open) => {
+    const page = await open();
+    await untilStatus(page, /4\.50 s/);
+    await page.getByRole("tab", { name: "Variables" }).click();
+    const keys = (name) => () => page.keyboard.press(name);
+    const clicks = (name) => () => page.getByRole("button", { name, exact: true }).click();
+    const now = async (pattern, line) => {
+      await page.waitForTimeout(LOOKS);
+      await untilClock(page, pattern);
+      await currentLine(page, line).waitFor();
+    };
+    await page.locator("h1").click();
+    for (const [start, over] of [[keys("Home"), keys("ArrowRight")], [clicks("To the start"), clicks("Step over")], [keys("Home"), clicks("Step over")]]) {
+      for (let round = 0; round < 2; round++) {
+        await start();
+        await now(/^0\.00 /, "wait(2s)");
+        await over();
+        await now(/^2\.00 /, "wait(lag)");
+        await over();
+        await now(/^3\.50 /, "wait(1s)");
+      }
+    }
+    // Without a pause, too; arrows on a button would be those of its bar.
+    await page.locator("h1").click();
+    await page.keyboard.press("Home");
+    for (const key of ["ArrowRight", "ArrowRight", "Home", "ArrowRight"]) await page.keyboard.press(key);
+    await currentLine(page, "wait(lag)").waitFor();
+    await untilClock(page, /^2\.00 /);
+    await page.locator(".variables tr", { hasText: "lag" }).filter({ hasText: "1.5 s" }).waitFor();
+  }));
+
+const LONG = `${ARM}${Array.from({ length: 38 }, (_, k) => `wait(${k + 1} * 0.01s)\n`).join("")}`;
+
+test("the current line is scrolled into view by steps, the bar of time and playing, and by nothing else", () =>
+  withLab(LONG, async (open) => {
+    const page = await open();
+    await untilStatus(page, /7\.41 s/);
+    await page.locator("h1").click();
+    const inView = async () => {
+      await until(async () => {
+        const line = page.locator(".line-current");
+        if ((await line.count()) !== 1) return false;
+        const [box, editor] = [await line.boundingBox(), await page.locator(".cm-scroller").boundingBox()];
+        return box !== null && box.y >= editor.y && box.y + box.height <= editor.y + editor.height + 1;
+      }, async () => "the current line is not in view");
+    };
+    await page.keyboard.press("Home");
+    await page.waitForTimeout(LOOKS);
+    for (let k = 0; k < 38; k++) {
+      await page.keyboard.press("ArrowRight");
+      await page.waitForTimeout(120);
+      if (k % 6 === 5) await inView();
+    }
+    await inView();
+    const bar = await page.locator(".bar").boundingBox();
+    for (const share of [0.02, 0.97, 0.4]) {
+      await page.mouse.click(bar.x + 76 + share * (bar.width - 90), bar.y + 30);
+      await page.waitForTimeout(LOOKS);
+      await inView();
+    }
+    // Who writes at the start stays there, whatever the new run does.
+    await page.locator(".cm-content").focus();
+    await page.keyboard.press("Control+Home");
+    await page.keyboard.type("// a\n", KEY);
+    await untilStatus(page, /7\.41 s/);
+    await page.waitForTimeout(LOOKS);
+    const scrolled = await page.locator(".cm-scroller").evaluate((box) => box.scrollTop);
+    assert.ok(scrolled < 5, `scrolled by ${scrolled}`);
+  }));
