@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace armlet {
 namespace {
@@ -53,12 +55,12 @@ class Pieces {
     --count_;
   }
   [[nodiscard]] std::size_t count() const { return count_; }
-
- private:
   std::uint32_t root(std::uint32_t a) {
     while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
     return a;
   }
+
+ private:
   std::vector<std::uint32_t> parent_;
   std::size_t count_;
 };
@@ -92,7 +94,7 @@ EdgeReport look_at(std::span<const Vector3d> vertices, std::span<const Corners> 
   const std::vector<HalfEdge> edges = half_edges(triangles);
   Pieces pieces(triangles.size());
   std::size_t count = 0, single = 0, turned = 0;
-  bool convex = true;
+  bool convex = true, simple = true;
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end, ++count) {
     long balance = 0;
     for (end = i; end < edges.size() && edges[end].ends == edges[i].ends; ++end) {
@@ -100,13 +102,59 @@ EdgeReport look_at(std::span<const Vector3d> vertices, std::span<const Corners> 
       pieces.join(edges[i].triangle, edges[end].triangle);
     }
     if (balance != 0) ++(end - i == 1 ? single : turned);
+    simple = simple && end - i == 2;
     convex = convex && end - i == 2 && balance == 0 &&
              is_behind(vertices, triangles[edges[i].triangle], edges[i + 1].opposite, rounding) &&
              is_behind(vertices, triangles[edges[i + 1].triangle], edges[i].opposite, rounding);
   }
   // A sphere has V - E + F = 2 (Euler).
   const bool sphere = vertices.size() + triangles.size() == count + 2 && pieces.count() == 1;
-  return {.open_because = why_open(single, turned), .is_convex = convex && sphere};
+  return {.open_because = why_open(single, turned),
+          .is_convex = convex && sphere,
+          .is_one_shell = simple && pieces.count() == 1};
+}
+
+namespace {
+
+// Whether each piece at an edge, edges[begin] to edges[end - 1], goes along it as often in one
+// direction as in the other.
+bool is_balanced(std::span<const HalfEdge> edges, Pieces& pieces) {
+  std::map<std::uint32_t, int> balances;
+  for (const HalfEdge& each : edges) balances[pieces.root(each.triangle)] += each.forward ? 1 : -1;
+  return std::ranges::all_of(balances, [](const auto& each) { return each.second == 0; });
+}
+
+}  // namespace
+
+Shells shells_of(std::span<const Corners> triangles) {
+  const std::vector<HalfEdge> edges = half_edges(triangles);
+  Pieces pieces(triangles.size());
+  std::vector<std::pair<std::size_t, std::size_t>> busy;  // edges of more than two triangles
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    for (end = i; end < edges.size() && edges[end].ends == edges[i].ends; ++end) {
+    }
+    if (end - i == 2) pieces.join(edges[i].triangle, edges[i + 1].triangle);
+    if (end - i > 2) busy.emplace_back(i, end);
+  }
+  // After a few rounds all that is connected counts as one.
+  constexpr int kRounds = 10;
+  bool has_joined = true;
+  for (int round = 0; has_joined && round <= kRounds; ++round) {
+    has_joined = false;
+    for (const auto& [begin, end] : busy) {
+      const auto at_edge = std::span(edges).subspan(begin, end - begin);
+      if (round < kRounds && is_balanced(at_edge, pieces)) continue;
+      for (std::size_t i = begin; i < end; ++i)
+        pieces.join(edges[begin].triangle, edges[i].triangle);
+      has_joined = true;
+    }
+  }
+  Shells shells{.of = std::vector<std::uint32_t>(triangles.size()), .count = 0};
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const std::uint32_t root = pieces.root(i);  // the first triangle of its piece
+    shells.of[i] = root == i ? static_cast<std::uint32_t>(shells.count++) : shells.of[root];
+  }
+  return shells;
 }
 
 }  // namespace armlet

@@ -8,6 +8,8 @@
 
 #include "armlet/core/error.hpp"
 #include "mesh/edges.hpp"
+#include "mesh/rays.hpp"
+#include "mesh/shells.hpp"
 #include "mesh/triangle_tree.hpp"
 
 namespace armlet {
@@ -49,39 +51,6 @@ bool comes_before(const Vector3d& p, const Vector3d& q) {
   return p.z() < q.z();
 }
 
-// Whether a ray from p along d goes through a triangle: 1 from inside to outside, -1 the other
-// way, 0 not at all; `doubt` where it passes an edge too closely to tell.
-int crossing(const Vector3d& p, const Vector3d& d, const Vector3d& a, const Vector3d& b,
-             const Vector3d& c, bool& doubt) {
-  constexpr double kClose = 1e-9;
-  const Vector3d u = b - a, v = c - a, h = d.cross(v);
-  const double det = u.dot(h);
-  const double scale = std::sqrt(u.squaredNorm() * v.squaredNorm());
-  if (std::abs(det) <= kClose * scale) {
-    // Seen from the edge: it counts only if the ray comes near, which is not looked at closely.
-    if (scale > 0.0 && std::abs((p - a).dot(u.cross(v))) <= kClose * scale * (1.0 + (p - a).norm()))
-      doubt = true;
-    return 0;
-  }
-  const Vector3d s = p - a, q = s.cross(u);
-  const double x = s.dot(h) / det, y = d.dot(q) / det, t = v.dot(q) / det;
-  const double inner = std::min({x, y, 1.0 - x - y});
-  if (t <= 0.0 || inner < -kClose) return 0;
-  if (inner < kClose) doubt = true;
-  return det > 0.0 ? -1 : 1;
-}
-
-bool ray_meets(const TriangleTree::Node& node, const Vector3d& p, const Vector3d& d) {
-  double from = 0.0, to = 1e30;
-  for (int k = 0; k < 3; ++k) {
-    const double first = (node.low[k] - p[k]) / d[k], second = (node.high[k] - p[k]) / d[k];
-    const double pad = 1e-9 * (1.0 + std::abs(first) + std::abs(second));
-    from = std::max(from, std::min(first, second) - pad);
-    to = std::min(to, std::max(first, second) + pad);
-  }
-  return from <= to;
-}
-
 // Whether no vertex is farther than `rounding` before the plane of a triangle; of very many
 // triangles, every so-manieth is looked at. Slivers have no plane.
 bool lies_behind_all(const TriangleMesh& mesh, double rounding) {
@@ -115,6 +84,7 @@ TriangleMesh::TriangleMesh(std::vector<Vector3d> vertices, std::vector<Corners> 
     look_at_edges();
     weigh();
   }
+  set_shells_right();
   const double size = (high() - low()).maxCoeff();
   if (!(mass_->volume > 1e-15 * size * size * size)) {
     mass_.reset();
@@ -157,6 +127,15 @@ void TriangleMesh::look_at_edges() {
   const EdgeReport report = look_at(vertices_, triangles_, rounding);
   open_because_ = report.open_because;
   is_convex_ = report.is_convex && lies_behind_all(*this, rounding);
+  is_one_shell_ = report.is_one_shell;
+}
+
+void TriangleMesh::set_shells_right() {
+  if (is_one_shell_) return;
+  const Shells shells = shells_of(triangles_);
+  if (shells.count < 2) return;
+  doubled_because_ = armlet::set_shells_right(vertices_, triangles_, tree_, shells);
+  weigh();
 }
 
 void TriangleMesh::turn_inside_out() {
@@ -221,32 +200,11 @@ const Vector3d& TriangleMesh::farthest(const Vector3d& d) const {
 
 bool TriangleMesh::holds(const Vector3d& p) const {
   if (!is_closed() || (p - low()).minCoeff() < 0.0 || (high() - p).minCoeff() < 0.0) return false;
-  // Directions that no edge of a drawing is likely to have.
-  static const Vector3d kRays[] = {{0.531, 0.273, 0.802},
-                                   {-0.613, 0.377, -0.694},
-                                   {0.217, -0.859, 0.464},
-                                   {-0.397, -0.661, 0.637},
-                                   {0.871, 0.413, -0.266}};
   int inside = 0, outside = 0;
-  for (const Vector3d& ray : kRays) {
-    bool doubt = false;
+  for (const Vector3d& ray : rays::kDirections) {
     int crossings = 0;
-    std::array<std::uint32_t, 64> open{};
-    std::size_t count = 1;
-    while (count > 0) {
-      const std::uint32_t at = open[--count];
-      const TriangleTree::Node& node = tree_.nodes[at];
-      if (!ray_meets(node, p, ray)) continue;
-      if (node.second != 0) {
-        open[count++] = node.second;
-        open[count++] = at + 1;
-        continue;
-      }
-      for (std::uint32_t i = node.begin; i < node.end; ++i) {
-        const std::size_t t = tree_.order[i];
-        crossings += crossing(p, ray, corner(t, 0), corner(t, 1), corner(t, 2), doubt);
-      }
-    }
+    const bool doubt = rays::cast(vertices_, triangles_, tree_, p, ray,
+                                  [&](std::uint32_t, int way) { crossings += way; });
     if (!doubt) return crossings > 0;
     ++(crossings > 0 ? inside : outside);
   }

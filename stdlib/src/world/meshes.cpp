@@ -21,9 +21,23 @@ Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::strin
 
 namespace {
 
-// W0740: what a converted mesh lacks of its source.
+// W0742: a mesh that may not be the one that its author meant.
+void advise_doubt(Vm& vm, const std::string& path, const std::string& why, std::string fix) {
+  Failure advice;
+  advice.headline = {row("W0742"), {path, why}};
+  advice.mark_parameter = kMarkCallee;
+  advice.fix = std::move(fix);
+  vm.advise(advice);
+}
+
+// W0740: what a converted mesh lacks of its source; other notes of the converter are doubts.
 void advise_notes(Vm& vm, const std::string& path, const std::string& bytes) {
   for (const std::string& note : glb_notes(bytes)) {
+    if (!note.ends_with("left out") && note.find(" is left out: ") == std::string::npos &&
+        !note.starts_with("the file ")) {
+      advise_doubt(vm, path, note, "write the file again with the program that made it");
+      continue;
+    }
     Failure advice;
     advice.headline = {row("W0740"), {path, note}};
     advice.mark_parameter = kMarkCallee;
@@ -110,6 +124,10 @@ Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<doubl
   if (!triangles->is_closed()) {
     return fail_mesh(vm, file, triangles->open_because(),
                      "close it where it was made: an object needs an inside to have a volume");
+  }
+  if (!triangles->doubled_because().empty()) {
+    advise_doubt(vm, file, triangles->doubled_because(),
+                 "unite its parts where it was made, or give the object its `mass:`");
   }
   return ShapeValue{make_mesh(*std::move(triangles), density.value_or(0.0), file)};
 } catch (const ArgumentError& error) {

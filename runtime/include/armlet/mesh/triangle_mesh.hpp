@@ -69,9 +69,13 @@ class TriangleMesh {
 
   // Why it is no surface of a body, as a sentence without an end; empty if it is one: every edge
   // is as often gone in one direction as in the other. A surface with the inside outside is turned
-  // when it is made.
+  // when it is made, and so is a closed part of it that lies in no other one.
   [[nodiscard]] const std::string& open_because() const { return open_because_; }
   [[nodiscard]] bool is_closed() const { return open_because_.empty(); }
+  // Why its volume counts some of it more than once, as a sentence without an end; empty if it does
+  // not: closed parts of it overlap, or lie in one another without being cavities; or are too many
+  // to find out.
+  [[nodiscard]] const std::string& doubled_because() const { return doubled_because_; }
   // Closed, in one piece, without a hole through it, and bent outward at every edge.
   [[nodiscard]] bool is_convex() const { return is_convex_; }
 
@@ -102,6 +106,7 @@ class TriangleMesh {
   void drop_doubles();
   void look_at_edges();
   void weigh();
+  void set_shells_right();
   void turn_inside_out();
 
   std::vector<Eigen::Vector3d> vertices_;
@@ -109,7 +114,9 @@ class TriangleMesh {
   TriangleTree tree_;
   double reach_ = 0.0;
   std::string open_because_;
+  std::string doubled_because_;
   bool is_convex_ = false;
+  bool is_one_shell_ = false;
   std::optional<MassProperties> mass_;
   MeshSource source_;
 };
