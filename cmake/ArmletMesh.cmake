@@ -19,7 +19,7 @@ function(armlet_add_converter)
   endif()
   find_package(nlohmann_json REQUIRED)
   add_executable(armlet-mesh exchange.cpp)
-  armlet_target_sources(armlet-mesh converter/ assimp_import confine file_checks files gltf_pack images main ply_check scene_builder vrml_check
+  armlet_target_sources(armlet-mesh converter/ assimp_import confine file_checks files gltf_pack images main ply_check scene_builder stl_read vrml_check
     vrml_import xml_check)
   armlet_group_sources(armlet-mesh 1 0)
   armlet_compile_options(armlet-mesh)

@@ -18,6 +18,7 @@ from pathlib import Path
 import mesh_files as meshes
 from broken_meshes import hostile
 from glb_files import box as box_of, file_of, sphere
+from stl_files import check_forms as check_stl_forms
 
 ARMLET = sys.argv[1]
 BY_SPECIFICATION = ("box.gltf", "data.gltf", "out.glb")  # kept as they are, y up
@@ -478,6 +479,7 @@ def main():
         check_links(folder)
         check_stopped(folder)
         check_broken(folder)
+        check_stl_forms(folder, check, parts, refused)
         check_cut(folder, names, int(sys.argv[3]) if len(sys.argv) > 3 else 100)
         check_confined(folder)
         print("meshes of other formats: in order")

@@ -246,8 +246,14 @@ void keep_one_reader(Assimp::Importer& importer, const std::string& format) {
 
 }  // namespace
 
-void import_with_assimp(const Input& input, Files& files, SceneBuilder& scene) {
-  check_before_assimp(input);
+void import_with_assimp(const Input& given_input, Files& files, SceneBuilder& scene) {
+  check_before_assimp(given_input);
+  Input input = given_input;
+  if (input.format == "stl") {
+    std::vector<std::string> notes;
+    input.bytes = plain_stl(given_input.bytes, notes);
+    for (std::string& each : notes) scene.note(std::move(each));
+  }
   Assimp::Importer importer;
   keep_one_reader(importer, input.format);
   auto* given = new GivenFiles(input, files);  // the importer's

@@ -95,24 +95,6 @@ void check_3ds(std::string_view bytes) {
   }
 }
 
-// STL in binary form: 80 bytes, the number of triangles, 50 bytes for each.
-void check_stl(std::string_view bytes) {
-  constexpr std::size_t kHeader = 84, kTriangle = 50;
-  const bool is_text =
-      bytes.starts_with("solid") && bytes.substr(0, 1024).find("facet") != std::string_view::npos;
-  if (is_text) {
-    if (bytes.find("endsolid") == std::string_view::npos)
-      refuse("it is cut off: `endsolid` is missing");
-    return;
-  }
-  if (bytes.size() < kHeader) refuse(fmt::format("it is cut off: it has {} bytes", bytes.size()));
-  const std::size_t count = little_endian(bytes, 80);
-  if (count * kTriangle > bytes.size() - kHeader) {
-    refuse(fmt::format("its header says {} triangles, but there are bytes for {}", count,
-                       (bytes.size() - kHeader) / kTriangle));
-  }
-}
-
 }  // namespace
 
 void check_lines(std::string_view text, std::string_view name) {
@@ -132,7 +114,6 @@ void check_before_assimp(const Input& input) {
     check_dae(bytes);
   }
   if (input.format == "3ds") check_3ds(bytes);
-  if (input.format == "stl") check_stl(bytes);
   if (input.format == "ply") check_ply(bytes);
 }
 

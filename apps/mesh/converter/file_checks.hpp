@@ -1,7 +1,9 @@
 #pragma once
 // What is looked at before a library reads a file: what it would take too much of, or fall over.
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "converter/importers.hpp"
 
@@ -21,5 +23,13 @@ void check_ply(std::string_view bytes);
 //
 // throws  ArgumentError.
 void check_lines(std::string_view text, std::string_view name);
+
+// An STL file, text or binary, as a binary one of exactly its triangles. A binary file is one whose
+// length is what its header says, whatever it begins with, and one that does not begin with
+// `solid`.
+//
+// notes   gets what was passed over.
+// throws  ArgumentError that says which word is missing, or both numbers of triangles.
+std::string plain_stl(std::string_view bytes, std::vector<std::string>& notes);
 
 }  // namespace armlet::mesh
