@@ -1,7 +1,9 @@
 // Meshes that a page reads by itself: STL, OBJ and PLY as GLB, and what is wrong with files of others.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { join } from "node:path";
 import test from "node:test";
-import { source } from "./modules.mjs";
+import { root, source } from "./modules.mjs";
 import { partsOfGlb, trianglesOfGlb, twoColours } from "./small_glb.mjs";
 import { body, obj, ply, plyText, stl, stlText, VOLUME } from "./small_meshes.mjs";
 
@@ -57,6 +59,24 @@ test("the three forms of PLY, and the two of STL, are the same body", () => {
   assert.deepEqual(trianglesOfGlb(made("a.ply", ply(false))), trianglesOfGlb(made("a.ply", plyText())));
   assert.deepEqual(trianglesOfGlb(made("a.stl", stl())), trianglesOfGlb(made("a.stl", stlText())));
 });
+
+// The files on which the converter of the command is tested.
+const written = JSON.parse(execFileSync("python3", [join(root, "tests/stl_files.py")], { encoding: "utf8" }));
+
+for (const [name, content, count, note] of written.forms) {
+  test(`STL as it is written: ${name}`, () => {
+    const glb = made("a.stl", Buffer.from(content, "base64"));
+    assert.equal(trianglesOfGlb(glb).length, count);
+    assert.ok(Math.abs(volumeOf(glb) - count / 24_000) < 1e-10); // 1/6000 m^3 of four triangles
+    assert.equal(Buffer.from(glb).includes(note ?? "not read"), note !== null);
+  });
+}
+
+for (const [name, content, why] of written.refused) {
+  test(`STL that is refused: ${name}`, () => {
+    assert.throws(() => made("a.stl", Buffer.from(content, "base64")), (error) => error.message.includes(why) || assert.fail(error.stack));
+  });
+}
 
 // Numbers of a fixed sequence between 0 and 1.
 function sequence(seed) {
@@ -155,10 +175,10 @@ for (const [name, content, why] of [
   ["count.stl", counted, /^its header says 2147483647 triangles, but there are bytes for 1$/],
   ["short.stl", "abc", /^it is cut off: it has 3 bytes$/],
   ["nan.stl", noNumber, /^a coordinate of a vertex is no number$/],
-  ["cut.stl", stlText().subarray(0, -17), /^it is cut off: `endsolid` is missing$/],
+  ["cut.stl", stlText().subarray(0, -27), /^it is cut off: `endfacet` is missing$/],
   ["corners.stl", "solid\nfacet\nvertex 0 0 0\nendfacet\nendsolid\n", /^the facet that ends in line 4 has 1 corners; expected 3$/],
   ["word.stl", "solid\nfacet\nvertex 0 x 0\nendfacet\nendsolid\n", /^line 3 has "x" where a number should be$/],
-  ["other.stl", "solid\nfacet\n<script>\nendsolid\n", /^line 3 begins with "<script>"$/],
+  ["other.stl", "solid\nfacet\n<script>\nendsolid\n", /^line 3 has "<script>" in a facet$/],
   ["none.ply", "plyx\n", /^it is no PLY file: it does not begin with `ply`$/],
   ["head.ply", "ply\nformat ascii 1.0\n", /^it is cut off: `end_header` is missing$/],
   ["format.ply", "ply\nformat binary_middle 1.0\n", /^its format "binary_middle" is none of PLY$/],
