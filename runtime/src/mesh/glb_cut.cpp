@@ -82,24 +82,42 @@ class NodeCut {
     Json parts = Json::array();
     const Json& all = Document::member(given, "primitives");
     for (std::size_t i = 0; all.is_array() && i < all.size(); ++i) {
-      if (all[i].is_object()) add_part(all[i], parts);
+      if (all[i].is_object() && has_triangles(all[i])) add_part(all[i], parts);
     }
     if (parts.empty()) refuse("there are no triangles in it");
     return {{"primitives", parts}};
   }
 
+  // As read_glb_things reads them: points and lines are no part of a thing.
+  static bool has_triangles(const Json& given) {
+    const std::uint64_t mode = Document::number(given, "mode", glb::kTriangles);
+    return mode >= glb::kTriangles && mode <= 6;
+  }
+
+  // Positions and corners are what the thing is; of all else, what cannot be used is left out.
   void add_part(const Json& given, Json& parts) {
     const Json& attributes = Document::member(given, "attributes");
     if (!attributes.is_object() || !attributes.contains("POSITION")) return;
-    Json part = {{"attributes", Json::object()}};
+    Json part = {{"attributes", {{"POSITION", accessor(attributes["POSITION"])}}}};
     for (const auto& [name, index] : attributes.items()) {
-      if (is_drawn(name) && is_plain(index)) part["attributes"][name] = accessor(index);
+      if (name == "POSITION" || !is_drawn(name)) continue;
+      if_usable([&, &key = name, &at = index] {
+        if (is_plain(at)) part["attributes"][key] = accessor(at);
+      });
     }
     if (given.contains("indices")) part["indices"] = accessor(Document::member(given, "indices"));
     if (given.contains("mode")) part["mode"] = Document::number(given, "mode");
-    if (given.contains("material"))
-      part["material"] = material(Document::number(given, "material"));
+    if_usable([&] {
+      if (given.contains("material"))
+        part["material"] = material(Document::number(given, "material"));
+    });
     parts.push_back(std::move(part));
+  }
+
+  template <class Take>
+  static void if_usable(Take&& take) try {
+    take();
+  } catch (const ArgumentError&) {  // it is drawn without that
   }
 
   // Of an array that lies in the binary part as it is.
@@ -186,10 +204,12 @@ class NodeCut {
 
 }  // namespace
 
-std::string cut_glb(std::string_view bytes, const GlbThing& thing) {
+Result<std::string> cut_glb(std::string_view bytes, const GlbThing& thing) try {
   const glb::Chunks chunks = glb::chunks_of(bytes);
   const Document document(chunks.json);
   return NodeCut(document, chunks.binary).glb(thing);
+} catch (const ArgumentError& error) {
+  return Error{"mesh", error.what()};
 }
 
 }  // namespace armlet

@@ -97,7 +97,9 @@ static Result<TriangleMesh> triangles_in(const std::string& bytes,
   Result<std::vector<GlbThing>> things = read_glb_things(bytes, std::string(*part));
   if (!things.ok()) return things.error();
   TriangleMesh triangles = things->front().triangles;
-  triangles.set_source(std::make_shared<const std::string>(cut_glb(bytes, things->front())));
+  Result<std::string> cut = cut_glb(bytes, things->front());
+  if (!cut.ok()) return cut.error();
+  triangles.set_source(std::make_shared<const std::string>(std::move(cut).value()));
   return triangles;
 }
 

@@ -147,11 +147,11 @@ inline constexpr std::size_t kMostThings = 10'000;
 Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes, const std::string& only = {});
 
 // A file of one thing at the origin as it is drawn in the file that it was read from: its
-// materials, and of the pictures and arrays those that it uses. A picture that is broken, or lies
-// in another file, is left out.
+// materials, and of the pictures and arrays those that it uses. Pictures, materials, normals and
+// colours that are broken, or lie in another file, are left out.
 //
-// throws  ArgumentError for a thing that is not of this file.
-std::string cut_glb(std::string_view bytes, const GlbThing& thing);
+// returns  an error as read_glb for bytes that the thing was not read from.
+Result<std::string> cut_glb(std::string_view bytes, const GlbThing& thing);
 
 // Whether a file is one by its name, ".glb" in whatever case.
 bool is_glb_name(std::string_view name);
