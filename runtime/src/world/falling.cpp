@@ -1,6 +1,7 @@
 // Bodies that fall straight down together.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "armlet/core/error.hpp"
@@ -31,8 +32,10 @@ std::optional<double> World::gap_above(const Object& part, const Object& below) 
 
 // Of a body with what is fastened on it, down to the first surface; `falls` are the bodies that
 // count for none.
-std::optional<Drop> World::fall(const Body& falling, const std::vector<bool>& falls) const {
+std::optional<Drop> World::fall(const Body& falling, const std::set<std::uint32_t>& falls) const {
   const std::vector<const Body*> parts = compound(falling);
+  std::set<std::uint32_t> own;
+  for (const Body* part : parts) own.insert(part->id);
   std::optional<Drop> drop;
   const auto consider = [&](double gap, const std::string& support, bool is_sheet) {
     if (gap < -kRestTolerance) return;
@@ -42,14 +45,41 @@ std::optional<Drop> World::fall(const Body& falling, const std::vector<bool>& fa
   for (const Body* part : parts) {
     const double z = part->object.T_world_obj.translation().z();
     if (floor_z_) consider(z - (*floor_z_ + half_height(part->object)), "floor", false);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const Body& each = bodies_[i];
-      if ((!falls.empty() && falls[i]) || std::ranges::find(parts, &each) != parts.end()) continue;
-      if (const auto gap = gap_above(part->object, each.object))
-        consider(*gap, each.object.name, std::holds_alternative<Plane>(each.object.shape));
+    for (const std::uint32_t id : in_column(part->object)) {
+      if (falls.contains(id) || own.contains(id)) continue;
+      const Object& each = body(id).object;
+      if (const auto gap = gap_above(part->object, each))
+        consider(*gap, each.name, std::holds_alternative<Plane>(each.shape));
     }
   }
   return drop;
+}
+
+// Only bodies in the same columns can be above one another.
+std::vector<std::vector<World::Above>> World::find_above(const std::vector<Parts>& parts) const {
+  std::unordered_map<std::uint32_t, std::size_t> owner;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (const Body* part : parts[i]) owner.emplace(part->id, i);
+  }
+  std::vector<std::vector<Above>> above(parts.size());
+  for (std::size_t j = 0; j < parts.size(); ++j) {
+    std::set<std::size_t> in_columns;
+    for (const Body* lower : parts[j]) {
+      for (const std::uint32_t id : in_column(lower->object)) {
+        const auto found = owner.find(id);
+        if (found != owner.end() && found->second != j) in_columns.insert(found->second);
+      }
+    }
+    for (const std::size_t i : in_columns) {
+      for (const Body* lower : parts[j]) {
+        for (const Body* part : parts[i]) {
+          if (const auto gap = gap_above(part->object, lower->object))
+            above[j].push_back({i, std::max(*gap, 0.0), lower});
+        }
+      }
+    }
+  }
+  return above;
 }
 
 // The distances d obey d_i <= d_j + gap for every body i that is above another one j of them, and
@@ -59,58 +89,43 @@ std::optional<Drop> World::fall(const Body& falling, const std::vector<bool>& fa
 //         constraints), by the algorithm of Dijkstra.
 std::vector<World::Landing> World::land(const std::vector<std::size_t>& roots) const {
   const std::size_t n = roots.size();
-  std::vector<bool> falls(bodies_.size(), false);
-  std::vector<std::vector<const Body*>> parts;
+  std::set<std::uint32_t> falls;
+  std::vector<Parts> parts;
   for (const std::size_t root : roots) {
-    parts.push_back(compound(bodies_[root]));
-    for (const Body* part : parts.back())
-      falls[static_cast<std::size_t>(part - bodies_.data())] = true;
+    parts.push_back(compound(*bodies_[root]));
+    for (const Body* part : parts.back()) falls.insert(part->id);
   }
   std::vector<std::optional<Drop>> drops;
-  for (const std::size_t root : roots) drops.push_back(fall(bodies_[root], falls));
-  // What lies above each: who, how far, on which part.
-  struct Above {
-    std::size_t who;
-    double gap;
-    const Body* on;
-  };
-  std::vector<std::vector<Above>> above(n);
+  for (const std::size_t root : roots) drops.push_back(fall(*bodies_[root], falls));
+  const std::vector<std::vector<Above>> above = find_above(parts);
   std::vector<bool> has_below(n, false);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) {
-      for (const Body* lower : parts[j]) {
-        for (const Body* part : parts[i]) {
-          if (i == j) continue;
-          const auto gap = gap_above(part->object, lower->object);
-          if (!gap) continue;
-          above[j].push_back({i, std::max(*gap, 0.0), lower});
-          has_below[i] = true;
-        }
-      }
-    }
+  for (const std::vector<Above>& each : above) {
+    for (const Above& upper : each) has_below[upper.who] = true;
   }
   // What nothing is below stays.
   for (std::size_t i = 0; i < n; ++i) {
     if (!drops[i] && !has_below[i]) drops[i] = Drop{};
   }
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const auto key = [&](std::size_t i) {
+    return std::pair(drops[i] ? drops[i]->distance : kUnknown, i);
+  };
+  std::set<std::pair<double, std::size_t>> waiting;
+  for (std::size_t i = 0; i < n; ++i) waiting.insert(key(i));
   std::vector<Landing> landings;
-  std::vector<bool> has_landed(n, false);
-  while (landings.size() < n) {
-    std::size_t next = n;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (has_landed[i]) continue;
-      if (next == n || (drops[i] && (!drops[next] || drops[i]->distance < drops[next]->distance)))
-        next = i;
-    }
+  while (!waiting.empty()) {
+    const std::size_t next = waiting.begin()->second;
+    waiting.erase(waiting.begin());
     const Drop landed = drops[next].value_or(Drop{});
-    has_landed[next] = true;
     landings.push_back({roots[next], landed});
     for (const Above& each : above[next]) {
       std::optional<Drop>& drop = drops[each.who];
       const double distance = landed.distance + each.gap;
       const bool is_sheet = std::holds_alternative<Plane>(each.on->object.shape);
-      if (!drop || distance < drop->distance + (is_sheet ? kSameHeight : 0.0))
-        drop = Drop{.distance = distance, .support = each.on->object.name};
+      if (drop && distance >= drop->distance + (is_sheet ? kSameHeight : 0.0)) continue;
+      const bool is_waiting = waiting.erase(key(each.who)) > 0;
+      drop = Drop{.distance = distance, .support = each.on->object.name};
+      if (is_waiting) waiting.insert(key(each.who));
     }
   }
   return landings;
@@ -118,21 +133,18 @@ std::vector<World::Landing> World::land(const std::vector<std::size_t>& roots) c
 
 // A body that rests on a carried one is carried by the same hand.
 void World::ride(Body& body) {
-  const auto is_carried = [](const Body& each) { return each.attachment.has_value(); };
-  if (body.object.fixed || std::ranges::none_of(bodies_, is_carried)) return;
+  if (body.object.fixed || carried_.empty()) return;
   const auto under = fall(body);
   if (!under || std::abs(under->distance) > kRestTolerance) return;
-  for (const Body& lower : bodies_) {
-    if (lower.object.name != under->support || !lower.attachment) continue;
-    const Eigen::Isometry3d T_lower_body =
-        lower.object.T_world_obj.inverse() * body.object.T_world_obj;
-    body.attachment = Attachment{.carrier = lower.attachment->carrier,
-                                 .T_carrier_obj = lower.attachment->T_carrier_obj * T_lower_body,
-                                 .on = lower.object.name,
-                                 .frame = lower.attachment->frame,
-                                 .mounted = lower.attachment->mounted};
-    return;
-  }
+  const Body* lower = find_body(under->support);
+  if (lower == nullptr || !lower->attachment) return;
+  const Eigen::Isometry3d T_lower_body =
+      lower->object.T_world_obj.inverse() * body.object.T_world_obj;
+  carry(body, Attachment{.carrier = lower->attachment->carrier,
+                         .T_carrier_obj = lower->attachment->T_carrier_obj * T_lower_body,
+                         .on = lower->object.name,
+                         .frame = lower->attachment->frame,
+                         .mounted = lower->attachment->mounted});
 }
 
 // Puts a body where it comes to rest. The sum of gaps is right to rounding; on its support it lies
@@ -140,10 +152,12 @@ void World::ride(Body& body) {
 void World::put_down(Body& body, const Drop& drop) {
   double& z = body.object.T_world_obj.translation().z();
   z -= drop.distance;
+  has_moved(body);
   const Object* support = find(drop.support);
-  if (support == nullptr || compound(body).size() > 1) return;
+  if (support == nullptr || !body.fastened.empty()) return;
   const auto z_rest = rests_at(body.object, *support);
   if (z_rest && std::abs(*z_rest - z) <= kRestTolerance) z = *z_rest;
+  has_moved(body);
 }
 
 // All at once, from the one that falls least.
@@ -151,13 +165,13 @@ std::vector<Fall> World::settle(const std::vector<std::string>& names) {
   std::vector<std::size_t> roots;
   for (const std::string& name : names) {
     const std::size_t i = index_of(name);
-    if (bodies_[i].fastened_on.empty()) roots.push_back(i);
+    if (bodies_[i]->fastened_on.empty()) roots.push_back(i);
   }
-  for (const std::size_t i : roots) bodies_[i].attachment.reset();
+  for (const std::size_t i : roots) carry(*bodies_[i], std::nullopt);
   const std::vector<Landing> landings = land(roots);
   std::vector<Fall> falls;
   for (const Landing& each : landings) {
-    Body& body = bodies_[each.body];
+    Body& body = *bodies_[each.body];
     if (each.drop.distance > kRestTolerance) {
       put_down(body, each.drop);
       falls.push_back({.name = body.object.name, .drop = each.drop});
@@ -165,8 +179,8 @@ std::vector<Fall> World::settle(const std::vector<std::string>& names) {
     bring_fastened(body);
   }
   for (const Landing& each : landings) {
-    ride(bodies_[each.body]);
-    bring_fastened(bodies_[each.body]);
+    ride(*bodies_[each.body]);
+    bring_fastened(*bodies_[each.body]);
   }
   const auto bottom = [this](const Fall& each) {
     const Object& object = at(each.name);
@@ -178,21 +192,21 @@ std::vector<Fall> World::settle(const std::vector<std::string>& names) {
 
 Drop World::drop(std::string_view name) {
   std::vector<std::string> falling = stacked_on(name);
-  Body& body = bodies_[index_of(name)];
-  if (!std::exchange(body.fastened_on, {}).empty()) --fastened_;
-  falling.insert(falling.begin(), body.object.name);
+  Body& dropped = body(name);
+  (void)unfasten(dropped);
+  falling.insert(falling.begin(), dropped.object.name);
   for (const Fall& each : settle(falling)) {
     if (each.name == name) return each.drop;
   }
   // It lies there already, to the tolerance.
-  const Drop drop = fall(body).value_or(Drop{});
-  put_down(body, drop);
-  bring_fastened(body);
+  const Drop drop = fall(dropped).value_or(Drop{});
+  put_down(dropped, drop);
+  bring_fastened(dropped);
   return drop;
 }
 
 std::string World::resting_on(std::string_view name) const {
-  const auto drop = fall(bodies_[index_of(name)]);
+  const auto drop = fall(body(name));
   return drop && std::abs(drop->distance) <= kRestTolerance ? drop->support : std::string();
 }
 

@@ -21,12 +21,13 @@ void World::insert_frame(NamedFrame frame) {
   frame.T_on_frame = renormalised(frame.T_on_frame);
   if (frame.base == FrameBase::kCarrier && !has_mounted(frame.carrier))
     mounted_.push_back(frame.carrier);
+  frame_index_.emplace(frame.name, frames_.size());
   frames_.push_back(std::move(frame));
 }
 
 const NamedFrame* World::find_frame(std::string_view name) const {
-  const auto found = std::ranges::find(frames_, name, &NamedFrame::name);
-  return found == frames_.end() ? nullptr : &*found;
+  const auto found = frame_index_.find(name);
+  return found == frame_index_.end() ? nullptr : &frames_[found->second];
 }
 
 std::vector<std::string> World::frame_names() const {
@@ -67,8 +68,10 @@ std::optional<Eigen::Isometry3d> World::T_world_frame(std::string_view name) con
 }
 
 void World::set_frame(std::string_view name, const Eigen::Isometry3d& T_world_frame) {
-  const auto frame = std::ranges::find(frames_, name, &NamedFrame::name);
-  if (frame == frames_.end()) throw ArgumentError(fmt::format("There is no frame \"{}\".", name));
+  const auto found = frame_index_.find(name);
+  if (found == frame_index_.end())
+    throw ArgumentError(fmt::format("There is no frame \"{}\".", name));
+  NamedFrame* const frame = &frames_[found->second];
   check_place(name, T_world_frame);
   const auto T_world_on = T_world_base(*frame);
   if (!T_world_on) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace armlet {
 namespace {
@@ -145,6 +147,31 @@ struct Lowest {
 double half_height(const Object& object) {
   if (has_plain_footprint(object)) return footprint(object).half_height;
   return std::visit(Lowest{object.T_world_obj.linear().row(2).transpose()}, object.shape);
+}
+
+namespace {
+
+// Half of the diagonal of the box around a shape; a ball is round from all sides.
+struct Diagonal {
+  double operator()(const Box& box) const { return 0.5 * box.size.norm(); }
+  double operator()(const Plane& plane) const { return 0.5 * plane.size.norm(); }
+  double operator()(const Sphere& sphere) const { return sphere.radius; }
+  double operator()(const Mesh& mesh) const {
+    return 0.5 * (mesh.triangles->high() - mesh.triangles->low()).norm();
+  }
+  // Cylinders and cones.
+  double operator()(const auto& round) const {
+    return Eigen::Vector3d(round.radius, round.radius, 0.5 * round.height).norm();
+  }
+};
+
+}  // namespace
+
+// A body that leans counts as the box around it along the world's axes: each side of that is as
+// long as the diagonal at most.
+double resting_reach(const Shape& shape) {
+  const double half = std::visit(Diagonal{}, shape);
+  return std::holds_alternative<Sphere>(shape) ? half : std::numbers::sqrt3 * half;
 }
 
 std::optional<double> resting_height(const Object& falling, const Object& below) {

@@ -14,6 +14,9 @@ double half_height(const Object& object);
 // cylinders, boxes and planes with a vertical axis.
 bool has_plain_footprint(const Object& object);
 
+// How far a body, or the box around it that it counts as where it rests, is from its frame at most.
+double resting_reach(const Shape& shape);
+
 // z of the centre of `falling` when it rests on `below`, moving only along z; nothing if it passes
 // beside it. Exact for boxes with a vertical side, upright and lying cylinders and spheres; a body
 // that leans counts as its bounding box, upright in the world's axes, a cone as the cylinder around

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "armlet/core/owned.hpp"
+#include "armlet/world/ball_grid.hpp"
 #include "armlet/world/object.hpp"
 
 namespace armlet {
@@ -101,7 +105,7 @@ class World {
   std::vector<Fall> remove(std::string_view name);
 
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }
-  [[nodiscard]] const Object& object(std::size_t index) const { return bodies_[index].object; }
+  [[nodiscard]] const Object& object(std::size_t index) const { return bodies_[index]->object; }
   [[nodiscard]] std::vector<std::string> names() const;
 
   // Null if there is none. Pointers hold until the next insert or remove.
@@ -122,8 +126,14 @@ class World {
   void detach(std::string_view name);
   [[nodiscard]] const std::optional<Attachment>& attachment(std::string_view name) const;
   [[nodiscard]] const std::optional<Attachment>& attachment_of(std::size_t index) const {
-    return bodies_[index].attachment;
+    return bodies_[index]->attachment;
   }
+  // Indices of all bodies that are carried, ascending.
+  [[nodiscard]] std::vector<std::size_t> carried() const;
+
+  // Indices, ascending, of all bodies that come within a ball; some that only nearly do may be
+  // among them.
+  [[nodiscard]] std::vector<std::size_t> near(const Eigen::Vector3d& middle, double radius) const;
 
   // Name of the body that a carrier's hand holds; empty if none.
   [[nodiscard]] std::string_view carried_by(int carrier) const;
@@ -147,8 +157,11 @@ class World {
   [[nodiscard]] bool has_mounted(int carrier) const;
   // Name of the body that it is fastened on; empty: none.
   [[nodiscard]] const std::string& fastened_on(std::size_t index) const {
-    return bodies_[index].fastened_on;
+    return bodies_[index]->fastened_on;
   }
+  // Names of all bodies that are fastened on others of the same thing as this one, in the order of
+  // insertion.
+  [[nodiscard]] std::vector<std::string> fastened_with(std::string_view name) const;
   // A body and all that is fastened on it, directly or not.
   [[nodiscard]] std::vector<const Object*> thing(std::string_view name) const;
   // Whether they belong to one thing: one of them is fastened on the other, directly or not, or
@@ -185,46 +198,83 @@ class World {
 
  private:
   [[nodiscard]] std::optional<Eigen::Isometry3d> T_world_base(const NamedFrame& frame) const;
+  // fastened, riding  numbers of the bodies that are fastened on it, and of those that travel on it
+  //                   (Attachment::on), ascending.
   struct Body {
     Object object;
-    std::optional<Attachment> attachment;
+    std::uint32_t id = 0;
+    std::optional<Attachment> attachment{};
     std::string fastened_on{};
     Eigen::Isometry3d T_on_obj = Eigen::Isometry3d::Identity();
+    std::vector<std::uint32_t> fastened{};
+    std::vector<std::uint32_t> riding{};
   };
   struct NameHash : std::hash<std::string_view> {
     using is_transparent = void;
   };
   [[nodiscard]] std::size_t index_of(std::string_view name) const;
+  [[nodiscard]] std::size_t index_of_id(std::uint32_t id) const;
+  [[nodiscard]] Body* find_body(std::string_view name);
+  [[nodiscard]] Body& body(std::string_view name) { return *bodies_[index_of(name)]; }
+  [[nodiscard]] const Body& body(std::string_view name) const { return *bodies_[index_of(name)]; }
+  [[nodiscard]] Body& body(std::uint32_t id) { return *bodies_[index_of_id(id)]; }
+  [[nodiscard]] const Body& body(std::uint32_t id) const { return *bodies_[index_of_id(id)]; }
+  // What is done to a body goes through these, which keep the lists and grids right.
+  void has_moved(const Body& body);
+  void carry(Body& body, std::optional<Attachment> attachment);
+  void fasten_to(Body& body, Body& lower);
+  bool unfasten(Body& body);  // false: it was not fastened
+  // Bodies that may touch one, and those that may be above or below it; ascending.
+  [[nodiscard]] std::vector<std::uint32_t> touching(const Object& object) const;
+  [[nodiscard]] std::vector<std::uint32_t> in_column(const Object& object) const;
   // --- falling (falling.cpp)
   // A body, with what is fastened on it, and how far it falls.
   struct Landing {
     std::size_t body;
     Drop drop;
   };
+  // What is above a body of a list: who of the list, how far, and on which part of it.
+  struct Above {
+    std::size_t who;
+    double gap;
+    const Body* on;
+  };
+  using Parts = std::vector<const Body*>;
+  [[nodiscard]] std::vector<std::vector<Above>> find_above(const std::vector<Parts>& parts) const;
   [[nodiscard]] std::optional<double> rests_at(const Object& falling, const Object& below) const;
   [[nodiscard]] std::optional<double> gap_above(const Object& part, const Object& below) const;
   [[nodiscard]] std::optional<Drop> fall(const Body& falling,
-                                         const std::vector<bool>& falls = {}) const;
+                                         const std::set<std::uint32_t>& falls = {}) const;
   [[nodiscard]] std::vector<Landing> land(const std::vector<std::size_t>& roots) const;
   void put_down(Body& body, const Drop& drop);
   // Whether `upper` would fall or travel with `lower`.
   [[nodiscard]] bool is_carried_on(const Body& upper, const Body& lower) const;
+  [[nodiscard]] const Body& lower_in(const std::set<std::uint32_t>& stack, const Body& upper) const;
   void ride(Body& body);
   std::vector<Fall> settle(const std::vector<std::string>& names);
-  void index_from(std::size_t first);
-  // What is fastened on a body goes with it.
+  // What is fastened on a body goes with it: one body, or all.
+  void bring(const Body& lower, Body& upper);
   void bring_fastened(const Body& lower);
   // The bodies that are fastened on one, directly or not, and itself.
   [[nodiscard]] std::vector<const Body*> compound(const Body& root) const;
   [[nodiscard]] std::string_view root_of(std::string_view name) const;
-  void let_loose(std::string_view removed, std::vector<std::string>& above);
+  void let_loose(const Body& removed, std::vector<std::string>& above);
 
   std::optional<double> floor_z_;
   RestingHeight resting_ = nullptr;
-  std::vector<Body> bodies_;
-  std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>> index_;  // of the bodies
+  template <class Value>
+  using ByName = std::unordered_map<std::string, Value, NameHash, std::equal_to<>>;
+  // Bodies have numbers that rise in the order of insertion and stay when others are removed.
+  std::vector<Owned<Body>> bodies_;
+  std::vector<std::uint32_t> ids_;  // of the same
+  std::uint32_t next_id_ = 0;
+  ByName<std::uint32_t> by_name_;
+  std::set<std::uint32_t> carried_;
+  BallGrid near_{BallGrid::Space::kWhole};
+  BallGrid columns_{BallGrid::Space::kColumns};
   int fastened_ = 0;  // how many bodies are fastened on others
   std::vector<NamedFrame> frames_;
+  ByName<std::size_t> frame_index_;
   std::vector<int> mounted_;  // carriers on which something was mounted
 };
 

@@ -1,0 +1,62 @@
+// Balls, found by where they are.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+namespace armlet {
+
+// Each ball lies in a cube of a grid whose cubes are as wide as the ball or less than twice as
+// wide; a grid for each power of two. The balls near a place are found without looking at the
+// others, however different their sizes.
+//
+// source  C. Ericson, Real-Time Collision Detection, 2005, 7.2 (hierarchical grids).
+class BallGrid {
+ public:
+  // Heights count, or balls are columns along z.
+  enum class Space { kWhole, kColumns };
+  explicit BallGrid(Space space) : space_(space) {}
+
+  // A ball that is there already is moved.
+  //
+  // middle, radius  finite, m; radius >= 0.
+  void put(std::uint32_t id, const Eigen::Vector3d& middle, double radius);
+  // Nothing happens if it is not there.
+  void take(std::uint32_t id);
+  [[nodiscard]] std::size_t size() const { return balls_.size(); }
+
+  // All balls that a ball touches, by rising numbers; it may touch some of them but for rounding.
+  [[nodiscard]] std::vector<std::uint32_t> touching(const Eigen::Vector3d& middle,
+                                                    double radius) const;
+
+ private:
+  using Cell = std::array<std::int64_t, 3>;
+  struct CellHash {
+    std::size_t operator()(const Cell& cell) const;
+  };
+  struct Ball {
+    Eigen::Vector3d middle;
+    double radius;
+    int level;  // the cubes of it are 2^level wide
+    Cell cell;
+  };
+  struct Level {
+    std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells;
+    std::size_t count = 0;
+  };
+
+  [[nodiscard]] Cell cell_of(const Eigen::Vector3d& p, double width) const;
+  [[nodiscard]] bool touches(std::uint32_t id, const Eigen::Vector3d& middle, double radius) const;
+  void find_in(const Level& level, double width, const Eigen::Vector3d& middle, double radius,
+               std::vector<std::uint32_t>& found) const;
+
+  Space space_;
+  std::unordered_map<std::uint32_t, Ball> balls_;
+  std::map<int, Level> levels_;
+};
+
+}  // namespace armlet
