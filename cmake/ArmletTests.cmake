@@ -107,6 +107,11 @@ function(armlet_add_format_tests)
   add_test(NAME world.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/world_command.py
            $<TARGET_FILE:armlet>)
   armlet_add_convert_tests()
+  if(NOT ARMLET_SANITIZE)  # valgrind runs no sanitizers
+    add_test(NAME world.growth COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/world_growth.py
+             $<TARGET_FILE:armlet>)
+    set_tests_properties(world.growth PROPERTIES SKIP_RETURN_CODE 77)
+  endif()
 endfunction()
 
 # Meshes of other formats. What a false size does is told by the limit on memory, which sanitizers do not keep.

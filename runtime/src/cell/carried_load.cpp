@@ -10,9 +10,9 @@ namespace {
 template <class Counts>
 Payload sum_of(const World& world, int carrier, Counts&& counts) {
   Payload load;
-  for (std::size_t i = 0; i < world.size(); ++i) {
+  for (const std::size_t i : world.carried()) {
     const auto& attachment = world.attachment_of(i);
-    if (!attachment || attachment->carrier != carrier || !counts(*attachment)) continue;
+    if (attachment->carrier != carrier || !counts(*attachment)) continue;
     const Object& object = world.object(i);
     const Eigen::Matrix3d R = attachment->T_carrier_obj.linear();
     load = together(load, {.mass = object.mass,

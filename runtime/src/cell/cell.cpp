@@ -426,9 +426,8 @@ void Cell::publish(int index, int motion) {
                    .qdd = as_span(arm.qdd),
                    .T_world_tool = T_world_tool(index),
                    .T_world_links = T_world_links_});
-  for (std::size_t i = 0; i < world_.size(); ++i) {
-    const auto& carried = world_.attachment_of(i);
-    if (carried && carried->carrier == index && world_.fastened_on(i).empty())
+  for (const std::size_t i : world_.carried()) {
+    if (world_.attachment_of(i)->carrier == index && world_.fastened_on(i).empty())
       publish_object(world_.object(i).name);
   }
   for (const int finger : arm.fingers) {
@@ -442,12 +441,8 @@ void Cell::publish_object(std::string_view name) {
     tell(ObjectSample{.t_ns = now_ns(), .name = object.name, .T_world_obj = object.T_world_obj});
   };
   tell_of(world_.at(name));
-  // What is fastened on it, without a list of it: this happens at every sample.
-  for (std::size_t i = 0; i < world_.size(); ++i) {
-    const Object& object = world_.object(i);
-    if (!world_.fastened_on(i).empty() && object.name != name &&
-        world_.are_fastened(object.name, name))
-      tell_of(object);
+  for (const std::string& each : world_.fastened_with(name)) {
+    if (each != name) tell_of(world_.at(each));
   }
 }
 

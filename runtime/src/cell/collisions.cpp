@@ -65,9 +65,9 @@ ArmBodies bodies_of(const Cell& cell, int robot) {
   if (model.tool().kind == ToolKind::kFingers) add_hand(cell, robot, arm);
   arm.carried = arm.solids.size();
   const World& world = cell.world();
-  for (std::size_t i = 0; i < world.size(); ++i) {
+  for (const std::size_t i : world.carried()) {
     const auto& attachment = world.attachment_of(i);
-    if (!attachment || attachment->carrier != robot) continue;
+    if (attachment->carrier != robot) continue;
     Solid solid = solid_of(world.object(i).shape);
     solid.T = attachment->T_carrier_obj;
     const int frame = attachment->frame == kFlange ? model.n() : attachment->frame;
@@ -405,7 +405,7 @@ std::optional<ObjectOverlap> deepest_overlap(const World& world, const Object& o
   Solid body = solid_of(object.shape);
   body.T = object.T_world_obj;
   const double reach = body.reach();
-  for (std::size_t i = 0; i < world.size(); ++i) {
+  for (const std::size_t i : world.near(body.T.translation(), reach)) {
     const Object& other = world.object(i);
     if (&other == &object || (other.fixed && object.fixed) || world.attachment_of(i) ||
         world.are_fastened(other.name, object.name))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "armlet/cell/cell.hpp"
@@ -17,10 +18,11 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-5;    // m, from where on bodies touch
-constexpr double kClear = 2e-5;   // m, less than this is not counted as room
-constexpr double kWorthIt = 0.2;  // of the room: with less left it is measured again
-constexpr double kFarOff = 0.25;  // m, room beyond this is not looked at closely
+constexpr double kNear = 1e-5;     // m, from where on bodies touch
+constexpr double kClear = 2e-5;    // m, less than this is not counted as room
+constexpr double kWorthIt = 0.2;   // of the room: with less left it is measured again
+constexpr double kFarOff = 0.25;   // m, room beyond this is not looked at closely
+constexpr double kFarthest = 1e5;  // m, beyond all positions that there are
 constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kLook = 1'000'000;  // ns, how often it is looked whether they still do
 constexpr double kSlips = 1e-3;            // m/s, from where on friction is that of sliding
@@ -158,9 +160,9 @@ struct Contacts::Scene {
     const CellRobot& arm = this->arm(robot);
     if (arm.on >= 0) return all;  // fingers.hpp
     const int n = arm.model->n();
-    for (std::size_t i = 0; i < world.size(); ++i) {
+    for (const std::size_t i : world.carried()) {
       const auto& carried = world.attachment_of(i);
-      if (!carried || carried->carrier != robot || carried->frame == 0) continue;
+      if (carried->carrier != robot || carried->frame == 0) continue;
       const bool at_flange = is_at_flange(*arm.model, *carried);
       Feeler feeler{.carried = world.object(i).name,
                     .frame = at_flange ? n : carried->frame,
@@ -212,6 +214,17 @@ struct Contacts::Scene {
     if (!carried) return false;
     const int on = arm(carried->carrier).on;
     return arm(carried->carrier).motion || (on >= 0 && arm(on).motion);
+  }
+
+  // The objects that come within a ball, and all that are carried.
+  [[nodiscard]] std::vector<std::size_t> around(const Vector3d& middle, double radius) const {
+    std::vector<std::size_t> near = world.near(middle, radius);
+    const std::vector<std::size_t> carried = world.carried();
+    if (carried.empty()) return near;
+    std::vector<std::size_t> all;
+    std::set_union(near.begin(), near.end(), carried.begin(), carried.end(),
+                   std::back_inserter(all));
+    return all;
   }
 
   [[nodiscard]] bool may_press(int robot, std::size_t index, const Feeler& feeler,
@@ -282,13 +295,16 @@ double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler
   const double reach = body.reach() + kNear;
   for (std::size_t i = reaches_.size(); i < scene.world.size(); ++i)
     reaches_.push_back(solid_of(scene.world.object(i).shape).reach());
-  for (std::size_t i = 0; i < scene.world.size(); ++i) {
+  const auto room_of_balls = [&](std::size_t i) {
+    const Vector3d middle = scene.world.attachment_of(i)
+                                ? Vector3d(scene.T_world_obj(i, now_ns).translation())
+                                : scene.world.object(i).T_world_obj.translation();
+    return (body.T.translation() - middle).norm() - reach - reaches_[i];
+  };
+  for (const std::size_t i : scene.around(body.T.translation(), reach + kFarOff)) {
     if (scene.is_own(robot, feeler, i)) continue;
-    const bool carried = scene.world.attachment_of(i).has_value();
-    if (carried && scene.is_on_its_way(i)) room = 0.0;
-    const Vector3d middle = carried ? Vector3d(scene.T_world_obj(i, now_ns).translation())
-                                    : scene.world.object(i).T_world_obj.translation();
-    const double balls = (body.T.translation() - middle).norm() - reach - reaches_[i];
+    if (scene.is_on_its_way(i)) room = 0.0;
+    const double balls = room_of_balls(i);
     if (balls > 0.0 && balls >= std::min(room, kFarOff)) {
       room = std::min(room, balls);
       continue;
@@ -299,6 +315,15 @@ double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler
     if (room > 0.0) room = std::min(room, apart ? gap_between(body, solid).distance : 0.0);
     if (apart || !scene.may_press(robot, i, feeler, approach)) continue;
     visit(feeler, body, i, solid);
+  }
+  // What is farther off counts where nothing nearer does.
+  for (double sure = kFarOff; room > sure && sure < kFarthest;) {
+    sure *= 4.0;
+    for (const std::size_t i : scene.around(body.T.translation(), reach + sure)) {
+      if (scene.is_own(robot, feeler, i)) continue;
+      const double balls = room_of_balls(i);
+      if (balls >= kFarOff) room = std::min(room, balls);
+    }
   }
   return room;
 }

@@ -126,6 +126,10 @@ bool Host::first_collision(const void* call, std::string pair) {
   return collisions_reported_.emplace(call, std::move(pair)).second;
 }
 
+bool Host::knows_collision(const void* call, const std::string& pair) const {
+  return collisions_reported_.contains({call, pair});
+}
+
 std::int64_t Host::now_ns() const { return cell_.now_ns(); }
 std::int64_t Host::tick_ns() const { return cell_.options().tick_ns; }
 

@@ -52,6 +52,7 @@ void report_overlap(Vm& vm, const std::string& name) {
   const World& world = host.cell().world();
   const Object* placed = world.find(name);
   if (placed == nullptr || world.attachment(name)) return;
+  if (host.knows_collision(place_of_call(vm).code(), "placed")) return;
   const auto inside = deepest_overlap(world, *placed);
   if (!inside || !host.first_collision(place_of_call(vm).code(), "placed")) return;
   Failure advice;

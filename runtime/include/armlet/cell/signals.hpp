@@ -1,9 +1,10 @@
 #pragma once
 
-#include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -17,20 +18,20 @@ using SignalValue = std::variant<bool, double>;
 class Signals {
  public:
   void set(std::string_view name, SignalValue value) {
-    const auto found =
-        std::ranges::find(signals_, name, &std::pair<std::string, SignalValue>::first);
-    if (found != signals_.end()) {
-      found->second = value;
+    const auto found = index_.find(name);
+    if (found != index_.end()) {
+      signals_[found->second].second = value;
     } else {
+      index_.emplace(name, signals_.size());
       signals_.emplace_back(std::string(name), value);
     }
   }
 
   // Nothing if it was never set.
   [[nodiscard]] std::optional<SignalValue> get(std::string_view name) const {
-    const auto found =
-        std::ranges::find(signals_, name, &std::pair<std::string, SignalValue>::first);
-    return found == signals_.end() ? std::nullopt : std::optional<SignalValue>(found->second);
+    const auto found = index_.find(name);
+    return found == index_.end() ? std::nullopt
+                                 : std::optional<SignalValue>(signals_[found->second].second);
   }
 
   [[nodiscard]] const std::vector<std::pair<std::string, SignalValue>>& all() const {
@@ -38,7 +39,11 @@ class Signals {
   }
 
  private:
+  struct NameHash : std::hash<std::string_view> {
+    using is_transparent = void;
+  };
   std::vector<std::pair<std::string, SignalValue>> signals_;
+  std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>> index_;
 };
 
 }  // namespace armlet

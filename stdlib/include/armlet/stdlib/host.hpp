@@ -191,8 +191,9 @@ class Host : public Timeline {
   [[nodiscard]] bool first_contact_pick();
   // Whether this is the first time that it is reported of objects that lost their support.
   [[nodiscard]] bool first_fall();
-  // Whether this is the first time that it is reported of these two bodies for this call.
+  // Whether these two bodies are reported for this call the first time; or were reported before.
   [[nodiscard]] bool first_collision(const void* call, std::string pair);
+  [[nodiscard]] bool knows_collision(const void* call, const std::string& pair) const;
 
   // Writes a file of the program: `name` is relative to the folder that was granted and stays below
   // it, has an ending of its kind and leads through no link. A file that cannot be written to its
