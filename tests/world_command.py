@@ -120,6 +120,10 @@ def check_glb(folder):
     open_box = (iron[0], iron[1][1:])
     folder.write("worlds/open.glb", scene([{"name": "lid", "mesh": 0}], [open_box]))
     folder.refuses("open.glb", "open.glb", 'node "lid"')
+    folder.write("worlds/rest.glb", scene([{"name": "lid", "mesh": 0}, {"name": "iron", "mesh": 1}], [open_box, iron]))
+    done = folder.run("rest.glb", "print(objects())\n")
+    check(f"one open thing of two: {done.stdout}{done.stderr}", done.stdout == '[object "iron"]\n')
+    check(f"it is told: {done.stderr}", "W0743" in done.stderr and 'node "lid": its surface is open' in done.stderr)
     folder.write("worlds/loop.glb", scene([{"name": "a", "mesh": 0, "children": [1]}, {"name": "b", "mesh": 0, "children": [0]}], [iron]))
     folder.refuses("loop.glb", "loop.glb")
     folder.write("worlds/mass.glb", scene([{"name": "lid", "mesh": 0, "extras": {"mass": -1}}], [iron]))
@@ -168,6 +172,21 @@ def png(width, height):
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
 
 
+def check_no_worlds(folder):
+    """Meshes and other files that are no worlds are refused with what a world is, and what to write."""
+    for name, data in (("cup.obj", b"v 0 0 0\n"), ("cup.STL", mesh_files.stl()), ("cup.dae", mesh_files.dae()), ("cup.wrl", mesh_files.wrl())):
+        folder.write(f"worlds/{name}", data)
+        folder.refuses(name, "it is a mesh; a world is a .rbt file that declares objects, or a scene as GLB or URDF",
+                       f'mesh("{name}")', f"armlet mesh convert {name} cup.glb")
+    folder.write("worlds/shop.gltf", "{}")
+    folder.refuses("shop.gltf", "a world is a .rbt file", "armlet mesh convert shop.gltf shop.glb")
+    folder.write("worlds/photo.png", png(2, 2))
+    folder.refuses("photo.png", "it is no text; a world is a .rbt file")
+    folder.write("worlds/part.rbt", 'object part { shape: mesh("cup.glb"); at: xyz(400mm, 0mm, 200mm) }\n')
+    folder.write("worlds/cup.glb", glb(*document(*box(0.1, 0.1, 0.1))))
+    check("what is proposed works", folder.lines("part.rbt", "print(objects())\n") == ['[object "part"]'])
+
+
 def check_textures(folder):
     program = 'object crate {{ shape: box(40mm, 40mm, 40mm); at: xyz(300mm, 0mm, 300mm); texture: "{}" }}\nprint("there")\n'
     folder.write("wood.png", png(8, 4))
@@ -187,4 +206,5 @@ with tempfile.TemporaryDirectory() as path:
     check_programs(here)
     check_glb(here)
     check_urdf(here)
+    check_no_worlds(here)
     check_textures(here)

@@ -105,6 +105,9 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
       setup.exit = kNoFile;
       return setup;
     }
+    const SourceSet none;
+    for (const std::string& note : world->notes)
+      show(make_diagnostic("W0743", kNoText, {options.world, note}), none, options.json);
     session.world = std::move(world).value();
   }
   // What a program may write lies below its own folder.

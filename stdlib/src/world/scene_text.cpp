@@ -107,15 +107,18 @@ struct Declared {
 
 // ---- GLB
 
-Result<std::string> text_of_glb(const std::string& bytes, const std::string& file) {
+// notes  gets the things that are left out because they hold nothing; not all may.
+Result<std::string> text_of_glb(const std::string& bytes, const std::string& file,
+                                std::vector<std::string>& notes) {
   const Result<std::vector<GlbThing>> things = read_glb_things(bytes);
   if (!things.ok()) return things.error();
   Names names;
   std::string text;
   for (const GlbThing& each : *things) {
     if (!each.triangles.is_closed()) {
-      return broken(fmt::format("node \"{}\": {}; an object needs an inside to have a volume",
-                                each.name, each.triangles.open_because()));
+      notes.push_back(fmt::format("node \"{}\": {}; an object needs an inside to have a volume",
+                                  each.name, each.triangles.open_because()));
+      continue;
     }
     const Vector3d middle = 0.5 * (each.triangles.low() + each.triangles.high());
     Declared object{
@@ -127,6 +130,7 @@ Result<std::string> text_of_glb(const std::string& bytes, const std::string& fil
     if (each.fixed.value_or(false)) object.rest += "; fixed: true";
     text += object.text();
   }
+  if (text.empty()) return broken(notes.front());
   return text;
 }
 
@@ -273,6 +277,25 @@ Result<std::string> text_of_urdf(const std::string& urdf, const std::string& fol
 
 }  // namespace
 
+// What is no text and no scene: a mesh is one body of a world.
+std::optional<Error> no_world(const std::string& file, std::string_view text) {
+  const std::string_view format = mesh_format(file);
+  const bool is_text = text.find('\0') == std::string_view::npos;
+  if (format.empty() && is_text) return std::nullopt;
+  constexpr std::string_view kWorlds =
+      "a world is a .rbt file that declares objects, or a scene as GLB or URDF";
+  if (format.empty()) return broken(fmt::format("it is no text; {}", kWorlds));
+  const std::string scene = std::filesystem::path(file).stem().string() + ".glb";
+  if (format == "gltf") {
+    return broken(
+        fmt::format("{}; make a GLB of it: armlet mesh convert {} {}", kWorlds, file, scene));
+  }
+  return broken(fmt::format(
+      "it is a mesh; {}, such as one with the line object part {{ shape: mesh({}); at: "
+      "xyz(400mm, 0mm, 200mm) }}, or the GLB that this makes: armlet mesh convert {} {}",
+      kWorlds, in_quotes(file), file, scene));
+}
+
 Result<WorldText> load_world(const std::string& path, const MeshConverter& convert) {
   const std::filesystem::path file(path);
   const std::string folder = file.parent_path().empty() ? "." : file.parent_path().string();
@@ -282,12 +305,17 @@ Result<WorldText> load_world(const std::string& path, const MeshConverter& conve
   const bool is_glb = ending == ".glb", is_urdf = ending == ".urdf" || ending == ".xml";
   Result<std::string> text = read_file(path, is_glb ? kMostGlbBytes : kMostText);
   if (!text.ok()) return text.error();
-  if (is_glb) text = text_of_glb(*text, file.filename().string());
+  std::vector<std::string> notes;
+  if (!is_glb) {
+    if (auto error = no_world(file.filename().string(), *text)) return *error;
+  }
+  if (is_glb) text = text_of_glb(*text, file.filename().string(), notes);
   if (is_urdf) text = text_of_urdf(*text, folder, convert);
   if (!text.ok()) return text.error();
   const std::string name =
       is_glb || is_urdf || ending == ".rbt" ? file.stem().string() : file.filename().string();
-  return WorldText{.name = name, .text = std::move(text).value(), .folder = folder};
+  return WorldText{
+      .name = name, .text = std::move(text).value(), .folder = folder, .notes = std::move(notes)};
 }
 
 }  // namespace armlet

@@ -22,10 +22,12 @@ namespace armlet {
 //
 // folder  where the files lie that it names; empty: that of the program. It is no part of what the
 //         world is: what came out of the files is in the log.
+// notes   what it lacks of the file that it was made of, a sentence without an end each.
 struct WorldText {
   std::string name;
   std::string text;
   std::string folder{};
+  std::vector<std::string> notes{};
   bool operator==(const WorldText& other) const { return name == other.name && text == other.text; }
 };
 
