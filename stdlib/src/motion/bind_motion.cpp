@@ -122,8 +122,10 @@ Answer<void> set_joints(Vm& vm, const RobotRef& r, const PosJ& given_q) {
 
 constexpr std::string_view kMoveJHelp =
     "Moves all joints together; to a position in space, its inverse kinematics is solved first. "
-    "time or speed, a fraction of the joint limits, not both; neither means as fast as the joints "
-    "allow. accel is a fraction of their acceleration limits. In a path, blend is how far from the "
+    "time or speed, not both; neither means as fast as the joints allow. speed is a fraction: no "
+    "joint "
+    "is faster than that share of its speed limit; accelerations stay. accel is a fraction of "
+    "their acceleration limits. In a path, blend is how far from the "
     "target its corner may begin.";
 constexpr std::string_view kMoveLHelp =
     "Moves the hand along a straight line; the orientation turns evenly. time or speed, not both; "

@@ -158,8 +158,9 @@ constexpr NativeFunction kSettingsFunctions[] = {
     def<close_settings>("with}()", "", "", {.in_path = true}),
     def<set_fraction<&BlockSettings::speed>>(
         "with.speed(speed: double)",
-        "Moves inside the block that give neither time nor speed run at this fraction of the joint "
-        "limits.",
+        "Moves of the joints inside the block that give neither time nor speed keep to this "
+        "fraction of the speed limits of the joints. Straight moves, arcs and paths run as many "
+        "times slower.",
         "with (speed: 0.5) { moveJ(home()) }", {.check = check_speed_setting}),
     def<set_fraction<&BlockSettings::accel>>(
         "with.accel(accel: double)",

@@ -52,7 +52,8 @@ constexpr NativeFunction kPlannersFunctions[] = {
         "addPlanner(name: string, law: double[])",
         "Adds a planner of one's own, or replaces one: all joints go the fraction s(x) of their "
         "way in the fraction x of the time. law holds the coefficients c0, c1, c2 ... of s, which "
-        "leads from 0 at x = 0 to 1 at x = 1.",
+        "leads from 0 at x = 0 to 1 at x = 1. Limits on jerk count where the acceleration of the "
+        "law is continuous and zero at both ends.",
         "addPlanner(\"Mine\", [0.0, 0.0, 3.0, -2.0]); moveJ(home(), traj: \"Mine\")"),
     def<add_function>(
         "addPlanner(name: string, law: fn(double) -> double)",

@@ -251,7 +251,8 @@ Answer<void> explain_robot(Vm& vm, const RobotRef& r) {
 constexpr std::string_view kMakeHelp =
     "A motion through all points as a value: planned and checked like a move, but nothing moves. "
     "time is the whole duration, durations those of the legs; speed and accel are fractions of the "
-    "limits of the joints. Planners that know only two points stop at each. Places are reached by "
+    "speed and acceleration limits of the joints. Planners that know only two points stop at each. "
+    "Places are reached by "
     "inverse kinematics, the first from where the robot stands; \"Lin\" joins them by straight "
     "lines.";
 constexpr std::string_view kMakeExample =

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <random>
 
 #include "armlet/core/error.hpp"
 
@@ -82,6 +83,49 @@ TEST_CASE("the fastest motion along a law reaches a limit and exceeds none") {
   CHECK_FALSE(plan.trajectory);
   REQUIRE(plan.too_fast);
   CHECK(plan.too_fast->least_time == doctest::Approx(motion.duration()));
+}
+
+TEST_CASE("laws whose acceleration is continuous keep limits on jerk") {
+  // D = 10 deg, J = 7200 deg/s^3: T = cbrt(60 D / J) for the quintic, by hand 0.43679 s.
+  constexpr double kDeg = 3.14159265358979323846 / 180.0;
+  MoveRequest request;
+  request.q0 = Eigen::VectorXd::Zero(1);
+  request.q1 = Eigen::VectorXd::Constant(1, 10.0 * kDeg);
+  request.limits = {{180.0 * kDeg, 720.0 * kDeg, 7200.0 * kDeg}};
+  const auto quintic = [](double x) { return x * x * x * (10.0 + x * (6.0 * x - 15.0)); };
+  PlannerSet planners;
+  planners.add(
+      "Polynomial",
+      planner_of_law(law_of_polynomial(std::vector<double>{0.0, 0.0, 0.0, 10.0, -15.0, 6.0})));
+  planners.add("Values", planner_of_law(law_of_values(sampled(quintic, 64))));
+  CHECK(planners.plan("Polynomial", request).trajectory->duration() ==
+        doctest::Approx(0.436790).epsilon(1e-5));
+  CHECK(planners.plan("Values", request).trajectory->duration() ==
+        doctest::Approx(0.436790).epsilon(0.02));
+  std::mt19937_64 generator(21);
+  std::uniform_real_distribution<double> limit(0.1, 100.0);
+  for (const char* name : {"Polynomial", "Values", "ModSine"}) {
+    for (int k = 0; k < 100; ++k) {
+      request.limits = {{limit(generator), limit(generator), limit(generator)}};
+      const Trajectory motion = *planners.plan(name, request).trajectory;
+      const AxisLimits& limits = request.limits[0];
+      const double load =
+          std::max({motion.peak(0, 1) / limits.speed, motion.peak(0, 2) / limits.acceleration,
+                    motion.peak(0, 3) / limits.jerk});
+      CHECK(load == doctest::Approx(1.0).epsilon(1e-9).scale(1.0));
+    }
+  }
+}
+
+TEST_CASE("a time that is too short for the jerk of a law is refused for it") {
+  MoveRequest request{.q0 = Eigen::VectorXd::Zero(1), .q1 = Eigen::VectorXd::Ones(1)};
+  request.limits = {{1e3, 1e3, 1.0}};
+  const PlannerSet planners;
+  request.time = 0.5 * planners.plan("ModSine", request).trajectory->duration();
+  const Plan plan = planners.plan("ModSine", request);
+  CHECK_FALSE(plan.trajectory);
+  REQUIRE(plan.too_fast);
+  CHECK(plan.too_fast->kind == LimitKind::kJerk);
 }
 
 TEST_CASE("a law that does not lead from 0 to 1 is refused") {

@@ -24,8 +24,10 @@ ScalarLaw law_of_polynomial(std::span<const double> c);
 // throws  ArgumentError for fewer than six values, values that are not finite, and ends as above.
 ScalarLaw law_of_values(std::span<const double> s);
 
-// All joints move together along q0 + s(t / T) (q1 - q0). Without a time, as fast as the limits on
-// speed and acceleration allow: T is the largest of max|s'| D / V and sqrt(max|s''| D / A).
+// All joints move together along q0 + s(t / T) (q1 - q0). Without a time, as fast as the limits
+// allow: T is the largest of max|s'| D / V, sqrt(max|s''| D / A) and, where s'' is continuous and
+// zero at both ends, cbrt(max|s'''| D / J). Where s'' jumps no duration limits the jerk, as for the
+// planners Cubic and Trap; jumps of up to 2 % of max|s''| count as errors of a law given by values.
 //
 // law     as made by the functions above.
 // source  L. Biagiotti, C. Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008,

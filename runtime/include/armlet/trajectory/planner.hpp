@@ -23,8 +23,9 @@ class Robot;
 // q0, q1          joint positions, rad and m.
 // limits          one per joint.
 // time            whole duration, s; nothing: as fast as the limits allow.
-// speed           fraction of the limits, above 0 and at most 1: the fastest move, run 1/speed
-//                 times slower. Not together with time.
+// speed           fraction of the speed limit of every joint, above 0 and at most 1; limits on
+//                 acceleration and jerk stay. Not together with time. PlannerSet::plan multiplies
+//                 the limits by it, so planners never get one.
 // enforce_limits  false: a move that is too fast is planned all the same and only reported.
 // via             points between q0 and q1, in order. Planners that know only two points stop at
 //                 each.
@@ -86,7 +87,7 @@ struct PlannerRow {
 
 // Planners by name; their laws and the sources of these are in profile.hpp, spline.hpp,
 // jerk_limited.hpp and time_optimal.hpp. Planners that keep their shape in time, through several
-// points, are only slowed down by a lower speed or a longer time; without durations the legs of the
+// points, are only slowed down by lower limits or a longer time; without durations the legs of the
 // others are divided by how long the slowest joint needs for each.
 class PlannerSet {
  public:

@@ -8,6 +8,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/trajectory/spline.hpp"
+#include "trajectory/cube_root.hpp"
 #include "trajectory/planners/planning.hpp"
 
 namespace armlet {
@@ -37,8 +38,14 @@ JointPath path_along(const ScalarLaw& law, double q0, double travel, double T) {
   return path;
 }
 
+// The highest derivatives of a law.
+struct Peaks {
+  double speed, acceleration;
+  double jerk;  // 0 where the acceleration jumps: no duration limits it then
+};
+
 // The joint that needs longest for a law with these peaks, and why.
-TooFast slowest_joint(const MoveRequest& request, double speed_peak, double acceleration_peak) {
+TooFast slowest_joint(const MoveRequest& request, const Peaks& peaks) {
   TooFast slowest{.limit = limits_of(request, 0).speed};
   const auto consider = [&](int i, LimitKind kind, double least, double limit) {
     if (least <= slowest.least_time) return;
@@ -52,20 +59,19 @@ TooFast slowest_joint(const MoveRequest& request, double speed_peak, double acce
   for (int i = 0; i < request.q0.size(); ++i) {
     const double D = std::abs(travel_of(request, i));
     const AxisLimits& limits = limits_of(request, i);
-    consider(i, LimitKind::kSpeed, speed_peak * D / limits.speed, limits.speed);
-    consider(i, LimitKind::kAcceleration, std::sqrt(acceleration_peak * D / limits.acceleration),
+    consider(i, LimitKind::kSpeed, peaks.speed * D / limits.speed, limits.speed);
+    consider(i, LimitKind::kAcceleration, std::sqrt(peaks.acceleration * D / limits.acceleration),
              limits.acceleration);
+    consider(i, LimitKind::kJerk, cube_root(peaks.jerk * D / limits.jerk), limits.jerk);
   }
   return slowest;
 }
 
-Plan plan_along(const ScalarLaw& law, double speed_peak, double acceleration_peak,
-                const MoveRequest& request) {
+Plan plan_along(const ScalarLaw& law, const Peaks& peaks, const MoveRequest& request) {
   if (stands_still(request)) {
     return {.trajectory = Trajectory::at_rest(request.q1, request.time.value_or(0.0))};
   }
-  const Duration chosen =
-      choose_duration(request, slowest_joint(request, speed_peak, acceleration_peak));
+  const Duration chosen = choose_duration(request, slowest_joint(request, peaks));
   if (!chosen.possible) return {.too_fast = chosen.too_fast};
   std::vector<JointPath> joints;
   for (int i = 0; i < request.q0.size(); ++i) {
@@ -112,9 +118,11 @@ ScalarLaw law_of_values(std::span<const double> s) {
 
 Planner planner_of_law(ScalarLaw law) {
   const Trajectory unit({JointPath{.segments = law, .q_end = 1.0}}, 1.0);
-  return [law = std::move(law), speed_peak = unit.peak(0, 1),
-          acceleration_peak = unit.peak(0, 2)](const MoveRequest& request) {
-    return plan_along(law, speed_peak, acceleration_peak, request);
+  constexpr double kJump = 0.02;  // of the highest acceleration: more is no error of interpolation
+  const bool is_smooth = unit.continuity(0, kJump) >= 2;
+  const Peaks peaks{unit.peak(0, 1), unit.peak(0, 2), is_smooth ? unit.peak(0, 3) : 0.0};
+  return [law = std::move(law), peaks](const MoveRequest& request) {
+    return plan_along(law, peaks, request);
   };
 }
 

@@ -66,6 +66,16 @@ void check_request(const MoveRequest& request) {
   if (!request.durations.empty()) check_durations(request);
 }
 
+// The request whose speed limits are the fraction asked for. A motion that is the fastest within
+// these limits keeps the fraction; one that is only run slower need not: a trapezoid whose ramps
+// become longer cruises faster.
+MoveRequest with_scaled_speeds(MoveRequest request) {
+  if (!request.speed) return request;
+  for (AxisLimits& limits : request.limits) limits.speed *= *request.speed;
+  request.speed.reset();
+  return request;
+}
+
 // The joint that needs longest, and why.
 TooFast slowest_joint(const MoveRequest& request, const AxisLaw& law) {
   TooFast slowest{.joint = 0, .limit = limit_value(limits_of(request, 0), LimitKind::kSpeed)};
@@ -342,9 +352,10 @@ Plan PlannerSet::plan(std::string_view name, const MoveRequest& request) const {
         fmt::format("No planner is called '{}'; there are {}.", name, fmt::join(names(), ", ")));
   }
   check_request(request);
-  if (entry->through == Through::kAllPoints) return entry->plan(request);
-  if (request.via.empty() && request.durations.empty()) return entry->plan(request);
-  return plan_legs(entry->plan, request);
+  const MoveRequest slowed = with_scaled_speeds(request);
+  if (entry->through == Through::kAllPoints) return entry->plan(slowed);
+  if (request.via.empty() && request.durations.empty()) return entry->plan(slowed);
+  return plan_legs(entry->plan, slowed);
 }
 
 }  // namespace armlet

@@ -49,11 +49,10 @@ bool stands_still(const MoveRequest& request) {
 
 Duration choose_duration(const MoveRequest& request, TooFast slowest) {
   if (!request.time) {
-    const double T = slowest.least_time / request.speed.value_or(1.0);
-    if (T < kShortestMotion) {
+    if (slowest.least_time < kShortestMotion) {
       throw ArgumentError("The joints have no limits, so the move needs a time.");
     }
-    return {.T = T};
+    return {.T = slowest.least_time};
   }
   slowest.given = *request.time;
   const bool too_fast = slowest.given < slowest.least_time * (1.0 - kTimeSlack);
