@@ -123,6 +123,43 @@ TEST_CASE("zones limit what travels, and places are passed at the times that are
     CHECK(made.motion.value(0, made.time_at(place)) == doctest::Approx(place).epsilon(1e-3));
 }
 
+// A straight line in two pieces with speeds of their own. The least time is not known in closed
+// form, but the time without limits on jerk is a lower bound, and both ends and the border cannot
+// need more than the jerk-limited changes of speed one after another.
+TEST_CASE("pieces of very different speeds take hardly more than their speeds ask for") {
+  std::mt19937_64 generator(4);
+  double worst = 0.0;
+  for (int k = 0; k < 150; ++k) {
+    CAPTURE(k);
+    const double L = uniform(generator, 0.1, 2.0), border = uniform(generator, 0.2, 0.8) * L;
+    const double slow = 0.001 * std::pow(10.0, uniform(generator, 0.0, 2.0));
+    const double fast = std::min(1.0, slow * std::pow(10.0, uniform(generator, 0.0, 2.0)));
+    const bool up = generator() % 2 == 0;
+    const double first = up ? slow : fast, second = up ? fast : slow;
+    CAPTURE(first);
+    CAPTURE(second);
+    const std::vector<AxisLimits> limits{
+        {1.0, uniform(generator, 1.0, 20.0), uniform(generator, 20.0, 300.0)}};
+    const std::vector<SpeedZone> zones{{.from = 0.0, .to = border, .speed = first},
+                                       {.from = border, .to = L, .speed = second}};
+    const Trajectory path = straight_line(L);
+    const TimedRun made =
+        smooth_run(path, limits, fastest_along(path, limits, 200, zones), 96, zones);
+    CHECK(made.is_fastest);
+    const auto change = [&](double from, double to) {  // s, with limited jerk and acceleration
+      const double dv = std::abs(to - from), A = limits[0].acceleration, J = limits[0].jerk;
+      return dv * J >= A * A ? A / J + dv / A : 2.0 * std::sqrt(dv / J);
+    };
+    const double least = border / first + (L - border) / second;
+    const double most = least + change(0.0, first) + change(first, second) + change(second, 0.0);
+    const double T = made.motion.duration();
+    CHECK(T >= least * (1.0 - 1e-3));
+    CHECK(T <= 1.03 * most);
+    worst = std::max(worst, T / most);
+  }
+  MESSAGE("at most " << 100.0 * (worst - 1.0) << " % more");
+}
+
 TEST_CASE("a run without limits on jerk is refused") {
   const Trajectory path = straight_line(1.0);
   const std::vector<AxisLimits> limits{{1.0, 1.0}};

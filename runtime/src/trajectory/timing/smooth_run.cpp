@@ -154,9 +154,10 @@ class Run {
     for (int round = 0; round < kRounds; ++round) {
       add_points();
       if (forces_ && !forces_->hold()) return {};
-      spline_.find_fastest(round == 0 ? kRoughly : kNearly);
+      const bool is_fastest = spline_.find_fastest(round == 0 ? kRoughly : kNearly);
       if (!(spline_.duration() <= longest_)) return {};
       run = make();
+      run.is_fastest = is_fastest;
       if (tighten(run) <= 1.0 + kWellKept && round > 0) break;
     }
     const double factor = std::max(slower(run), 1.0);
@@ -470,7 +471,7 @@ double TimedRun::time_at(double position) const {
 
 TimedRun TimedRun::stretched(double factor) const {
   if (factor == 1.0) return *this;
-  TimedRun slow{.motion = motion.stretched(factor), .s = s, .t = t};
+  TimedRun slow{.motion = motion.stretched(factor), .s = s, .t = t, .is_fastest = is_fastest};
   for (double& time : slow.t) time *= factor;
   return slow;
 }

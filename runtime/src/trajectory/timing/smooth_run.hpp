@@ -13,6 +13,7 @@ namespace armlet {
 struct TimedRun {
   Trajectory motion{};
   std::vector<double> s{}, t{};  // ascending, from 0 to the length and to the duration
+  bool is_fastest = true;        // false: the search for the least duration did not converge
 
   [[nodiscard]] double time_at(double position) const;
   [[nodiscard]] TimedRun stretched(double factor) const;

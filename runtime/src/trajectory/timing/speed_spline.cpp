@@ -14,7 +14,7 @@ namespace {
 constexpr double kNarrower = 0.04;   // the barrier from stage to stage
 constexpr double kWide = 0.6;        // of the first stage, as a part of the duration,
 constexpr double kAgain = 0.024;     // and of that which begins with what was found before
-constexpr int kMostSteps = 12;       // of one stage
+constexpr int kMostSteps = 100;      // of one stage; some 20 were needed at most
 constexpr double kCentred = 0.3;     // squared Newton decrement, as a part of the barrier
 constexpr std::size_t kRowWork = 5;  // operations to look at a row
 constexpr int kMostHalvings = 40;
@@ -240,6 +240,13 @@ bool SpeedSpline::evaluate(const std::vector<double>& c, double mu) {
   time_ = 0.0;
   gradient_.assign(c.size(), 0.0);
   hessian_.assign(c.size(), {});
+  // Coefficients stay above zero (see keeps_limits). Without barriers of their own one of them may
+  // come so near to zero that every step ends there, wherever the others are: next to a piece that
+  // is much slower, its coefficient has to become small.
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    gradient_[i] = -mu / c[i];
+    hessian_[i][0] = mu / (c[i] * c[i]);
+  }
   for (const Point& point : points_) {
     const std::array<double, 3> b = at(point, c);
     if (!(b[0] > 0.0)) return false;
@@ -294,8 +301,7 @@ std::vector<double> SpeedSpline::newton_step() const {
 
 // One step of Newton's method (S. Boyd, L. Vandenberghe, Convex Optimization, 2004, sections 9.5
 // and 11.3), shortened until it keeps the limits and does not lead beyond the lowest point by much.
-// Gives the squared decrement before it.
-double SpeedSpline::step(double mu) {
+SpeedSpline::Step SpeedSpline::step(double mu) {
   const std::vector<double> d = newton_step();
   const auto slope = [&] {
     double sum = 0.0;
@@ -303,21 +309,33 @@ double SpeedSpline::step(double mu) {
     return sum;
   };
   const double before = slope();
-  if (!(before < 0.0)) return 0.0;
+  if (!(before < 0.0)) return {0.0, false};
   const std::vector<double> from = c_;
   double length = 1.0;
   for (int k = 0; k < kMostHalvings; ++k) {
     for (std::size_t i = 0; i < d.size(); ++i) c_[i] = from[i] + length * d[i];
-    if (keeps_limits(c_) && evaluate(c_, mu) && slope() < -0.5 * before) return -before;
+    if (keeps_limits(c_) && evaluate(c_, mu) && slope() < -0.5 * before) return {-before, true};
     length *= 0.6;
   }
   c_ = from;
   evaluate(c_, mu);
-  return 0.0;
+  return {-before, false};
 }
 
-void SpeedSpline::find_fastest(double gap) {
-  const auto barriers = static_cast<double>(points_.size() + 4 * rows_.size() + 2 * forces_.size());
+// Whether the lowest point was reached, near enough for the next barrier and for the gap.
+bool SpeedSpline::centre(double mu) {
+  evaluate(c_, mu);
+  for (int k = 0; k < kMostSteps; ++k) {
+    const Step taken = step(mu);
+    if (taken.decrement <= kCentred * mu) return true;
+    if (!taken.moved) return false;
+  }
+  return false;
+}
+
+bool SpeedSpline::find_fastest(double gap) {
+  const auto barriers =
+      static_cast<double>(cells() + 2 + points_.size() + 4 * rows_.size() + 2 * forces_.size());
   bool again = !c_.empty();
   if (!again || !shrink(kFewShrinks)) {
     again = false;
@@ -327,11 +345,8 @@ void SpeedSpline::find_fastest(double gap) {
   evaluate(c_, 0.0);
   double mu = (again ? kAgain : kWide) * time_ / barriers;
   for (;; mu *= kNarrower) {
-    evaluate(c_, mu);
-    for (int k = 0; k < kMostSteps; ++k) {
-      if (step(mu) <= kCentred * mu) break;
-    }
-    if (mu * barriers <= gap * time_) return;
+    const bool is_centred = centre(mu);
+    if (mu * barriers <= gap * time_) return is_centred;
   }
 }
 

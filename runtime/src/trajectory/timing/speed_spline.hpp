@@ -58,9 +58,10 @@ class SpeedSpline {
 
   // Begins with what was found before, if something was.
   //
-  // gap     how far the duration may be from the least at these points, as a part of it.
-  // throws  ArgumentError if nothing limits the speed.
-  void find_fastest(double gap);
+  // gap      how far the duration may be from the least at these points, as a part of it.
+  // returns  false if the search ended before it was that near; what was found keeps the limits.
+  // throws   ArgumentError if nothing limits the speed.
+  bool find_fastest(double gap);
 
   // The following after find_fastest.
   [[nodiscard]] double duration() const { return time_; }
@@ -83,7 +84,13 @@ class SpeedSpline {
   bool add_force_barriers(const Point& point, double mu, const std::array<double, 3>& b);
   bool add_barriers(const Point& point, double mu, const std::array<double, 3>& b);
   [[nodiscard]] std::vector<double> newton_step() const;
-  double step(double mu);
+  // The squared Newton decrement before a step, and whether a step could be taken.
+  struct Step {
+    double decrement;
+    bool moved;
+  };
+  Step step(double mu);
+  bool centre(double mu);
 
   std::vector<double> knots_;
   std::vector<double> c_;  // coefficients of b, one for each cell and two more
