@@ -349,6 +349,32 @@ void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast) {
   vm.advise(f);
 }
 
+namespace {
+
+// Three positions determine a circle if they are different and not on one line.
+void say_no_circle(NoCircle why, Failure& f) {
+  struct Words {
+    std::string_view what, fix;
+  };
+  constexpr Words kWords[] = {
+      {"they lie on one line", "move the first place off the line, or use moveL"},
+      {"the target is where the hand already is",
+       "for a full circle, make two arcs of half a circle each, to different places"},
+      {"the first place is where the hand already is",
+       "give a first place that lies on the way to the target, or use moveL"},
+      {"the first place is the target itself",
+       "give a first place that lies on the way to the target, or use moveL"}};
+  const Words& words = kWords[static_cast<std::size_t>(why)];
+  f.headline =
+      Headline::own(row("R0603"), fmt::format("no arc leads over these places: {}", words.what));
+  f.why =
+      "an arc goes from where the hand is, over the first place, to the second; only three "
+      "different places that are not on one line determine its circle";
+  f.fix = std::string(words.fix);
+}
+
+}  // namespace
+
 Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_joints,
                  const PosC& target, const LineFault& fault) {
   if (fault.kind == LineFaultKind::kGoal) return fail_unreachable(vm, call, target.T, fault.ik);
@@ -364,10 +390,7 @@ Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
   const Vector3d start_point = forward(robot, start_joints).translation();
   const Vector3d closest = nearest_to_axis(robot, start_point, target.T.translation());
   if (fault.kind == LineFaultKind::kNoArc) {
-    f.headline =
-        Headline::own(row("R0603"), "no arc leads over these places: they lie on one line");
-    f.why = "an arc goes from where the hand is, over the first place, to the second";
-    f.fix = "move the first place off the line, or use moveL";
+    say_no_circle(fault.no_circle, f);
     return fail(vm, std::move(f));
   }
   if (is_straight && is_inside_fold(robot, start_joints, closest)) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "armlet/kinematics/forward.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
 #include "armlet/trajectory/damped_line.hpp"
 
@@ -38,7 +39,11 @@ TrackedLine damped(const Robot& robot, LineMove move,
   const std::optional<DampedLine> plan =
       p_world_via ? plan_damped_arc(robot, *p_world_via, move) : plan_damped_line(robot, move);
   if (!plan) {
-    return {.fault = LineFault{.kind = LineFaultKind::kNoArc, .T_world_tool = move.T_world_goal}};
+    const auto why = no_circle_over(forward(robot, move.q0).translation(), *p_world_via,
+                                    move.T_world_goal.translation());
+    return {.fault = LineFault{.kind = LineFaultKind::kNoArc,
+                               .T_world_tool = move.T_world_goal,
+                               .no_circle = why.value_or(NoCircle::kOnOneLine)}};
   }
   return {.motion = plan->motion,
           .length = plan->length,

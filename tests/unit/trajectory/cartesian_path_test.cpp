@@ -70,8 +70,7 @@ TEST_CASE("an arc passes its three points in order, all on one circle") {
 TEST_CASE("the rounded corner misses by 0.0265165 and accelerates by 10.6066") {
   CurvePiece a = straight_piece(make_translation({-1, 0, 0}), make_translation({0, 0, 0}));
   CurvePiece b = straight_piece(make_translation({0, 0, 0}), make_translation({0, 1, 0}));
-  const CurveCorner corner{
-      .before = a.state_from_end(0.9), .after = b.state_from_start(0.1), .length = 0.2};
+  const CurveCorner corner = cut_corner(a, b, 0.1);
   CHECK(corner.at(0.5).translation().norm() == doctest::Approx(0.0265165).epsilon(1e-6));
   double peak = 0.0;
   const double h = 1e-4;
@@ -91,12 +90,7 @@ TEST_CASE("a turn along a piece is even, and a corner joins it with continuous r
   const auto arc = arc_through(T1.translation(), {0.6, 0.5, 0.2}, T2.translation());
   CurvePiece a = straight_piece(T0, T1);
   CurvePiece b = arc_piece(T1, T2, *arc);
-  a.to = 0.8;
-  b.from = 0.2 * a.length / b.length;
-  const CurveCorner corner{.T_corner = T1,
-                           .before = a.state_from_end(a.to),
-                           .after = b.state_from_start(b.from),
-                           .length = 0.4 * a.length};
+  const CurveCorner corner = cut_corner(a, b, 0.2 * a.length);
   PoseCurve curve;
   curve.add(a);
   curve.add(corner);
@@ -110,6 +104,52 @@ TEST_CASE("a turn along a piece is even, and a corner joins it with continuous r
   }
   CHECK((curve.at(0.0).matrix() - T0.matrix()).norm() < 1e-12);
   CHECK((curve.at(1.0).matrix() - T2.matrix()).norm() < 1e-12);
+}
+
+// The rule of the language reference, 13.3: 3/16 of blend times |d2 - d1|, whatever the tool does
+// besides.
+TEST_CASE("a corner misses by its rule, however much the tool rotates along its pieces") {
+  std::mt19937_64 generator(12);
+  for (int k = 0; k < 300; ++k) {
+    const auto random_pose = [&] {
+      const auto in = [&](double most) { return uniform(generator, -most, most); };
+      const double angle = k % 3 == 0 ? 0.0 : 1.4;
+      return pose_from_rpy({in(0.3), in(0.3), in(0.3)}, {in(angle), in(angle), in(angle)});
+    };
+    const Eigen::Isometry3d T0 = random_pose(), T1 = random_pose(), T2 = random_pose();
+    CurvePiece a = straight_piece(T0, T1), b = straight_piece(T1, T2);
+    const Eigen::Vector3d way1 = T1.translation() - T0.translation();
+    const Eigen::Vector3d way2 = T2.translation() - T1.translation();
+    const double blend = uniform(generator, 0.1, 0.5) * std::min(way1.norm(), way2.norm());
+    const CurveCorner corner = cut_corner(a, b, blend);
+    const Eigen::Vector3d turn = way2.normalized() - way1.normalized();
+    CHECK((corner.middle().translation() - T1.translation()).norm() ==
+          doctest::Approx(3.0 / 16.0 * blend * turn.norm()).epsilon(1e-9));
+    CHECK((corner.at(0.0).translation() - T1.translation()).norm() == doctest::Approx(blend));
+    CHECK((corner.at(1.0).translation() - T1.translation()).norm() == doctest::Approx(blend));
+    PoseCurve curve;
+    curve.add(a);
+    curve.add(corner);
+    curve.add(b);
+    // No kink: at both joints first differences change by no more than the step.
+    const double h = 1e-5;
+    for (const double s :
+         {(a.to - a.from) * a.length, (a.to - a.from) * a.length + corner.length}) {
+      const double x = s / curve.length();
+      const Vector6d before = pose_error(curve.at(x - h), curve.at(x)) / h;
+      const Vector6d behind = pose_error(curve.at(x), curve.at(x + h)) / h;
+      CHECK((behind - before).norm() < 1e-2);
+    }
+  }
+}
+
+TEST_CASE("a rotation in place has a corner too") {
+  const Eigen::Isometry3d T1 = pose_from_rpy({0.3, 0.0, 0.3}, {0.0, 0.0, 0.0});
+  CurvePiece a = straight_piece(pose_from_rpy({0.2, 0.0, 0.3}, {0.0, 0.0, 0.0}), T1);
+  CurvePiece b = straight_piece(T1, pose_from_rpy({0.3, 0.0, 0.3}, {0.0, 0.0, 1.0}));
+  const CurveCorner corner = cut_corner(a, b, 0.02);
+  CHECK((corner.at(0.0).translation() - T1.translation()).norm() == doctest::Approx(0.02));
+  CHECK(angle_between(corner.at(1.0), T1) == doctest::Approx(0.1));  // 0.02 m of 0.2 m per radian
 }
 
 TEST_CASE("the tool follows the circle, at the samples and between, over the middle point") {
@@ -133,15 +173,37 @@ TEST_CASE("the tool follows the circle, at the samples and between, over the mid
   CHECK(corner_distance(kArm, motion, via) < 1e-3);
 }
 
-TEST_CASE("three places on one line are a line if the middle one is in between, else no arc") {
+TEST_CASE("three places on one line, and two that are the same, are no arc, with the reason") {
+  CHECK(no_circle_over({0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}) == NoCircle::kOnOneLine);
+  CHECK(no_circle_over({0, 0, 0}, {0.3, 0, 0}, {0.2, 0, 0}) == NoCircle::kOnOneLine);
+  CHECK_FALSE(no_circle_over({0, 0, 0}, {0.1, 1e-6, 0}, {0.2, 0, 0}));
+  std::mt19937_64 generator(9);
+  for (int k = 0; k < 100; ++k) {
+    const auto near = [&](const Eigen::Vector3d& p) {  // within some micrometres
+      const auto in = [&] { return uniform(generator, -4e-6, 4e-6); };
+      return Eigen::Vector3d(p + Eigen::Vector3d(in(), in(), in()));
+    };
+    const Eigen::Vector3d p(0.4, 0.1, 0.3), other(0.45, 0.2, 0.25);
+    CHECK(no_circle_over(p, other, near(p)) == NoCircle::kStartAndEnd);
+    CHECK(no_circle_over(p, near(p), other) == NoCircle::kStartAndVia);
+    CHECK(no_circle_over(p, other, near(other)) == NoCircle::kViaAndEnd);
+  }
+}
+
+TEST_CASE("an arc back to where the tool is, alone and in a path, is refused") {
   const Eigen::Isometry3d T0 = forward(kArm, kStart);
-  const LineMove move{.q0 = kStart, .T_world_goal = shifted(T0, 0.0, 0.2, 0.0), .time = 4.0};
-  const LinePlan straight = plan_arc(kArm, shifted(T0, 0.0, 0.1, 0.0).translation(), move);
-  REQUIRE(straight.ok());
-  CHECK(straight.length == doctest::Approx(0.2));
-  const LinePlan none = plan_arc(kArm, shifted(T0, 0.0, 0.3, 0.0).translation(), move);
-  REQUIRE(none.fault);
-  CHECK(none.fault->kind == LineFaultKind::kNoArc);
+  const Eigen::Vector3d via = shifted(T0, 0.05, 0.0, 0.0).translation();
+  const LinePlan alone = plan_arc(kArm, via, {.q0 = kStart, .T_world_goal = T0, .time = 4.0});
+  REQUIRE(alone.fault);
+  CHECK(alone.fault->kind == LineFaultKind::kNoArc);
+  CHECK(alone.fault->no_circle == NoCircle::kStartAndEnd);
+  PathMove move{.q0 = kStart};
+  move.points = {{.T_world_tool = shifted(T0, 0.0, 0.1, 0.0), .blend = 0.01},
+                 {.T_world_tool = shifted(T0, 0.0, 0.1, 0.0), .p_world_via = via}};
+  const PathPlan path = plan_path(kArm, move);
+  REQUIRE(path.fault);
+  CHECK(path.fault->no_circle == NoCircle::kStartAndEnd);
+  CHECK(path.point == 1);
 }
 
 TEST_CASE("no joint's speed jumps along a path, whatever its corners") {

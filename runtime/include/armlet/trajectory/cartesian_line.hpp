@@ -40,12 +40,16 @@ struct LineMove {
 //        is ok there, only another configuration of the arm reaches it, which it cannot change
 //        into.
 // kJump  a joint would have to jump: the line passes through or next to a singularity.
-// kNoArc for arcs only: the three positions lie on one line, and the middle one is not in between.
+// kNoArc for arcs only: two of the three positions are the same, or all lie on one line.
 enum class LineFaultKind { kGoal, kPath, kJump, kNoArc };
+
+// Why three positions determine no circle: which two are the same, or that all lie on one line.
+enum class NoCircle { kOnOneLine, kStartAndEnd, kStartAndVia, kViaAndEnd };
 
 // fraction  of the length up to which the line can be followed, 0 to 1.
 // joint     for kJump, the joint, counted from 0.
 // limit     for kPath, the joint that would leave its limits if the arm went on as it is.
+// no_circle for kNoArc, why.
 struct LineFault {
   LineFaultKind kind = LineFaultKind::kGoal;
   double fraction = 0.0;
@@ -53,6 +57,7 @@ struct LineFault {
   IkResult ik{};
   int joint = 0;
   std::optional<LimitViolation> limit{};
+  NoCircle no_circle = NoCircle::kOnOneLine;
 };
 
 // motion  the joint motion, verified; nothing in it if `fault` says why.

@@ -12,13 +12,20 @@ namespace armlet {
 // move.T_world_goal; the orientation turns evenly about one axis. Everything else is as for
 // plan_line, `length` being that of the arc.
 //
-// If the three positions lie on one line with `via` in between, that line is followed.
-//
 // p_world_via  in the world, m.
-// returns      a plan whose fault is kNoArc if they lie on one line and `via` is not in between.
+// returns      a plan whose fault is kNoArc if two of the positions are the same (closer together
+//              than kSamePosition) or all lie on one line (within 1e-9 of their distance).
 // throws       as plan_line.
 // source       B. Siciliano et al., Robotics, 2009, section 4.3.1 (circular path).
 LinePlan plan_arc(const Robot& robot, const Eigen::Vector3d& p_world_via, const LineMove& move);
+
+// Positions that are closer together are the same for an arc: the plane of the circle and its
+// middle would follow from rounding and from how exactly the tool reached its last target. m.
+inline constexpr double kSamePosition = 1e-5;
+
+// Why no circle leads over the three positions; nothing: one does.
+std::optional<NoCircle> no_circle_over(const Eigen::Vector3d& p_start, const Eigen::Vector3d& p_via,
+                                       const Eigen::Vector3d& p_end);
 
 // A position on a path.
 //

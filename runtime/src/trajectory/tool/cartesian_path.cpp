@@ -92,17 +92,6 @@ void add_zone(std::vector<SpeedZone>& zones, double from, double to, double spee
   if (std::isfinite(speed) || std::isfinite(accel)) zones.push_back({from, to, speed, accel});
 }
 
-// The corner at the end of `before`; shortens both.
-CurveCorner cut_corner(Leg& before, Leg& behind, double blend) {
-  const double r = std::min({blend, 0.5 * before.piece.length, 0.5 * behind.piece.length});
-  before.piece.to = 1.0 - r / before.piece.length;
-  behind.piece.from = r / behind.piece.length;
-  return {.T_corner = before.piece.T_end,
-          .before = before.piece.state_from_end(before.piece.to),
-          .after = behind.piece.state_from_start(behind.piece.from),
-          .length = 2.0 * r};
-}
-
 class PathPlanner {
  public:
   PathPlanner(const Robot& robot, const PathMove& move)
@@ -161,7 +150,12 @@ class PathPlanner {
       std::optional<CurvePiece> piece = straight_piece(T, point.T_world_tool);
       if (point.p_world_via) piece = piece_over(T, *point.p_world_via, point.T_world_tool);
       if (!piece) {
-        return fail({.kind = LineFaultKind::kNoArc, .T_world_tool = point.T_world_tool}, leg.point);
+        const auto why =
+            no_circle_over(T.translation(), *point.p_world_via, point.T_world_tool.translation());
+        return fail({.kind = LineFaultKind::kNoArc,
+                     .T_world_tool = point.T_world_tool,
+                     .no_circle = why.value_or(NoCircle::kOnOneLine)},
+                    leg.point);
       }
       leg.piece = *piece;
       if (piece->length > kNoLength) legs_.push_back(leg);
@@ -182,7 +176,7 @@ class PathPlanner {
       const bool stops = k + 1 == legs_.size() || blend_behind(leg) < kShortestBlend;
       const bool curve_goes_on = !stops && !leg.q_goal && !legs_[k + 1].q_goal;
       std::optional<CurveCorner> corner;
-      if (curve_goes_on) corner = cut_corner(leg, legs_[k + 1], blend_behind(leg));
+      if (curve_goes_on) corner = cut_corner(leg.piece, legs_[k + 1].piece, blend_behind(leg));
       if (k == first || leg.q_goal || legs_[k - 1].q_goal) parts.emplace_back();
       add_leg(parts.back(), leg);
       if (corner) add_corner(parts.back(), *corner, legs_[k + 1]);
@@ -209,7 +203,7 @@ class PathPlanner {
     add_zone(part.zones, from, part.curve.length(), std::min(leg.speed, next.speed),
              std::min(leg.accel, next.accel));
     plan_.missed[static_cast<std::size_t>(leg.point)] =
-        (corner.at(0.5).translation() - corner.T_corner.translation()).norm();
+        (corner.middle().translation() - corner.T_corner.translation()).norm();
   }
 
   // The joints along a part, over its length, m.
@@ -227,7 +221,10 @@ class PathPlanner {
   // What a corner of the joints may take away at one side of it.
   double joint_blend(const Part& part, const Trajectory& path, double blend, bool at_end) const {
     const Leg& leg = at_end ? part.legs.back() : part.legs.front();
-    if (!leg.q_goal) return std::min(blend, 0.5 * leg.piece.length);
+    if (!leg.q_goal) {
+      const double measure = leg.piece.measure();
+      return std::min(blend, 0.5 * measure) * (leg.piece.length / measure);
+    }
     const double r =
         at_end ? blend_at_end(robot_, path, blend) : blend_at_start(robot_, path, blend);
     return std::min(r, 0.5 * path.duration());
@@ -365,8 +362,11 @@ class PathPlanner {
     if (!speed) return {};
     const int cells = kCells + kCellsPerCorner * corners;
     TimedRun run = smooth_run(course, *speed, cells);
-    if (run.s.empty()) run = smooth_run(course, *speed, kFiner * cells);
-    return run;
+    if (!run.s.empty() && run.is_fastest) return run;
+    TimedRun finer = smooth_run(course, *speed, kFiner * cells);
+    const bool shorter =
+        !finer.s.empty() && (run.s.empty() || finer.motion.duration() < run.motion.duration());
+    return shorter ? finer : run;
   }
 
   // Until motors can do it, if they can.

@@ -8,12 +8,14 @@
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
+#include "armlet/trajectory/cartesian_path.hpp"
 #include "armlet/trajectory/profile.hpp"
 
 namespace armlet {
 namespace {
 
-constexpr double kRotationLength = 0.2;  // m, what a rotation in place by one radian counts for
+constexpr double kRotationLength = 0.2;   // m, what a rotation in place by one radian counts for
+constexpr double kRotatesInPlace = 1e-3;  // m: what travels less rotates in place
 
 }  // namespace
 
@@ -46,6 +48,11 @@ std::optional<Arc> arc_through(const Eigen::Vector3d& p1, const Eigen::Vector3d&
 double CurvePiece::travel() const {
   if (is_round()) return arc.radius * arc.sweep;
   return (T_end.translation() - T_start.translation()).norm();
+}
+
+double CurvePiece::measure() const {
+  const double way = travel();
+  return way >= kRotatesInPlace ? way : length;
 }
 
 Eigen::Isometry3d CurvePiece::at(double fraction) const {
@@ -107,17 +114,51 @@ CurvePiece arc_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometry3d& 
 std::optional<CurvePiece> piece_over(const Eigen::Isometry3d& T_start, const Eigen::Vector3d& p_via,
                                      const Eigen::Isometry3d& T_end) {
   const Eigen::Vector3d &p1 = T_start.translation(), &p3 = T_end.translation();
-  if (const auto arc = arc_through(p1, p_via, p3)) return arc_piece(T_start, T_end, *arc);
-  if ((p_via - p1).dot(p3 - p_via) < 0.0 || p1 == p3) return std::nullopt;
-  return straight_piece(T_start, T_end);
+  if (no_circle_over(p1, p_via, p3)) return std::nullopt;
+  return arc_piece(T_start, T_end, *arc_through(p1, p_via, p3));
 }
 
+namespace {
+
+// By travel instead of length.
+CurveState by_measure(CurveState state, const CurvePiece& piece) {
+  const double rate = piece.length / piece.measure();
+  state.slope *= rate;
+  state.curvature *= rate * rate;
+  return state;
+}
+
+}  // namespace
+
+CurveCorner cut_corner(CurvePiece& before, CurvePiece& behind, double blend) {
+  const double r = std::min({blend, 0.5 * before.measure(), 0.5 * behind.measure()});
+  before.to = 1.0 - r / before.measure();
+  behind.from = r / behind.measure();
+  const double first = before.length / before.measure();
+  const double second = behind.length / behind.measure();
+  CurveCorner corner{.T_corner = before.T_end,
+                     .before = by_measure(before.state_from_end(before.to), before),
+                     .after = by_measure(behind.state_from_start(behind.from), behind),
+                     .reach = 2.0 * r,
+                     .length = 4.0 * r / (1.0 / first + 1.0 / second)};
+  corner.enters = 2.0 * second / (first + second);
+  corner.leaves = 2.0 * first / (first + second);
+  return corner;
+}
+
+// The share grows with a rate that goes from `enters` to `leaves` and is level at both ends, so
+// that speeds and accelerations along the curve are continuous.
 Eigen::Isometry3d CurveCorner::at(double fraction) const {
+  const double x = fraction;
+  return at_share(enters * x + (leaves - enters) * x * x * x * (1.0 - 0.5 * x));
+}
+
+Eigen::Isometry3d CurveCorner::at_share(double u) const {
   Vector6d x;
   for (int i = 0; i < 6; ++i) {
     x[i] = quintic_segment({before.x[i], before.slope[i], before.curvature[i]},
-                           {after.x[i], after.slope[i], after.curvature[i]}, length)
-               .value(fraction * length);
+                           {after.x[i], after.slope[i], after.curvature[i]}, reach)
+               .value(u * reach);
   }
   return make_pose(T_corner.linear() * rotation_exp(x.tail<3>()),
                    T_corner.translation() + x.head<3>());

@@ -47,6 +47,8 @@ struct CurvePiece {
   [[nodiscard]] bool is_round() const { return arc.radius > 0.0; }
   // What the tool point travels, m, other than what rotations count for.
   [[nodiscard]] double travel() const;
+  // What of it a blend is measured by, m: travel, and the length of a rotation (nearly) in place.
+  [[nodiscard]] double measure() const;
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
   // Relative to the pose at the start (fraction 0) or at the end (1): positions in the world's
   // axes, rotations in those of that pose.
@@ -58,20 +60,38 @@ CurvePiece straight_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometr
 CurvePiece arc_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometry3d& T_end,
                      const Arc& arc);
 
-// The arc over p_via, or the straight piece if p_via is on the line in between; nothing if it is on
-// the line elsewhere.
+// The arc over p_via; nothing where no_circle_over says why.
 std::optional<CurvePiece> piece_over(const Eigen::Isometry3d& T_start, const Eigen::Vector3d& p_via,
                                      const Eigen::Isometry3d& T_end);
 
 // The path round a corner: quintics from one state to another, both relative to the corner. Between
-// straight pieces these are P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)).
+// straight pieces these are P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)), where r is what the
+// tool point travels in either piece.
+//
+// before, after  derivatives by what the tool point travels.
+// reach          2 r, m.
+// length         of the corner as a part of a curve, m. Pieces whose rotation counts for more than
+//                their travel have a length per metre of travel above 1; the corner leads smoothly
+//                from that of one piece to that of the other.
+// enters, leaves the derivative of u by the fraction of the length at both ends; their sum is 2.
 struct CurveCorner {
   Eigen::Isometry3d T_corner = Eigen::Isometry3d::Identity();
   CurveState before, after;
+  double reach = 0.0;
   double length = 0.0;
+  double enters = 1.0, leaves = 1.0;
 
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
+  // The pose at u = 1/2, which is next to the corner between straight pieces.
+  [[nodiscard]] Eigen::Isometry3d middle() const { return at_share(0.5); }
+
+ private:
+  [[nodiscard]] Eigen::Isometry3d at_share(double u) const;
 };
+
+// The corner between two pieces, each of which it shortens by `blend` of its travel, or by half of
+// it if that is less. A rotation in place has no travel: there what its angle counts for is meant.
+CurveCorner cut_corner(CurvePiece& before, CurvePiece& behind, double blend);
 
 // A curve that runs through poses in a time from 0 to 1: position and rotation vector, both seen
 // from the first pose with the world's axes for the position, are polynomials in pieces.
