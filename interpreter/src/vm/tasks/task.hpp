@@ -129,6 +129,12 @@ struct TaskChildren {
   std::size_t ending = kNoRegion;  // it waits for the tasks of this region and those inside
 };
 
+// How many waits for a time or a motion it has begun at one instant.
+struct WaitsAtOnce {
+  std::int64_t at_ns = -1;
+  int count = 0;
+};
+
 // A task waits while `waiting` is set.
 struct Task {
   Task(std::uint32_t call_depth, std::size_t slots) : stack(call_depth, slots) {}
@@ -153,6 +159,7 @@ struct Task {
   std::uint64_t parallels = 0;  // how many it has begun
 
   TaskChildren children;
+  WaitsAtOnce waits;
 
   [[nodiscard]] bool waits_for_its_tasks() const {
     return children.joins || children.ending != kNoRegion;

@@ -8,6 +8,7 @@
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/instructions/slow_ops.hpp"
+#include "vm/tasks/busy_wait.hpp"
 #include "vm/tasks/recordings.hpp"
 
 namespace armlet::lang {
@@ -144,7 +145,12 @@ Exit Scheduler::finish_round() {
   if (pass_.changed) ++rounds_;
   if (rounds_ < kMostRounds && ++quiet_ < kMostQuietRounds) return Exit::kPaused;
   if (++failures_ > 2) return abandon();
-  fail_everywhere({"R0620", {std::to_string(std::max(rounds_, quiet_))}}, {});
+  if (Task* busy = find_busy_task(state_, kMostRounds / 2)) {
+    raise_busy_wait(state_, *busy, std::max(rounds_, quiet_));
+    tree_.interrupt(*busy, std::move(state_.fault));
+  } else {
+    fail_everywhere({"R0620", {std::to_string(std::max(rounds_, quiet_))}}, {});
+  }
   rounds_ = quiet_ = 0;
   return Exit::kPaused;
 }

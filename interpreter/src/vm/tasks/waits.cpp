@@ -9,6 +9,7 @@
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/instructions/slow_ops.hpp"
+#include "vm/tasks/busy_wait.hpp"
 #include "vm/tasks/durations.hpp"
 
 namespace armlet::lang {
@@ -153,7 +154,11 @@ bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc) {
   task.result = result;
   task.condition = condition;
   retain_object(condition);
-  if (condition != nullptr) state.tree.arm(task);
+  if (condition != nullptr) {
+    state.tree.arm(task);
+  } else {
+    count_wait(task, state.vm.timeline().now_ns());
+  }
   state.steps.paused();
   return true;
 }
