@@ -13,6 +13,8 @@
 #include "armlet/math/ode.hpp"
 #include "numbers/ode_program.hpp"
 #include "numbers/ode_steps.hpp"
+#include "robot/rules.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
 
 namespace armlet::bind {
@@ -403,6 +405,11 @@ Answer<RecordObj*> event(Vm& vm, Slot g, std::string_view direction, bool stop) 
   return Failed{};
 }
 
+template <int kParameter>
+void check_method(CheckCall& call) {
+  check_words(call, kParameter, ode_method_names());
+}
+
 constexpr NativeFunction kOdeFunctions[] = {
     def<ode>(
         "ode(f: fn(double, double[]) -> double[], y0: double[], t0: time, t1: time, step: time, "
@@ -420,7 +427,7 @@ constexpr NativeFunction kOdeFunctions[] = {
         "they are so from knot to knot, and none goes across one. events are the instants at which "
         "a "
         "function of `when` went through zero; one that stops makes the last row.",
-        "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last"),
+        "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last", {.check = check_method<5>}),
     def<ode_during>(
         "ode(f: fn(double, double[]) -> double[], y0: double[], during: time, step: time?, "
         "method: string?, tolerance: double = 1e-8, knots: time[]?, when: OdeEvent[]?) -> "
@@ -428,7 +435,8 @@ constexpr NativeFunction kOdeFunctions[] = {
         "The same from 0 s on, for so long. Without a step the method is \"dopri5\", which keeps "
         "to the tolerance, and a hundred rows are given; with one it is \"rk4\". Methods that do "
         "not choose their steps need one.",
-        "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows"),
+        "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows",
+        {.check = check_method<4>}),
     def<ode_with_units>(
         "ode(f: fn(time, S) -> U, y0: S, t0: time, t1: time, step: time, method: string = \"rk4\", "
         "tol: double = 1e-8, knots: time[]?, when: OdeEvent<S>{g: fn(time, S) -> double, "
@@ -438,7 +446,7 @@ constexpr NativeFunction kOdeFunctions[] = {
         "fields have the same names and are the rates of those of y. y of the solution and of its "
         "events are such structs.",
         "ode(fn(t: double, y: double[]) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last",
-        {.check = check_rates}),
+        {.check = check_all_of<check_rates, check_method<5>>}),
     def<ode_with_units_during>(
         "ode(f: fn(time, S) -> U, y0: S, during: time, step: time?, method: string?, tolerance: "
         "double = 1e-8, knots: time[]?, when: OdeEvent<S>{g: fn(time, S) -> double, direction: "
@@ -447,7 +455,7 @@ constexpr NativeFunction kOdeFunctions[] = {
         "A state with units from 0 s on, for so long; steps and methods are those of a state "
         "without.",
         "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows",
-        {.check = check_rates}),
+        {.check = check_all_of<check_rates, check_method<4>>}),
     def<ode_times>(
         "odeTimes(during: time, step: time?, knots: time[]?) -> time[]",
         "The times of the states that ode gives with the same settings: the start and the end of "

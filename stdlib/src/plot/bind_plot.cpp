@@ -10,6 +10,7 @@
 #include "armlet/plot/braille.hpp"
 #include "armlet/plot/svg.hpp"
 #include "plot/plots.hpp"
+#include "robot/rules_settings.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -224,13 +225,15 @@ Answer<void> save_plot(Vm& vm, std::string_view file, OptionalText title) {
   return {};
 }
 
+constexpr std::string_view kLogarithmicAxes[] = {"x", "y", "xy", "yx"};
+
 constexpr NativeFunction kPlotFunctions[] = {
     def<figure>("figure(title: string, log: string?)",
                 "Begins a figure, or goes on with the one of that title; what is plotted next "
                 "belongs to it. "
                 "log: \"y\", \"x\" or \"xy\" makes these axes logarithmic, which show values above "
                 "zero only.",
-                "figure(\"speeds\")"),
+                "figure(\"speeds\")", {.check = check_word<1, kLogarithmicAxes>}),
     def<plot_values<SeriesKind::kLine>>(
         "plot(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
         "Draws a line through the points (x, y); label: its name in the legend, axis: \"left\" or "
@@ -261,7 +264,8 @@ constexpr NativeFunction kPlotFunctions[] = {
         "Saves all figures, or the one of that title, below the folder of the program: a picture "
         "(.svg) "
         "or text (.txt).",
-        "plot([0s, 1s], [0deg, 30deg]); savePlot(\"speeds.svg\")"),
+        "plot([0s, 1s], [0deg, 30deg]); savePlot(\"speeds.svg\")",
+        {.check = check_ending<0, kPictureEndings>}),
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "motion/moves.hpp"
 #include "robot/models.hpp"
 #include "robot/rules.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
 #include "values/eigen_results.hpp"
 #include "values/give.hpp"
@@ -153,6 +154,8 @@ constexpr std::string_view kJacobianDot =
     "The acceleration of the tool point that the joint speeds qd cause while they do not change: "
     "the rate of the Jacobian times qd, three values in m/s^2 and three in rad/s^2, in the world.";
 
+constexpr std::string_view kJacobianFrames[] = {"world", "base", "tool"};
+
 constexpr NativeFunction kRobotFunctions[] = {
     def<joints>("joints(r: robot) -> posJ", "The joint values now.", "joints()",
                 {.check = note_positions}),
@@ -198,10 +201,12 @@ constexpr NativeFunction kRobotFunctions[] = {
                                       kManipulability, "manipulability([0.0, 0.5, 0.1, 0.0])",
                                       {.check = check_joint_list<1>}),
     def<jacobian_of<Joints>>("jacobian(r: robot, q: posJ, frame: string = \"world\") -> matrix",
-                             kJacobian, "jacobian(joints())"),
+                             kJacobian, "jacobian(joints())",
+                             {.check = check_word<2, kJacobianFrames>}),
     def<jacobian_of<JointList>>(
         "jacobian(r: robot, q: double[], frame: string = \"world\") -> matrix", kJacobian,
-        "jacobian([0.0, 0.5, 0.1, 0.0], frame: \"tool\")", {.check = check_joint_list<1>}),
+        "jacobian([0.0, 0.5, 0.1, 0.0], frame: \"tool\")",
+        {.check = check_all_of<check_joint_list<1>, check_word<2, kJacobianFrames>>}),
     def<jacobian_dot<Joints, JointList>>("jacobianDot(r: robot, q: posJ, qd: double[]) -> double[]",
                                          kJacobianDot, "jacobianDot(joints(), jointSpeeds())",
                                          {.check = note_twist_rate}),

@@ -12,6 +12,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/math/twist.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
 #include "values/eigen_results.hpp"
 #include "values/values.hpp"
@@ -130,11 +131,11 @@ constexpr NativeFunction kRotationFunctions[] = {
         "180 "
         "deg where the first and third axis are the same, otherwise in -90 to 90 deg; where the "
         "angles are not unique the first is 0.",
-        "eulerZYZ(10deg, 20deg, 30deg).euler(\"ZYX\")"),
+        "eulerZYZ(10deg, 20deg, 30deg).euler(\"ZYX\")", {.check = check_word<1, kSequences>}),
     def<singular>("posC.singular(p: posC, sequence: string) -> bool",
                   "Whether the Euler angles of this sequence are not unique: the first and third "
                   "axis coincide.",
-                  "rotY(90deg).singular(\"ZYX\")"),
+                  "rotY(90deg).singular(\"ZYX\")", {.check = check_word<1, kSequences>}),
     def<quaternion>("posC.quat(p: posC) -> double[]",
                     "The orientation as a unit quaternion w, x, y, z with w >= 0.",
                     "rotZ(90deg).quat"),

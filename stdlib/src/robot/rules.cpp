@@ -16,6 +16,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/planner.hpp"
 #include "messages/library_messages.hpp"
+#include "robot/rules_settings.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -344,6 +345,8 @@ void check_time_and_speed(CheckCall& call, int time, int speed) {
 void check_move_joints(CheckCall& call) {
   check_joint_target(call, 1);
   check_time_and_speed(call, 2, 3);
+  check_fraction(call, 3);
+  check_fraction(call, 4);
   check_planner(call, 5);
   check_joints_in_path(call, 7);
   if (!call.given(6)) return;
@@ -354,11 +357,15 @@ void check_move_joints(CheckCall& call) {
 }
 void check_move_position(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
+  check_fraction(call, 3);
+  check_fraction(call, 4);
   check_planner(call, 5);
   check_joints_in_path(call, 7);
 }
 void check_move_line(CheckCall& call) {
   check_time_and_speed(call, 2, 3);
+  check_positive(call, 3);
+  check_positive(call, 4);
   check_in_path(call, {.time = 2, .tool = 5, .blend = 7});
 }
 

@@ -389,8 +389,15 @@ namespace {
 
 hir::Stmt* check_wait(Checker& checker, const ast::Expr& duration, Span span) {
   note_pause(checker, span);
-  return checker.make<hir::WaitStmt>(hir::StmtKind::kWait, span,
-                                     seconds(checker, duration, "wait"));
+  hir::Expr* value = seconds(checker, duration, "wait");
+  const auto known = checker.shared.constants.of(*value);
+  const bool is_number =
+      known && (known->kind == Constant::Kind::kReal || known->kind == Constant::Kind::kInt);
+  if (is_number && known->real < 0.0) {
+    checker.report(make_diagnostic("E0534", duration.span,
+                                   {"wait", "0 s or more", checker.text_of(duration.span)}));
+  }
+  return checker.make<hir::WaitStmt>(hir::StmtKind::kWait, span, value);
 }
 
 hir::Stmt* check_wait_until(Checker& checker, const ast::WaitUntilStmt& stmt) {

@@ -1,0 +1,89 @@
+#include "robot/rules_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "armlet/core/format.hpp"
+#include "armlet/core/similar.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// Of a setting that the program writes; nothing for one that is left out or computed.
+std::optional<Constant> written(const CheckCall& call, int parameter) {
+  return call.given(parameter) ? call.constant(parameter) : std::nullopt;
+}
+
+bool is_number(const Constant& constant) {
+  return constant.kind == Constant::Kind::kReal || constant.kind == Constant::Kind::kInt;
+}
+
+// "a", "b" or "c"
+std::string choice(std::span<const std::string_view> words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == words.size() ? " or " : ", ", words[i]);
+  return out;
+}
+
+Diagnostic refused(const CheckCall& call, int parameter, std::string accepted, std::string given) {
+  return make_diagnostic(
+      "E0534", call.span(parameter),
+      {std::string(call.function_name()), std::move(accepted), std::move(given)});
+}
+
+}  // namespace
+
+void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words) {
+  const auto constant = written(call, parameter);
+  if (!constant || constant->kind != Constant::Kind::kText ||
+      std::ranges::find(words, constant->text) != words.end())
+    return;
+  Diagnostic out = refused(call, parameter, choice(words), '"' + constant->text + '"');
+  const std::vector<std::string_view> all(words.begin(), words.end());
+  const Span span = call.span(parameter);
+  if (const auto meant = most_similar(constant->text, all)) {
+    out.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
+                  .edits = {{span, fmt::format("\"{}\"", *meant)}},
+                  .confidence = Confidence::kMaybe};
+  }
+  call.report(std::move(out));
+}
+
+void check_endings(CheckCall& call, int parameter, std::span<const std::string_view> endings) {
+  const auto constant = written(call, parameter);
+  if (!constant || constant->kind != Constant::Kind::kText ||
+      std::ranges::any_of(endings, [&](std::string_view ending) {
+        return std::string_view(constant->text).ends_with(ending);
+      }))
+    return;
+  call.report(refused(call, parameter, "a file that ends with " + choice(endings),
+                      '"' + constant->text + '"'));
+}
+
+void check_fraction(CheckCall& call, int parameter) {
+  const auto constant = written(call, parameter);
+  if (!constant || !is_number(*constant) || (constant->real > 0.0 && constant->real <= 1.0)) return;
+  Diagnostic out = refused(call, parameter, "a fraction above 0 and at most 1",
+                           format_number(constant->real, 6));
+  out.why = "it is a part of what the joints can do";
+  constexpr double kPercent = 100.0;
+  if (constant->real > 1.0 && constant->real <= kPercent) {
+    const std::string meant = format_number(constant->real / kPercent, 6);
+    out.fix = Fix{.text = fmt::format("for {} % write {}", format_number(constant->real, 6), meant),
+                  .edits = {{call.span(parameter), meant}},
+                  .confidence = Confidence::kMaybe};
+  }
+  call.report(std::move(out));
+}
+
+void check_positive(CheckCall& call, int parameter) {
+  const auto constant = written(call, parameter);
+  if (!constant || !is_number(*constant) || constant->real > 0.0) return;
+  call.report(refused(call, parameter, "more than 0", call.text_of(call.span(parameter))));
+}
+
+}  // namespace armlet::bind

@@ -1,0 +1,34 @@
+#pragma once
+// Settings whose value the text shows are checked before anything moves: E0534.
+//
+// The same limits are checked in the run, for values that are computed.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "armlet/interpreter/native.hpp"
+
+namespace armlet::bind {
+
+// A text that is one of some words.
+void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words);
+template <int kParameter, const auto& kWords>
+void check_word(CheckCall& call) {
+  check_words(call, kParameter, kWords);
+}
+
+// The name of a file that ends with one of some endings: ".svg".
+void check_endings(CheckCall& call, int parameter, std::span<const std::string_view> endings);
+template <int kParameter, const auto& kEndings>
+void check_ending(CheckCall& call) {
+  check_endings(call, kParameter, kEndings);
+}
+
+// A fraction of what the joints can do: above 0 and at most 1.
+void check_fraction(CheckCall& call, int parameter);
+
+// A speed or an acceleration, which is above 0.
+void check_positive(CheckCall& call, int parameter);
+
+}  // namespace armlet::bind
