@@ -26,6 +26,10 @@ class Surroundings {
   [[nodiscard]] bool is_classic() const { return classic_; }
   bool set_classic(bool classic) { return std::exchange(classic_, classic); }
 
+  // The whole number with which a `fold` starts, while its function is checked; empty: none.
+  [[nodiscard]] Span start_of_fold() const { return start_of_fold_; }
+  Span set_start_of_fold(Span start) { return std::exchange(start_of_fold_, start); }
+
   // Of a lambda's parameter without a type.
   [[nodiscard]] const std::string& likely_type() const { return likely_type_; }
   std::string set_likely_type(std::string type) {
@@ -36,6 +40,7 @@ class Surroundings {
   std::string_view name_;
   Span value_{};
   bool classic_ = false;
+  Span start_of_fold_{};
   std::string likely_type_ = "double";
 };
 

@@ -10,10 +10,10 @@ namespace {
 
 constexpr auto kBlocks = std::to_array<BlockHabit>({
     // RAPID, KRL
-    {"FOR @ FROM $ TO $ STEP $ DO", "for ({1} in range({2}, {3} + 1, {4})) {", "ENDFOR"},
-    {"FOR @ FROM $ TO $ DO", "for ({1} in range({2}, {3} + 1)) {", "ENDFOR"},
-    {"FOR @ = $ TO $ STEP $", "for ({1} in range({2}, {3} + 1, {4})) {", "ENDFOR"},
-    {"FOR @ = $ TO $", "for ({1} in range({2}, {3} + 1)) {", "ENDFOR"},
+    {"FOR @ FROM $ TO $ STEP $ DO", "for ({1} in range({243:stepped})) {", "ENDFOR"},
+    {"FOR @ FROM $ TO $ DO", "for ({1} in range({23:counted})) {", "ENDFOR"},
+    {"FOR @ = $ TO $ STEP $", "for ({1} in range({243:stepped})) {", "ENDFOR"},
+    {"FOR @ = $ TO $", "for ({1} in range({23:counted})) {", "ENDFOR"},
     {"WHILE $ DO", "while ({1:test}) {", "ENDWHILE"},
     {"LOOP", "while (true) {", "ENDLOOP"},
     {"REPEAT", "do {", "UNTIL"},
@@ -41,8 +41,8 @@ constexpr auto kBlocks = std::to_array<BlockHabit>({
     // MATLAB
     {"function @ = @ ( * )", "fn {2}({3:parameters}) {", "end", true},
     {"function @ ( * )", "fn {1}({2:parameters}) {", "end"},
-    {"for @ = $ : $ : $", "for ({1} in range({2}, {4} + 1, {3})) {", "end"},
-    {"for @ = $ : $", "for ({1} in range({2}, {3} + 1)) {", "end"},
+    {"for @ = $ : $ : $", "for ({1} in range({234:stepped})) {", "end"},
+    {"for @ = $ : $", "for ({1} in range({23:counted})) {", "end"},
     {"for @ = $", "for ({1} in {2}) {", "end"},
     {"while $ do", "while ({1:test}) {", "end"},
     {"while 1", "while (true) {", "end"},
@@ -65,8 +65,10 @@ constexpr auto kMiddles = std::to_array<Habit>({
     {"elif $ :", "} else if ({1:test}) {", ""},
     {"else if $ :", "} else if ({1:test}) {", ""},
     {"except :", "} catch (e) {", ""},
-    {"except @ :", "} catch (e) {", ""},
-    {"except @ as @ :", "} catch ({2}) {", ""},
+    {"except Exception :", "} catch (e) {", ""},
+    {"except @ :", "} catch (e) { if (e.kind != \"{1:kind}\") throw e", ""},
+    {"except Exception as @ :", "} catch ({1}) {", ""},
+    {"except @ as @ :", "} catch ({2}) { if ({2}.kind != \"{1:kind}\") throw {2}", ""},
     {"finally :", "} finally {", ""},
     {"catch @", "} catch ({1}) {", ""},
     {"catch", "} catch (e) {", ""},

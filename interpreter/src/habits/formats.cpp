@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "habits/meant.hpp"
 #include "habits/pieces.hpp"
 
 namespace armlet::lang {
@@ -62,7 +63,9 @@ std::vector<std::string> values_of(std::string_view text) {
 std::optional<std::string> formatted_text(const std::vector<std::string>& values, bool is_line) {
   if (values.empty() || !is_quoted(values[0])) return std::nullopt;
   std::string_view text = std::string_view(values[0]).substr(1, values[0].size() - 2);
-  if (is_line && text.ends_with("\\n")) text.remove_suffix(2);
+  const bool ends_line = text.ends_with("\\n") || text.ends_with("%n");
+  if (is_line && !ends_line) return std::nullopt;
+  if (is_line) text.remove_suffix(2);
   std::string out;
   std::size_t used = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -77,7 +80,7 @@ std::optional<std::string> formatted_text(const std::vector<std::string>& values
     while (written.ends_with('l') || written.ends_with('h')) written.remove_suffix(1);
     at = letter;
     if (text[letter] == '%' || text[letter] == 'n') {
-      out += text[letter] == '%' ? "%" : is_line && letter + 1 == text.size() ? "" : "\\n";
+      out += text[letter] == '%' ? "%" : "\\n";
       continue;
     }
     if (std::string_view("disbufegF").find(text[letter]) == std::string_view::npos ||
@@ -104,6 +107,51 @@ std::optional<std::string> text_with_braces(const std::vector<std::string>& valu
   }
   if (used + 1 != values.size()) return std::nullopt;
   return out + '"';
+}
+
+std::optional<std::string> streamed_text(const std::string& written, bool is_line) {
+  const Line line(written);
+  std::vector<std::string> values;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i <= line.pieces.size(); ++i) {
+    if (i < line.pieces.size() && line.piece(i) != "<<") continue;
+    std::string value(line.text_of(first, i));
+    first = i + 1;
+    if (value.empty()) return std::nullopt;
+    if (value == "std::endl" || value == "endl") value = "\"\\n\"";
+    values.push_back(std::move(value));
+  }
+  if (is_line) {
+    std::string& last = values.back();
+    if (!is_quoted(last) || !last.ends_with("\\n\"")) return std::nullopt;
+    last.erase(last.size() - 3, 2);
+    if (last.size() == 2) values.pop_back();
+  }
+  if (values.empty()) return "\"\"";
+  const bool is_text = is_quoted(values[0]);
+  std::string out;
+  for (const std::string& value : values)
+    out += (out.empty() ? "" : " + ") + (values.size() == 1 ? value : as_factor(value));
+  return values.size() > 1 && !is_text ? "\"\" + " + out : out;
+}
+
+std::optional<std::string> separated_text(const std::vector<std::string>& values) {
+  if (values.size() < 2) return std::nullopt;
+  std::string out;
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    if (i > 0) out += " + " + values.back() + " + ";
+    out += is_quoted(values[i]) ? values[i] : "string(" + values[i] + ')';
+  }
+  return out;
+}
+
+std::optional<std::string> joined_texts(const std::vector<std::string>& texts) {
+  std::string out;
+  for (const std::string& text : texts) {
+    if (text.ends_with(" '") || text.ends_with(" \"")) return std::nullopt;
+    out += (out.empty() ? "" : " + ") + as_factor(text);
+  }
+  return out;
 }
 
 }  // namespace armlet::lang

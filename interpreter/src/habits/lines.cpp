@@ -18,6 +18,7 @@ struct Fitting {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
   std::string here;
+  bool is_sample = false;  // kOnlyShown
 };
 
 bool takes_rest(const Habit& habit) { return habit.shape.ends_with("..."); }
@@ -29,10 +30,23 @@ std::optional<Fitting> fitting(const Line& line, const Habit& habit, const Found
               .here = {}};
   if (takes_rest(habit)) out.end = static_cast<std::uint32_t>(line.text.size());
   if (habit.here == kNoSuchThing) return out;
-  std::optional<std::string> here = filled(habit.here, found.parts);
+  out.is_sample = habit.here.starts_with(kOnlyShown);
+  std::optional<std::string> here = filled(habit.here.substr(out.is_sample ? 1 : 0), found.parts);
   if (!here) return std::nullopt;
   out.here = *std::move(here);
   return out;
+}
+
+// Whether what stands beside a value could take a part of it: 2 * mod(a, b), pose_add(a, b).x
+bool is_in_a_term(const Line& line, const Found& found) {
+  constexpr std::string_view kApart = "( [ { ) ] } , ; : = := => -> ? <<";
+  const auto joins = [&](std::size_t at) {
+    const std::string_view piece = line.piece(at);
+    return line.pieces[at].kind == Piece::Kind::kMark && kApart.find(piece) == kApart.npos;
+  };
+  const bool is_indexed = found.last < line.pieces.size() && line.piece(found.last) == "[";
+  return (found.first > 0 && joins(found.first - 1)) || is_indexed ||
+         (found.last < line.pieces.size() && joins(found.last));
 }
 
 // The first rows that fit.
@@ -64,6 +78,7 @@ std::optional<Fitting> first_value(const Line& line, Patience& patience, std::si
         match_inside(line, 0, line.pieces.size(), habit.shape, patience);
     if (!found) continue;
     std::optional<Fitting> out = fitting(line, habit, *found);
+    if (out && is_in_a_term(line, *found)) out->here = in_a_term(out->here);
     if (out && out->here != line.text.substr(out->begin, out->end - out->begin)) return out;
   }
   return std::nullopt;
@@ -132,7 +147,7 @@ class Explainer {
       if (!found) return;
       std::string here(line.text);
       here.replace(found->begin, found->end - found->begin, found->here);
-      add(out, *found, {found->habit, 0, end, std::move(here)});
+      add(out, *found, {found->habit, 0, end, std::move(here), found->is_sample});
     }
   }
 
@@ -150,6 +165,12 @@ class Explainer {
       return;
     }
     const std::string here = is_statement ? with_values_here(shown.here) : shown.here;
+    if (shown.is_sample) {
+      Diagnostic message = make_diagnostic("E0130", mark, {shortened(found), shortened(here)});
+      message.why = habit.why;
+      out.push_back({std::move(message), !is_statement});
+      return;
+    }
     Diagnostic message = here.empty()
                              ? make_diagnostic("E0116", mark, {shortened(found)})
                              : make_diagnostic("E0130", mark, {shortened(found), shortened(here)});
@@ -193,8 +214,10 @@ std::string with_values_here(std::string text) {
   for (int i = 0; i < kMostRewritings; ++i) {
     const Line line(text);
     std::size_t row = 0;
-    const std::optional<Fitting> found = first_value(line, patience, row);
-    if (!found || found->habit->here == kNoSuchThing) break;
+    std::optional<Fitting> found = first_value(line, patience, row);
+    while (found && (found->habit->here == kNoSuchThing || found->is_sample))
+      found = first_value(line, patience, row);
+    if (!found) break;
     text.replace(found->begin, found->end - found->begin, found->here);
   }
   return text;

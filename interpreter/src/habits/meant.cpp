@@ -5,8 +5,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 #include "habits/formats.hpp"
+#include "habits/meant_numbers.hpp"
 #include "habits/pieces.hpp"
 
 namespace armlet::lang {
@@ -17,11 +19,6 @@ using Answer = std::optional<std::string>;
 std::string lower_case(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-bool is_plain_number(std::string_view text) {
-  if (text.starts_with('-')) text.remove_prefix(1);
-  return !text.empty() && text.find_first_not_of("0123456789.") == std::string_view::npos;
 }
 
 // Whether the first piece opens the bracket that the last one closes.
@@ -35,19 +32,7 @@ bool is_in_parentheses(const Line& line) {
   return false;
 }
 
-Answer operand(const std::string& part) {
-  const Line line(part);
-  int depth = 0;
-  for (std::size_t i = 0; i < line.pieces.size(); ++i) {
-    const std::string_view piece = line.piece(i);
-    if (piece == "(" || piece == "[") ++depth;
-    if (piece == ")" || piece == "]") --depth;
-    const bool joins = line.pieces[i].kind == Piece::Kind::kMark && piece != "." && piece != ")" &&
-                       piece != "]" && depth == 0;
-    if (joins) return '(' + part + ')';
-  }
-  return part;
-}
+Answer operand(const std::string& part) { return as_factor(part); }
 
 Answer test(const std::string& part) {
   const Line line(part);
@@ -67,11 +52,6 @@ Answer truth(const std::string& part) {
   if (word == "1" || word == "true" || word == "on" || word == "high") return "true";
   if (word == "0" || word == "false" || word == "off" || word == "low") return "false";
   return is_plain_number(part) ? std::nullopt : Answer(part);
-}
-
-Answer with_unit(const std::string& part, const std::string& unit) {
-  if (is_plain_number(part)) return part + unit;
-  return *operand(part) + " * 1" + unit;
 }
 
 struct Word {
@@ -118,25 +98,6 @@ Answer parameters(const std::string& part) {
   return out;
 }
 
-// "n = " << n << std::endl
-Answer stream(const std::string& part) {
-  const Line line(part);
-  std::string out;
-  std::size_t first = 0;
-  bool is_text = false;
-  for (std::size_t i = 0; i <= line.pieces.size(); ++i) {
-    if (i < line.pieces.size() && line.piece(i) != "<<") continue;
-    const std::string value(line.text_of(first, i));
-    first = i + 1;
-    if (value.empty()) return std::nullopt;
-    if (value == "std::endl" || value == "endl" || value == "\"\\n\"") continue;
-    if (out.empty()) is_text = value.starts_with('"');
-    out += (out.empty() ? "" : " + ") + *operand(value);
-  }
-  const bool joins = out.find(" + ") != std::string::npos;
-  return joins && !is_text ? "\"\" + " + out : out;
-}
-
 // v100, vmax
 Answer speed(const std::string& part) {
   if (part.size() < 2 || (part[0] != 'v' && part[0] != 'V')) return std::nullopt;
@@ -152,34 +113,28 @@ struct Setting {
   std::string_view unit;
 };
 
-constexpr auto kMoveJ = std::to_array<Setting>({
-    {"a", "", ""},
-    {"v", "", ""},
-    {"t", "time", "s"},
-    {"r", "", ""},
-});
+constexpr auto kMoveJ = std::to_array<Setting>({{"t", "time", "s"}, {"r", "", ""}});
+constexpr auto kMoveL = std::to_array<Setting>(
+    {{"a", "accel", "m/s^2"}, {"v", "speed", "m/s"}, {"t", "time", "s"}, {"r", "", ""}});
 
-constexpr auto kMoveL = std::to_array<Setting>({
-    {"a", "accel", "m/s^2"},
-    {"v", "speed", "m/s"},
-    {"t", "time", "s"},
-    {"r", "", ""},
-});
-
-// a=1.4, v=1.05
-Answer settings(const std::string& part, const std::array<Setting, 4>& known) {
-  std::string out;
+// a=1.4, v=1.05. A time is kept alone: it makes the others useless.
+Answer settings(const std::string& part, std::span<const Setting> known) {
+  std::string out, time;
+  bool is_known = true;
   for (const std::string& value : values_of(part)) {
     const Line line(value);
     if (line.pieces.size() < 3 || (line.piece(1) != "=" && line.piece(1) != ":"))
       return std::nullopt;
     const auto found = std::ranges::find(known, line.piece(0), &Setting::there);
-    if (found == known.end()) return std::nullopt;
-    if (found->here.empty()) continue;
+    is_known = is_known && found != known.end();
+    if (found == known.end() || found->here.empty()) continue;
     const std::string given(line.text_of(2, line.pieces.size()));
-    out += ", " + std::string(found->here) + ": " + *with_unit(given, std::string(found->unit));
+    const std::string setting =
+        ", " + std::string(found->here) + ": " + with_unit(given, std::string(found->unit));
+    (found->here == "time" ? time : out) += setting;
   }
-  return out;
+  if (!time.empty()) return time;
+  return is_known ? Answer(out) : std::nullopt;
 }
 
 // The number behind a name in `A1 0, A2 -90`; nothing if it is not there.
@@ -200,7 +155,7 @@ Answer axes(const std::string& part) {
   for (std::size_t axis = 1; axis <= values.size(); ++axis) {
     const Answer value = coordinate(values, 'A' + std::to_string(axis));
     if (!value) return std::nullopt;
-    out += (out.empty() ? "" : ", ") + *with_unit(*value, "deg");
+    out += (out.empty() ? "" : ", ") + with_unit(*value, "deg");
   }
   return out.empty() ? std::nullopt : Answer(out);
 }
@@ -209,7 +164,7 @@ Answer axes(const std::string& part) {
 Answer degrees(const std::string& part) {
   std::string out;
   for (const std::string& value : values_of(part))
-    out += (out.empty() ? "" : ", ") + *with_unit(value, "deg");
+    out += (out.empty() ? "" : ", ") + with_unit(value, "deg");
   return out;
 }
 
@@ -222,15 +177,29 @@ Answer frame(const std::string& part) {
   for (const std::string_view name : {"X", "Y", "Z"}) {
     const Answer value = coordinate(values, name);
     if (!value) return std::nullopt;
-    place += (place.empty() ? "" : ", ") + *with_unit(*value, "mm");
+    place += (place.empty() ? "" : ", ") + with_unit(*value, "mm");
   }
   bool turns = false;
   for (const auto& [name, setting] : kTurns) {
-    const std::string value = coordinate(values, name).value_or("0");
+    const Answer given = coordinate(values, name);
+    if (!given) return std::nullopt;  // the hand keeps its rotation
+    const std::string& value = *given;
     turns = turns || value.find_first_not_of("0.-") != std::string::npos;
-    turn += ", " + std::string(setting) + ": " + *with_unit(value, "deg");
+    turn += ", " + std::string(setting) + ": " + with_unit(value, "deg");
   }
   return (turns ? "pose(" : "xyz(") + place + (turns ? turn : "") + ')';
+}
+
+// X 0, Z 50: a translation; what is left out is 0.
+Answer shift(const std::string& part) {
+  const std::vector<std::string> values = values_of(part);
+  std::string out;
+  for (const std::string_view name : {"X", "Y", "Z"})
+    out += (out.empty() ? "" : ", ") + with_unit(coordinate(values, name).value_or("0"), "mm");
+  for (const std::string_view name : {"A", "B", "C"}) {
+    if (coordinate(values, name).value_or("0") != "0") return std::nullopt;
+  }
+  return "xyz(" + out + ')';
 }
 
 // 0, 3.14, 0: a vector along the axis, as long as the angle.
@@ -252,8 +221,22 @@ Answer place(const std::string& part) {
   });
   std::string out;
   for (const std::string& value : values)
-    out += (out.empty() ? "" : ", ") + *with_unit(value, is_near ? "m" : "mm");
+    out += (out.empty() ? "" : ", ") + with_unit(value, is_near ? "m" : "mm");
   return out;
+}
+
+// The value that a variable of a type has before it is given one.
+Answer zero(const std::string& part) {
+  const Answer known = type(part);
+  if (!known || (*known != "int" && *known != "double" && *known != "bool" && *known != "string"))
+    return std::nullopt;
+  return *known == "int" ? "0" : *known == "double" ? "0.0" : *known == "bool" ? "false" : "\"\"";
+}
+
+// The kind of an error here.
+Answer kind(const std::string& part) {
+  if (part == "KeyError") return "IndexError";
+  return part == "ZeroDivisionError" ? "DivideByZero" : part;
 }
 
 Answer printed(const std::string& part) { return formatted_text(values_of(part), true); }
@@ -277,7 +260,19 @@ constexpr auto kConversions = std::to_array<PartConversion>({
     {"text", as_text},
     {"braces", braces},
     {"inner", inner},
-    {"stream", stream},
+    {"stream", [](const std::string& part) { return streamed_text(part, true); }},
+    {"streamed", [](const std::string& part) { return streamed_text(part, false); }},
+    {"separated", [](const std::string& part) { return separated_text(values_of(part)); }},
+    {"strcat", [](const std::string& part) { return joined_texts(values_of(part)); }},
+    {"index", index_from_zero},
+    {"counted", counted_range},
+    {"stepped", stepped_range},
+    {"angle", angle_with_word},
+    {"turned", small_angle},
+    {"share", share_of_speed},
+    {"shift", shift},
+    {"zero", zero},
+    {"kind", kind},
     {"speed", speed},
     {"axes", axes},
     {"frame", frame},
@@ -297,6 +292,31 @@ Answer converted(const std::string& part, std::string_view conversion) {
 }
 
 }  // namespace
+
+std::string as_factor(const std::string& part) {
+  const Line line(part);
+  int depth = 0;
+  for (std::size_t i = 0; i < line.pieces.size(); ++i) {
+    const std::string_view piece = line.piece(i);
+    if (piece == "(" || piece == "[") ++depth;
+    if (piece == ")" || piece == "]") --depth;
+    const bool joins = line.pieces[i].kind == Piece::Kind::kMark && piece != "." && piece != ")" &&
+                       piece != "]" && depth == 0;
+    if (joins) return '(' + part + ')';
+  }
+  return part;
+}
+
+std::string in_a_term(const std::string& value) {
+  const Line line(value);
+  if (line.pieces.empty()) return value;
+  const auto is_operator = [&](std::size_t at) {
+    constexpr std::string_view kBrackets = "()[]";
+    const std::string_view piece = line.piece(at);
+    return line.pieces[at].kind == Piece::Kind::kMark && kBrackets.find(piece) == kBrackets.npos;
+  };
+  return is_operator(0) || is_operator(line.pieces.size() - 1) ? value : as_factor(value);
+}
 
 std::optional<std::string> filled(std::string_view here, const std::vector<std::string>& parts) {
   std::string out;

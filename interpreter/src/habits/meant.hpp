@@ -20,9 +20,15 @@ namespace armlet::lang {
 //   print text   a format as of C and its values: what print takes, or a text
 //   braces       "{} {:.2f}" and its values: a text
 //   inner        a text without its quotes
-//   stream       what C++ writes with <<
+//   stream streamed  what C++ writes with <<: a line without its break, a text
+//   separated    Python's values and the text between them
+//   strcat       two texts of MATLAB, which leaves out blanks at their ends
+//   index counted stepped angle turned share   (meant_numbers.hpp)
+//   shift        KRL's X 0, Z 50, without a rotation
+//   zero         the first value of a variable of a type
+//   kind         the kind of an error
 //   speed        RAPID's v100: a setting with a comma in front, or nothing
-//   movej movel  URScript's settings a, v, t, r: those that mean the same here
+//   movej movel  URScript's settings a, v, t, r; nothing if one has no counterpart
 //   axes frame   KRL's A1 0, A2 -90 ... and X 100, Y 0, Z 50, A 0, B 0, C 0
 //   degrees      a list of angles without units
 //   place        coordinates without units: m, or mm if they are large
@@ -32,5 +38,11 @@ namespace armlet::lang {
 // Nothing if a part cannot be converted.
 [[nodiscard]] std::optional<std::string> filled(std::string_view here,
                                                 const std::vector<std::string>& parts);
+
+// A value in parentheses unless it is one term: a name, a number, a call.
+[[nodiscard]] std::string as_factor(const std::string& part);
+
+// A value in parentheses if an operator beside it would take a part of it.
+[[nodiscard]] std::string in_a_term(const std::string& value);
 
 }  // namespace armlet::lang

@@ -39,6 +39,7 @@ class Matcher {
     const std::string_view element = shape.substr(0, blank);
     const std::string_view behind = shape.substr(std::min(blank + 1, shape.size()));
     if (element == "...") return rest_of_line(at);
+    if (element == "|") return at == 0 && line_.pieces[0].begin == 0 && rest(at, behind);
     if (element.size() == 2 && element[0] == '!')
       return at < last_ && line_.piece(at) != element.substr(1) && rest(at, behind);
     if (element == "$" || element == "*") return value(at, behind, element == "*");

@@ -10,6 +10,7 @@
 //   ~x    the element x, directly behind the piece before it
 //   ^x    the word x with these capitals
 //   !x    no piece: what follows is not the mark x
+//   |     no piece: the line begins here, without indentation
 //   \x    the mark x itself, where it means something above
 // Everything else stands for itself; capitals do not count.
 

@@ -9,6 +9,9 @@ namespace armlet::lang {
 
 // There is no such thing here: the message says why, and no fix is given.
 inline constexpr std::string_view kNoSuchThing = "-";
+// What is written here begins with it: it is shown, and no edit makes it, because it does not do
+// the same, or only with values that the line does not hold.
+inline constexpr char kOnlyShown = '?';
 
 struct Habit {
   std::string_view shape;

@@ -44,7 +44,11 @@ class Front {
 
   Parsed program() {
     Parsed out;
-    if (!check_text(source_, sink_, limits_) || !read(program_range(source_))) return out;
+    if (!check_text(source_, sink_, limits_)) return out;
+    if (!read(program_range(source_))) {
+      if (unreadable_.empty()) return out;
+      read_around_errors();
+    }
     tokens_ = insert_line_ends(tokens_);
     out.statements = statements();
     if (shape_ != nullptr) {
@@ -149,7 +153,12 @@ class Front {
     Lexed lexed = lex(source_, range, sink_, limits_, cancelled_);
     tokens_ = std::move(lexed.tokens);
     comments_ = std::move(lexed.comments);
-    if (!lexed.ok) return false;
+    if (!lexed.ok) {
+      for (const Token& token : tokens_) {
+        if (is_error(token)) unreadable_.push_back({token.begin, token.end, source_.id()});
+      }
+      return false;
+    }
     std::optional<Diagnostic> bracket = check_brackets(source_, tokens_);
     if (!bracket) return true;
     sink_.begin_statement();
@@ -313,6 +322,27 @@ class Front {
     (void)front.statements();
   }
 
+  // What is no token has been reported. The statements that hold none of it are read as usual.
+  void read_around_errors() {
+    ok_ = false;
+    tokens_ = balanced(source_, without_errors(std::move(tokens_)));
+  }
+
+  static bool is_error(const Token& token) {
+    return token.type == RbtLexer::BADSTR || token.type == RbtLexer::BADNUM ||
+           token.type == RbtLexer::ERR;
+  }
+
+  // Whether what is no token stands on a line of a statement, from its first token to another.
+  [[nodiscard]] bool is_near_error(std::size_t statement, std::size_t at) const {
+    const int first = source_.position(tokens_[statement].begin).line;
+    const int last = source_.position(tokens_[std::min(at, tokens_.size() - 1)].end).line;
+    return std::ranges::any_of(unreadable_, [&](Span span) {
+      const int line = source_.position(span.begin).line;
+      return line >= first && line <= last;
+    });
+  }
+
   static Tokens without_errors(Tokens tokens) {
     for (Token& token : tokens) {
       // A name that nothing has: it fails quietly where a value stands.
@@ -344,9 +374,11 @@ class Front {
   std::size_t report_failure(std::size_t statement, std::size_t at) {
     ok_ = false;
     statement_ok_ = false;
+    if (!unreadable_.empty() && is_near_error(statement, at)) return 0;
     sink_.begin_statement();
     sink_.report(explain_failure(source_, tokens_, statement, at));
-    return end_of_python_function(source_, tokens_, statement, at);
+    return std::max(end_of_python_function(source_, tokens_, statement, at),
+                    end_of_foreign_loop(source_, tokens_, statement, at));
   }
 
   void report_depth(Span span, std::size_t limit, const char* what) {
@@ -376,6 +408,7 @@ class Front {
   int mends_left_ = kMostMended;
   Tokens tokens_;
   std::vector<Span> comments_;
+  std::vector<Span> unreadable_;  // what is no token
   bool ok_ = true;
   bool statement_ok_ = true;
   bool completed_ = false;  // something was put into a formatted text of the present statement

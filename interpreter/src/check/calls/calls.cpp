@@ -179,7 +179,7 @@ hir::Expr* call_member(Checker& checker, const ast::CallExpr& call, const ast::M
           {std::string(name), type_phrase(field_of(checker, object, member)->type)}));
       return checker.failed(call.span);
     }
-    return unknown_name(checker, name, callee);
+    return unknown_method(checker, call, member, *type);
   }
   std::ranges::copy(
       arguments_of(checker, call.args, methods.empty() ? name : std::string_view(method)),

@@ -26,10 +26,8 @@ constexpr auto kForeign = std::to_array<ForeignMethod>({
     {"set", 2, "$m[$1] = $2"},
     {"add", 2, "$m[$1] = $2"},
     {"insert", 2, "$m[$1] = $2"},
-    {"get", 1, "$m[$1]"},
     {"at", 1, "$m[$1]"},
     {"getOrDefault", 2, "$m.get($1, $2)"},
-    {"setdefault", 2, "$m.get($1, $2)"},
     {"containsKey", 1, "$m.has($1)"},
     {"has_key", 1, "$m.has($1)"},
     {"hasKey", 1, "$m.has($1)"},
@@ -48,8 +46,8 @@ constexpr auto kForeign = std::to_array<ForeignMethod>({
     {"size", 0, "$m.length"},
     {"count", 0, "$m.length"},
     {"len", 0, "$m.length"},
-    {"isEmpty", 0, "$m.length == 0"},
-    {"empty", 0, "$m.length == 0"},
+    {"isEmpty", 0, "($m.length == 0)"},
+    {"empty", 0, "($m.length == 0)"},
     {"clear", 0, "$m = [:]"},
 });
 
@@ -104,6 +102,13 @@ hir::Expr* remove_call(Checker& checker, const ast::CallExpr& call, const ast::M
 
 hir::Expr* get_call(Checker& checker, hir::Expr* map, const ast::CallExpr& call) {
   const Type* element = map->type->element;
+  if (call.args.size() == 1) {
+    const Span name = call.callee->as<ast::MemberExpr>().member.span;
+    Diagnostic missing = make_diagnostic("E0312", name, {"get", "2 values", "1"});
+    missing.why = "`otherwise` is missing: what is given where the map has no such key";
+    checker.report(std::move(missing));
+    return checker.failed(call.span);
+  }
   if (!takes(checker, call, "get", 2, 2)) return checker.failed(call.span);
   hir::Expr* key = key_argument(checker, call, map->type, "get");
   hir::Expr* otherwise = checker.check_as(*call.args[1].value, {.role = Target::Role::kArgument,

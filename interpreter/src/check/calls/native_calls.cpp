@@ -87,7 +87,13 @@ hir::Expr* call_native(Checker& checker, std::string_view name,
   Fit best;
   const NativeFunction* function = choose(checker, name, candidates, callee, span, arguments, best);
   if (function == nullptr) return guessed_call(checker, name, candidates, callee, span, arguments);
-  return finish_native(checker, name, *function, callee, span, arguments, best);
+  const bool starts_whole = name == "fold" && arguments.size() > 1 && !arguments[1].waits() &&
+                            arguments[1].value->type->is(Kind::kInt);
+  const Span before =
+      checker.surroundings.set_start_of_fold(starts_whole ? arguments[1].value->span : Span{});
+  hir::Expr* out = finish_native(checker, name, *function, callee, span, arguments, best);
+  checker.surroundings.set_start_of_fold(before);
+  return out;
 }
 
 namespace {

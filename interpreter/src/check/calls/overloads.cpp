@@ -20,6 +20,8 @@ bool is_ambient_first(const Signature& signature) {
          first.type->host->is_ambient;
 }
 
+bool is_ambient(const Type& type) { return type.is(Kind::kHost) && type.host->is_ambient; }
+
 // Finds parameters by name; in a table when there are many of both.
 class ParameterNames {
  public:
@@ -242,8 +244,12 @@ const NativeFunction* choose(Checker& checker, std::string_view name,
       if (ambient && !is_ambient_first(signature)) continue;
       Fit attempt = fit(checker, signature, arguments, ambient);
       if (attempt.problem != Problem::kNone) {
-        const auto closeness = [](const Fit& f) {
-          return std::tuple(f.matched, f.problem == Problem::kType, f.argument);
+        // f.g(): what stands in front of the point is no value of the call.
+        const bool has_receiver = !arguments.empty() && arguments[0].written == nullptr &&
+                                  !arguments[0].waits() && is_ambient(*arguments[0].value->type);
+        const auto closeness = [&](const Fit& f) {
+          return std::tuple(!has_receiver || !f.ambient, f.matched, f.problem == Problem::kType,
+                            f.argument);
         };
         if (closest == nullptr || closeness(attempt) > closeness(closest_fit) ||
             (closeness(attempt) == closeness(closest_fit) && attempt.ambient &&

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "check/calls/overloads.hpp"
 #include "check/checker.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/unknown_names.hpp"
@@ -169,6 +170,42 @@ void key_for_comparison(const Checker& checker, const ast::Expr& function, Diagn
       .text = "write " + key, .edits = {{function.span, key}}, .confidence = Confidence::kMaybe};
 }
 
+// f(400mm, 0mm, 200mm): a function of the library makes what is wanted of these values.
+bool report_loose_parts(Checker& checker, std::string_view name, const Type& wanted,
+                        const std::vector<Argument>& arguments, const Fit& fit) {
+  if (!wanted.is(Kind::kHost)) return false;
+  std::vector<Argument> parts;
+  for (auto i = static_cast<std::size_t>(fit.argument); i < arguments.size(); ++i) {
+    const Argument& part = arguments[i];
+    if (!part.name.empty() || part.written == nullptr || part.waits() ||
+        !part.value->type->is_number())
+      break;
+    parts.push_back(part);
+  }
+  if (parts.size() < 2) return false;
+  std::string maker;
+  for (const std::string_view known : checker.registry.public_names()) {
+    for (const NativeFunction* function : checker.registry.functions(known)) {
+      const Signature& signature = checker.shared.signatures.of(*function);
+      const Fit attempt = lang::fit(checker, signature, parts, false);
+      const bool makes = attempt.problem == Fit::Problem::kNone && attempt.cost == 0 &&
+                         attempt.generic == 0 &&
+                         instantiate(signature.result, attempt.bindings, checker.types) == &wanted;
+      if (makes && (maker.empty() || known.size() < maker.size())) maker = known;
+    }
+  }
+  if (maker.empty()) return false;
+  const Span whole = cover(parts.front().span(), parts.back().span());
+  const std::string made = maker + '(' + checker.text_of(whole) + ')';
+  Diagnostic out = make_diagnostic(
+      "E0313", parts.front().span(),
+      {std::string(name), type_phrase(&wanted), type_phrase(parts.front().value->type)});
+  out.fix =
+      Fix{.text = "write " + made, .edits = {{whole, made}}, .confidence = Confidence::kMaybe};
+  checker.report(std::move(out));
+  return true;
+}
+
 void report_argument(Checker& checker, std::string_view name, const Signature& signature, Span span,
                      const std::vector<Argument>& arguments, const Fit& fit) {
   const Argument& at = arguments[fit.argument];
@@ -182,6 +219,7 @@ void report_argument(Checker& checker, std::string_view name, const Signature& s
                         {type_phrase(at.value->type), "used together with", type_phrase(wanted)}));
     return;
   }
+  if (wanted != nullptr && report_loose_parts(checker, name, *wanted, arguments, fit)) return;
   if (wanted != nullptr) {
     checker.require(at.value,
                     {.role = at.name.empty() ? Target::Role::kArgument : Target::Role::kSetting,

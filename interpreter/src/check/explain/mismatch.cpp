@@ -45,7 +45,26 @@ std::string as_whole_number(const std::string& text) {
   return std::to_string(static_cast<std::int64_t>(number));
 }
 
-Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value) {
+// [1, 2].fold(0, fn(a, x) => a + x / 2.0): what a fold gives has the type of its start.
+Diagnostic whole_start_of_fold(const Checker& checker, const hir::Expr& value, Span start) {
+  Diagnostic out = make_diagnostic("E0303", value.span, {type_phrase(value.type)});
+  const std::string text = checker.text_of(start);
+  out.why = "the fold starts from an int, " + in_backticks(text) + ", and its function gives " +
+            type_phrase(value.type);
+  out.related.push_back({start, "the start"});
+  if (text.find_first_not_of("0123456789") != std::string::npos) return out;
+  const Span end{start.end, start.end, start.source};
+  out.fix = Fix{.text = "write fold(" + text + ".0, ...)",
+                .edits = {{end, ".0"}},
+                .confidence = Confidence::kSure};
+  return out;
+}
+
+Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value,
+                               const Target& target) {
+  const Span start = checker.surroundings.start_of_fold();
+  if (target.role == Target::Role::kResult && !start.empty() && value.type->is_double())
+    return whole_start_of_fold(checker, value, start);
   Diagnostic out = make_diagnostic("E0303", value.span, {type_phrase(value.type)});
   if (!value.type->is_double()) return out;
   const std::string text = checker.text_of(value.span);
@@ -131,7 +150,7 @@ hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& targ
     const std::string text = checker.text_of(value.span);
     checker.report(make_diagnostic("E0320", value.span, {text.substr(0, text.find('('))}));
   } else if (want->is(Kind::kInt) && have->is(Kind::kReal)) {
-    checker.report(whole_number_needed(checker, value));
+    checker.report(whole_number_needed(checker, value, target));
   } else if (want->is_quantity() && (have->is(Kind::kInt) || have->is_double())) {
     plain_number_for_quantity(checker, value, target);
   } else if (want->is_double() && have->is_quantity()) {

@@ -91,10 +91,10 @@ void plain_number_for_quantity(Checker& checker, const hir::Expr& value, const T
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
   } else {
     const auto constant = checker.shared.constants.of(value);
-    // 0.3 for a length hardly means a third of a millimetre.
-    const bool metres =
-        target.type->dim == dims::kLength && constant && std::abs(constant->real) < 1.0;
-    const std::string written = text + (metres ? "m" : unit);
+    // 0.3 for a length hardly means a third of a millimetre, nor for a speed.
+    const bool is_small = constant && std::abs(constant->real) < 1.0;
+    const bool metres = target.type->dim == dims::kLength || target.type->dim == dims::kSpeed;
+    const std::string written = text + (is_small && metres ? si_unit(target.type->dim) : unit);
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
     const double turns = constant ? std::abs(constant->real) / (2.0 * std::numbers::pi) : 0.0;
     if (target.type->dim == dims::kAngle && turns >= 1.0) {

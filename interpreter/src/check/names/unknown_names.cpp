@@ -87,6 +87,32 @@ hir::Expr* foreign_method(Checker& checker, const ast::CallExpr& call,
   return checker.failed(call.span);
 }
 
+hir::Expr* unknown_method(Checker& checker, const ast::CallExpr& call,
+                          const ast::MemberExpr& member, const Type& type) {
+  const std::string_view name = member.member.text;
+  const std::string object = checker.text_of(member.object->span);
+  std::string better;
+  if (name == "get" && call.args.size() == 1 && type.is(Kind::kList)) {
+    better = object + '[' + checker.text_of(call.args[0].value->span) + ']';
+  } else if (name == "toString" && call.args.empty()) {
+    better = "string(" + object + ')';
+  } else if (const std::string imported = imported_name(checker, name); !imported.empty()) {
+    const std::string_view source = (*checker.into.sources)[call.span.source].text();
+    const std::string behind(
+        source.substr(member.member.span.end, call.span.end - member.member.span.end));
+    const std::size_t open = behind.find('(');
+    if (open != std::string::npos)
+      better = imported + '(' + object + (call.args.empty() ? ")" : ", " + behind.substr(open + 1));
+  }
+  if (better.empty()) return unknown_name(checker, name, member.member.span);
+  if (!checker.messages.is_news(name)) return checker.failed(call.span);
+  Diagnostic diagnostic = make_diagnostic("E0201", member.member.span, {std::string(name)});
+  diagnostic.fix = Fix{
+      .text = "write " + better, .edits = {{call.span, better}}, .confidence = Confidence::kSure};
+  checker.report(std::move(diagnostic));
+  return checker.failed(call.span);
+}
+
 hir::Expr* foreign_call(Checker& checker, const ast::CallExpr& call, std::string_view name) {
   constexpr std::array<std::string_view, 7> kLengths = {"len",    "size",   "count", "length",
                                                         "sizeof", "strlen", "numel"};
@@ -248,6 +274,7 @@ std::optional<Fix> did_you_mean(const Checker& checker, std::string_view name, S
   std::vector<std::string_view> library = checker.registry.public_names();
   for (const NativeFunction& word : language_words()) library.push_back(word.name);
   for (const auto& [type, unused] : checker.names.types()) library.push_back(type);
+  for (const auto& [import, unused] : checker.names.imports()) library.push_back(import);
   return did_you_mean(checker, name, span, library);
 }
 
@@ -278,6 +305,35 @@ static std::optional<Fix> fix_of_world(const Checker& checker, std::string_view 
   if (world == nullptr || world->maker.empty() || !world->has(name)) return std::nullopt;
   const std::string made = world->maker + "(\"" + std::string(name) + "\")";
   return Fix{.text = "write " + made, .edits = {{span, made}}, .confidence = Confidence::kSure};
+}
+
+// A name that something has behind a point: State.Idle, pal.slot, group.member. Empty if none has,
+// or several have.
+static std::string whole_name(const Checker& checker, std::string_view name) {
+  if (std::string imported = imported_name(checker, name); !imported.empty()) return imported;
+  std::vector<std::string> found;
+  for (const auto& [type_name, type] : checker.names.types()) {
+    if (!type->is(Kind::kEnum)) continue;
+    if (std::ranges::find(type->enumeration->values, name) != type->enumeration->values.end())
+      found.push_back(std::string(type_name) + '.' + std::string(name));
+  }
+  for (const std::string_view known : checker.registry.public_names()) {
+    const std::size_t point = known.rfind('.');
+    const bool is_it = point != std::string_view::npos && known.substr(point + 1) == name &&
+                       checker.registry.is_namespace(known.substr(0, point));
+    if (is_it) found.emplace_back(known);
+  }
+  return found.size() == 1 ? found[0] : std::string();
+}
+
+// s^2 for the s2 of 5m/s2; empty for other names.
+static std::string unit_with_exponent(const Checker& checker, std::string_view name, Span span) {
+  const std::size_t letters = name.find_first_of("0123456789");
+  if (letters == std::string_view::npos || letters + 1 != name.size() || span.begin < 2) return {};
+  const std::string before = checker.text_of({span.begin - 2, span.begin, span.source});
+  const bool follows = (before[1] == '/' || before[1] == '*') && before[0] != ' ';
+  if (!follows || unit_named(name.substr(0, letters)) == nullptr) return {};
+  return std::string(name.substr(0, letters)) + '^' + std::string(name.substr(letters));
 }
 
 hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span, const Type* expected) {
@@ -314,9 +370,13 @@ hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span, cons
                            .edits = {{span, std::string(foreign->here)}},
                            .confidence = Confidence::kMaybe};
     }
-  } else if (const std::string imported = imported_name(checker, name); !imported.empty()) {
-    diagnostic.fix = Fix{
-        .text = "write " + imported, .edits = {{span, imported}}, .confidence = Confidence::kSure};
+  } else if (const std::string whole = whole_name(checker, name); !whole.empty()) {
+    diagnostic.fix =
+        Fix{.text = "write " + whole, .edits = {{span, whole}}, .confidence = Confidence::kSure};
+  } else if (const std::string unit = unit_with_exponent(checker, name, span); !unit.empty()) {
+    diagnostic.why = "the exponent of a unit is written with ^";
+    diagnostic.fix =
+        Fix{.text = "write " + unit, .edits = {{span, unit}}, .confidence = Confidence::kSure};
   } else if (auto fix = fix_of_world(checker, name, span)) {
     diagnostic.why = "it is a thing of the world, and no variable";
     diagnostic.fix = std::move(fix);

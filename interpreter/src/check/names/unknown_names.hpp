@@ -29,6 +29,10 @@ bool refuse_decimal_comma(Checker& checker, const std::vector<Argument>& argumen
 // stands; false if `name` is none of these.
 bool refuse_foreign_type(Checker& checker, std::string_view name, Span span);
 
+// Reports E0201 for a method that nothing has: a function of a module with this name, or what Java
+// calls so. object: the type of what stands in front of the point.
+hir::Expr* unknown_method(Checker& checker, const ast::CallExpr& call,
+                          const ast::MemberExpr& member, const Type& object);
 // Reports E0201 with the best suggestion.
 hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span,
                         const Type* expected = nullptr);

@@ -4,6 +4,7 @@
 
 #include "check/checker.hpp"
 #include "check/names/declarations.hpp"
+#include "check/statements/loop_advice.hpp"
 #include "check/statements/recordings.hpp"
 #include "check/statements/statements.hpp"
 #include "check/types/expressions.hpp"
@@ -189,6 +190,7 @@ hir::Stmt* check_for(Checker& checker, const ast::ForStmt& stmt) {
     if (hir::Stmt* checked = checker.check_statement(*init)) append(*init, checked, body);
   }
   body.push_back(check_while(checker, stmt.condition, *stmt.body, stmt.step, stmt.span));
+  advise_summed_steps(checker, stmt);
   close_block(checker);
   return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(body));
 }

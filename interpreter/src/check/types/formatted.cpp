@@ -5,6 +5,11 @@
 
 namespace armlet::lang {
 
+// f"{n:x}", f"{n:d}": there are no such letters here, and px is another thing.
+static bool is_kind_of_python(std::string_view unit) {
+  return unit.size() == 1 && std::string_view("bcdnosxX").find(unit[0]) != std::string_view::npos;
+}
+
 hir::Expr* to_text(Checker& checker, hir::Expr* value) {
   if (value->type->is(Kind::kText) || value->type->is(Kind::kAny)) return value;
   return checker.make<hir::ToTextExpr>(hir::ExprKind::kToText, checker.types.text(), value->span,
@@ -49,7 +54,9 @@ hir::Expr* in_format(Checker& checker, hir::Expr* value, const ast::FormatSpec& 
       std::vector<std::string_view> names;
       for (const Unit& known : all_units()) names.push_back(known.name);
       Diagnostic diagnostic = make_diagnostic("E0209", format.span, {std::string(format.unit)});
-      if (const auto near = suggest(format.unit, std::span<const std::string_view>(names))) {
+      if (is_kind_of_python(format.unit)) {
+        diagnostic.why = "the letters of Python's formats are left out: {n}, {n:5}, {n:.2f}";
+      } else if (const auto near = suggest(format.unit, std::span<const std::string_view>(names))) {
         Span word = format.span;
         const std::size_t at = checker.text_of(word).rfind(format.unit);
         if (at != std::string::npos) word.begin += static_cast<std::uint32_t>(at);

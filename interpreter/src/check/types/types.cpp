@@ -29,11 +29,28 @@ void note_type_use(Checker& checker, const Type& type, Span name) {
 
 namespace {
 
+// Of Java and C.
+bool is_type_of_one_character(std::string_view word) {
+  return word == "char" || word == "Character";
+}
+
+Diagnostic single_character_advice(std::string_view word, Span span) {
+  Diagnostic out = make_diagnostic("W0755", span, {std::string(word)});
+  out.fix =
+      Fix{.text = "write string", .edits = {{span, "string"}}, .confidence = Confidence::kSure};
+  return out;
+}
+
 const Type* resolve_named(Checker& checker, const ast::TypeExpr& type) {
   if (type.path.size() == 1) {
-    if (const Type* found = type_called(checker, type.path[0].text)) {
+    const std::string_view word = type.path[0].text;
+    if (const Type* found = type_called(checker, word)) {
       note_type_use(checker, *found, type.span);
       return found;
+    }
+    if (is_type_of_one_character(word)) {
+      if (checker.messages.is_news(word)) checker.report(single_character_advice(word, type.span));
+      return checker.types.text();
     }
   }
   std::string name;

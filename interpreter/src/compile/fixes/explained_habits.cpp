@@ -53,6 +53,25 @@ bool repairs_its_line(const Diagnostic& message, const SourceSet& sources, Trial
   return trial && !trial->fails_inside({begin, end, source.id()});
 }
 
+// Whether all that is left at the places of a fix are names that nothing has and that stand in the
+// line as it was written.
+bool lacks_only_names(const Trial& trial, const Diagnostic& explanation, const SourceSet& sources) {
+  const std::vector<Span> places = trial.places(explanation);
+  const std::string_view written = sources.slice(explanation.mark.span);
+  bool lacks = false;
+  for (const Diagnostic& left : trial.left()) {
+    if (left.severity != Severity::kError) continue;
+    const auto touches = [&](Span place) { return touch(place, left.mark.span); };
+    if (std::ranges::none_of(places, touches)) continue;
+    const std::string_view name = trial.sources().slice(left.mark.span);
+    if (left.code != "E0201" || left.mark.span.source != 0 ||
+        written.find(name) == std::string_view::npos)
+      return false;
+    lacks = true;
+  }
+  return lacks;
+}
+
 // Replaces message `at` and drops those behind it that have the same cause; false if the
 // explanation is not the cause.
 bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic explanation,
@@ -62,8 +81,13 @@ bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic expla
     return true;
   }
   const std::optional<Trial> trial = trials.with(explanation.fix->edits);
-  if (!trial || trial->still_says(messages[at]) || fails_as_shown(*trial, explanation, trials))
-    return false;
+  if (!trial || trial->still_says(messages[at])) return false;
+  if (lacks_only_names(*trial, explanation, sources)) {
+    explanation.fix->edits.clear();
+    messages[at] = std::move(explanation);
+    return true;
+  }
+  if (fails_as_shown(*trial, explanation, trials)) return false;
   const auto behind = messages.begin() + static_cast<std::ptrdiff_t>(at) + 1;
   const auto gone = std::remove_if(behind, messages.end(), [&](const Diagnostic& other) {
     return is_inside(other, *explanation.fix, sources) && !trial->still_says(other);
@@ -103,9 +127,11 @@ void explain_habits(std::vector<Diagnostic>& diagnostics, const SourceSet& sourc
     std::vector<Explanation> given = explanations.of(diagnostics[i]);
     const std::optional<Fix>& fix = diagnostics[i].fix;
     const bool is_sure = fix && fix->confidence == Confidence::kSure;
-    // A fix that repairs its line is not exchanged for that of a part; a sure one not for none.
+    // A fix that repairs its line is not exchanged for that of a part; a sure one not for none, and
+    // that of a name that the program or the library has for no other.
+    const bool is_named = is_sure && diagnostics[i].code == "E0201";
     const auto is_less = [&](const Explanation& one) {
-      return one.of_value || (is_sure && !one.message.fix);
+      return one.of_value || is_named || (is_sure && !one.message.fix);
     };
     if (std::ranges::any_of(given, is_less) && repairs_its_line(diagnostics[i], sources, trials))
       std::erase_if(given, is_less);

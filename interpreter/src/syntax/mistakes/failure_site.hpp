@@ -141,5 +141,6 @@ class FailureSite {
 [[nodiscard]] std::optional<Diagnostic> explain_map_habit(const FailureSite& site);
 [[nodiscard]] std::optional<Diagnostic> explain_sign(const FailureSite& site);
 [[nodiscard]] std::optional<Diagnostic> explain_row(const FailureSite& site);
+[[nodiscard]] std::optional<Diagnostic> explain_block(const FailureSite& site);
 
 }  // namespace armlet::lang

@@ -328,10 +328,10 @@ Diagnostic does_not_fit(const FailureSite& site) {
 Diagnostic explain_failure(const Source& source, const Tokens& tokens, std::size_t statement,
                            std::size_t at) {
   const FailureSite site(source, tokens, statement, at);
-  for (const auto explain :
-       {explain_sign, assignment_as_test, explain_map_habit, explain_habit, bare_condition,
-        unbraced_body, step_as_value, assignment_as_value, assignment_as_result, block_after_arrow,
-        orphan, word_as_name, explain_row, missing_separator, something_missing}) {
+  for (const auto explain : {explain_sign, assignment_as_test, explain_block, explain_map_habit,
+                             explain_habit, bare_condition, unbraced_body, step_as_value,
+                             assignment_as_value, assignment_as_result, block_after_arrow, orphan,
+                             word_as_name, explain_row, missing_separator, something_missing}) {
     if (Answer out = explain(site)) return *std::move(out);
   }
   return does_not_fit(site);

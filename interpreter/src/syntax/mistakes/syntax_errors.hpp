@@ -16,5 +16,9 @@ namespace armlet::lang {
 // the statement is no such function.
 [[nodiscard]] std::size_t end_of_python_function(const Source& source, const Tokens& tokens,
                                                  std::size_t statement, std::size_t at);
+// The token behind `repeat { ... } until (c)`, `repeat 3 { ... }` or `loop { ... }`; 0 if the
+// statement is none of these.
+[[nodiscard]] std::size_t end_of_foreign_loop(const Source& source, const Tokens& tokens,
+                                              std::size_t statement, std::size_t at);
 
 }  // namespace armlet::lang

@@ -53,16 +53,15 @@ struct ForeignType {
   std::string_view meant;
 };
 inline constexpr ForeignType kForeignTypes[] = {
-    {"Double", "double"},      {"Float", "double"},   {"real", "double"},
-    {"number", "double"},      {"Number", "double"},  {"decimal", "double"},
-    {"Integer", "int"},        {"Int", "int"},        {"integer", "int"},
-    {"Long", "int"},           {"short", "int"},      {"byte", "int"},
-    {"unsigned", "int"},       {"size_t", "int"},     {"int32_t", "int"},
-    {"int64_t", "int"},        {"Boolean", "bool"},   {"Bool", "bool"},
-    {"str", "string"},         {"char", "string"},    {"Str", "string"},
-    {"text", "string"},        {"list", "double[]"},  {"vector", "double[]"},
-    {"ArrayList", "double[]"}, {"array", "double[]"}, {"Exception", "error"},
-    {"Error", "error"},
+    {"Double", "double"},  {"Float", "double"},    {"real", "double"},
+    {"number", "double"},  {"Number", "double"},   {"decimal", "double"},
+    {"Integer", "int"},    {"Int", "int"},         {"integer", "int"},
+    {"Long", "int"},       {"short", "int"},       {"byte", "int"},
+    {"unsigned", "int"},   {"size_t", "int"},      {"int32_t", "int"},
+    {"int64_t", "int"},    {"Boolean", "bool"},    {"Bool", "bool"},
+    {"str", "string"},     {"Str", "string"},      {"text", "string"},
+    {"list", "double[]"},  {"vector", "double[]"}, {"ArrayList", "double[]"},
+    {"array", "double[]"}, {"Exception", "error"}, {"Error", "error"},
 };
 
 // The type that a word stands for; empty if it is none of them.

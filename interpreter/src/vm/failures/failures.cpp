@@ -10,10 +10,10 @@
 #include "armlet/interpreter/messages/catalog.hpp"
 #include "compile/code/properties.hpp"
 #include "format_value.hpp"
+#include "vm/failures/counted.hpp"
 #include "vm/instructions/interpret.hpp"
 
 namespace armlet::lang {
-
 namespace {
 
 // After cancelling or running out of steps, finally blocks get this many steps more.
@@ -334,7 +334,7 @@ std::string computed_index(const VmState& state, std::int64_t index, std::string
       written = at->expr->as<hir::CharacterExpr>().index;
   }
   if (written == nullptr) return {};
-  is_variable = written->kind == hir::ExprKind::kVariable;
+  is_variable = is_counted(*state.programs.newest->sources, *written);
   const std::string text = source_text(state, written->span);
   return text == std::to_string(index) ? std::string() : text;
 }
