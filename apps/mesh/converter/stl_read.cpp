@@ -107,6 +107,7 @@ class TextReader {
       words_.skip_line();
     }
     if (is_open) note_missing_end();
+    if (count_ == 0) refuse("there are no triangles in it");
     std::string out(kHeader, ' ');
     for (std::size_t k = 0; k < 4; ++k)
       out[kCount + k] = static_cast<char>(count_ >> (8 * k) & 0xffU);
@@ -212,6 +213,7 @@ std::string without_extra(std::string_view bytes, std::vector<std::string>& note
   if (count != there) {
     refuse(fmt::format("its header says {} triangles, but there are bytes for {}", count, there));
   }
+  if (count == 0) refuse("there are no triangles in it");
   const std::size_t size = kHeader + count * kTriangle, extra = bytes.size() - size;
   if (extra > 0) {
     notes.push_back(fmt::format("{} {} behind its {} triangles {} not read", extra,
