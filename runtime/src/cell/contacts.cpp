@@ -318,7 +318,7 @@ double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler
   }
   // What is farther off counts where nothing nearer does.
   for (double sure = kFarOff; room > sure && sure < kFarthest;) {
-    sure *= 4.0;
+    sure *= 2.0;
     for (const std::size_t i : scene.around(body.T.translation(), reach + sure)) {
       if (scene.is_own(robot, feeler, i)) continue;
       const double balls = room_of_balls(i);

@@ -39,58 +39,66 @@ BallGrid::Cell BallGrid::cell_of(const Vector3d& p, double width) const {
 void BallGrid::put(std::uint32_t id, const Vector3d& middle, double radius) {
   const int level = level_of(radius);
   const Cell cell = cell_of(middle, std::ldexp(1.0, level));
-  const auto known = balls_.find(id);
-  if (known != balls_.end() && known->second.level == level && known->second.cell == cell) {
-    known->second.middle = middle;
-    known->second.radius = radius;
+  const Ball ball{middle, radius, id};
+  const auto known = places_.find(id);
+  if (known != places_.end() && known->second.level == level && known->second.cell == cell) {
+    levels_.at(level).balls[known->second.index] = ball;
     return;
   }
   take(id);
-  balls_.insert_or_assign(id, Ball{middle, radius, level, cell});
   Level& at = levels_[level];
+  places_.insert_or_assign(id, Place{level, cell, at.balls.size()});
   at.cells[cell].push_back(id);
-  ++at.count;
+  at.balls.push_back(ball);
 }
 
 void BallGrid::take(std::uint32_t id) {
-  const auto ball = balls_.find(id);
-  if (ball == balls_.end()) return;
-  const auto level = levels_.find(ball->second.level);
-  const auto cell = level->second.cells.find(ball->second.cell);
+  const auto known = places_.find(id);
+  if (known == places_.end()) return;
+  const Place place = known->second;
+  places_.erase(known);
+  const auto level = levels_.find(place.level);
+  const auto cell = level->second.cells.find(place.cell);
   std::erase(cell->second, id);
   if (cell->second.empty()) level->second.cells.erase(cell);
-  if (--level->second.count == 0) levels_.erase(level);
-  balls_.erase(ball);
+  // The last ball of the list takes its place.
+  std::vector<Ball>& balls = level->second.balls;
+  if (place.index + 1 < balls.size()) {
+    balls[place.index] = balls.back();
+    places_.at(balls.back().id).index = place.index;
+  }
+  balls.pop_back();
+  if (balls.empty()) levels_.erase(level);
 }
 
-bool BallGrid::touches(std::uint32_t id, const Vector3d& middle, double radius) const {
-  const Ball& ball = balls_.at(id);
+bool BallGrid::touches(const Ball& ball, const Vector3d& middle, double radius) const {
   Vector3d apart = ball.middle - middle;
   if (space_ == Space::kColumns) apart.z() = 0.0;
-  return apart.norm() <= (ball.radius + radius) * (1.0 + kMargin);
+  const double most = (ball.radius + radius) * (1.0 + kMargin);
+  return apart.squaredNorm() <= most * most;
 }
 
 // Where a query covers more cubes than there are balls, all balls of the level are looked at.
 void BallGrid::find_in(const Level& level, double width, const Vector3d& middle, double radius,
                        std::vector<std::uint32_t>& found) const {
-  const auto look = [&](const std::vector<std::uint32_t>& ids) {
-    for (const std::uint32_t id : ids) {
-      if (touches(id, middle, radius)) found.push_back(id);
-    }
-  };
   const Vector3d around = Vector3d::Constant((radius + 0.5 * width) * (1.0 + kMargin));
   const Cell low = cell_of(middle - around, width), high = cell_of(middle + around, width);
   double cubes = 1.0;
   for (std::size_t k = 0; k < 3; ++k) cubes *= static_cast<double>(high[k] - low[k]) + 1.0;
   if (cubes > static_cast<double>(level.cells.size())) {
-    for (const auto& [cell, ids] : level.cells) look(ids);
+    for (const Ball& each : level.balls) {
+      if (touches(each, middle, radius)) found.push_back(each.id);
+    }
     return;
   }
   for (std::int64_t x = low[0]; x <= high[0]; ++x) {
     for (std::int64_t y = low[1]; y <= high[1]; ++y) {
       for (std::int64_t z = low[2]; z <= high[2]; ++z) {
         const auto cell = level.cells.find({x, y, z});
-        if (cell != level.cells.end()) look(cell->second);
+        if (cell == level.cells.end()) continue;
+        for (const std::uint32_t id : cell->second) {
+          if (touches(level.balls[places_.at(id).index], middle, radius)) found.push_back(id);
+        }
       }
     }
   }

@@ -27,7 +27,7 @@ class BallGrid {
   void put(std::uint32_t id, const Eigen::Vector3d& middle, double radius);
   // Nothing happens if it is not there.
   void take(std::uint32_t id);
-  [[nodiscard]] std::size_t size() const { return balls_.size(); }
+  [[nodiscard]] std::size_t size() const { return places_.size(); }
 
   // All balls that a ball touches, by rising numbers; it may touch some of them but for rounding.
   [[nodiscard]] std::vector<std::uint32_t> touching(const Eigen::Vector3d& middle,
@@ -40,22 +40,29 @@ class BallGrid {
   };
   struct Ball {
     Eigen::Vector3d middle;
-    double radius;
-    int level;  // the cubes of it are 2^level wide
-    Cell cell;
+    double radius = 0.0;
+    std::uint32_t id = 0;
   };
+  // balls  all of the level, for queries that reach far.
   struct Level {
     std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells;
-    std::size_t count = 0;
+    std::vector<Ball> balls;
+  };
+  // level  its cubes are 2^level wide.
+  // index  of Level::balls.
+  struct Place {
+    int level = 0;
+    Cell cell{};
+    std::size_t index = 0;
   };
 
   [[nodiscard]] Cell cell_of(const Eigen::Vector3d& p, double width) const;
-  [[nodiscard]] bool touches(std::uint32_t id, const Eigen::Vector3d& middle, double radius) const;
+  [[nodiscard]] bool touches(const Ball& ball, const Eigen::Vector3d& middle, double radius) const;
   void find_in(const Level& level, double width, const Eigen::Vector3d& middle, double radius,
                std::vector<std::uint32_t>& found) const;
 
   Space space_;
-  std::unordered_map<std::uint32_t, Ball> balls_;
+  std::unordered_map<std::uint32_t, Place> places_;
   std::map<int, Level> levels_;
 };
 
