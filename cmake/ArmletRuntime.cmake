@@ -3,10 +3,10 @@
 # Sources that differ: what a platform provides (core/platform.hpp), and what reads robot descriptions. That of
 # WebAssembly is a C++ library and nothing else, and small.
 if(EMSCRIPTEN)
-  set(platform src/core/bare/)
+  set(platform src/core/bare/ fork_lock)
   set(urdf_read urdf_none)
 else()
-  set(platform src/core/posix/ ample_stack)
+  set(platform src/core/posix/ ample_stack fork_lock)
   set(urdf_read urdf_read)
 endif()
 

@@ -3,15 +3,11 @@
 #include <RbtParser.h>
 #include <RbtTables.h>
 
-#if defined(__unix__) && !defined(__EMSCRIPTEN__)
-#define ARMLET_CAN_FORK
-#include <pthread.h>
-#endif
-
 #include <algorithm>
 #include <iterator>
-#include <mutex>
 #include <span>
+
+#include "armlet/core/fork_lock.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -19,17 +15,6 @@ namespace {
 using namespace rbt_tables;
 
 constexpr std::size_t kUnknown = 0;
-
-// All parsers share the grammar as ANTLR interprets it, which grows as it predicts.
-constinit std::mutex prediction_mutex;
-
-#ifdef ARMLET_CAN_FORK
-// A child that is forked while another thread predicts would wait for ever for that thread, which
-// it does not have; so a fork waits until nothing is predicted.
-[[maybe_unused]] const int at_fork =
-    pthread_atfork([] { prediction_mutex.lock(); }, [] { prediction_mutex.unlock(); },
-                   [] { prediction_mutex.unlock(); });
-#endif
 
 std::span<const DecisionEdge> edges_of(std::size_t state) {
   const std::span<const DecisionEdge> all = kDecisionEdges;
@@ -55,7 +40,8 @@ std::size_t TablePrediction::adaptivePredict(antlr4::TokenStream* input, std::si
                                              antlr4::ParserRuleContext* outer) {
   const std::size_t alternative = from_tables(*input, decision);
   if (alternative != kUnknown) return alternative;
-  const std::scoped_lock one_thread(prediction_mutex);
+  // All parsers share the grammar as ANTLR interprets it, which grows as it predicts.
+  const auto lock = lock_over_forks();
   RbtParser::prepare();
   return ParserATNSimulator::adaptivePredict(input, decision, outer);
 }

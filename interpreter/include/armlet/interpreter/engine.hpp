@@ -141,8 +141,7 @@ class Engine {
   [[nodiscard]] const Vocabulary& registry() const { return vocabulary(); }
 
  private:
-  // throws  ArgumentError if this engine has been moved from.
-  [[nodiscard]] Vocabulary& vocabulary() const;
+  [[nodiscard]] Vocabulary& vocabulary() const;  // throws ArgumentError if it was moved from
   std::shared_ptr<Vocabulary> registry_;  // programs keep it too
 };
 
@@ -199,13 +198,11 @@ class Vm {
   [[nodiscard]] std::optional<EntryValue> shown() const;
   // How far the run has come; kPaused before its start.
   [[nodiscard]] const RunResult& result() const { return result_; }
-  // May be called from any thread or a signal handler: the program stops at its next pause point or
-  // step check. A run that is paused, or has not begun, stops when it goes on; a request that comes
-  // when nothing runs and no run is paused is dropped by the next call of a function.
+  // From any thread or a signal handler: the program stops at its next pause point or step check.
+  // Where nothing runs or is paused, the next call drops the request.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
-  // ---- the program's functions and variables by name, while it is not running
-  // (program_function.hpp, globals.hpp)
+  // ---- functions and variables by name, while the program is not running (globals.hpp)
 
   // throws  ArgumentError with both signatures if there is no function of these types; the other
   //         gives it as a result.
@@ -213,8 +210,7 @@ class Vm {
   [[nodiscard]] ProgramFunction<Signature> function(std::string_view name);
   template <class Signature>
   [[nodiscard]] Result<ProgramFunction<Signature>> try_function(std::string_view name);
-  // Why the run, or the last call of a function that failed, failed, and the same as people read it;
-  // null and empty: nothing has.
+  // Why the run or the last call that failed did, also as people read it; null and empty: none has.
   [[nodiscard]] const Diagnostic* error() const;
   [[nodiscard]] std::string error_text() const;
   // A variable of the top level: as a Value, or as a type of C++.

@@ -18,11 +18,6 @@ Diagnostic misfit(const FailureSite& site, std::size_t i, std::string why) {
   return out;
 }
 
-Span before(const FailureSite& site, std::size_t i) {
-  const Span span = site.span(i);
-  return {span.begin, span.begin, span.source};
-}
-
 // The bracket of the header of a `for` in which token `i` stands.
 std::optional<std::size_t> for_header(const FailureSite& site, std::size_t i) {
   const std::optional<std::size_t> open = site.opener(i);
