@@ -11,8 +11,8 @@ void close_fingers(const CellRobot& arm, const World& world, std::vector<ArmSoli
   if (arm.held.empty() || hand.kind != ToolKind::kParallelGripper) return;
   const Object* held = world.find(arm.held);
   if (held == nullptr) return;
-  const Eigen::Vector3d approach = forward(*arm.model, arm.q).linear().col(2);
-  const double closed = 0.5 * std::max(hand.stroke - grasp_width(*held, approach), 0.0);
+  const Eigen::Vector3d across_world = forward(*arm.model, arm.q).linear().col(0);
+  const double closed = 0.5 * std::max(hand.stroke - grasp_width(*held, across_world), 0.0);
   const Eigen::Vector3d across = arm.model->T_flange_tool().linear().col(0);
   for (ArmSolid& each : solids) {
     if (!is_finger(each.role)) continue;

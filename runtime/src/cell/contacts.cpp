@@ -28,9 +28,9 @@ constexpr std::int64_t kLook = 1'000'000;  // ns, how often it is looked whether
 constexpr double kSlips = 1e-3;            // m/s, from where on friction is that of sliding
 
 // A hand without a length of its own closes around the tool point: what fits in is not pressed.
-bool is_around(const Robot& arm, const Object& object, const Vector3d& approach) {
+bool is_around(const Robot& arm, const Object& object, const Vector3d& across) {
   return arm.derived<ArmSolids>().is_bare() && arm.tool().kind == ToolKind::kParallelGripper &&
-         !object.fixed && grasp_width(object, approach) <= arm.tool().stroke;
+         !object.fixed && grasp_width(object, across) <= arm.tool().stroke;
 }
 
 // No value of a derivative of a polynomial piece is larger than its Bernstein coefficients.
@@ -228,9 +228,9 @@ struct Contacts::Scene {
   }
 
   [[nodiscard]] bool may_press(int robot, std::size_t index, const Feeler& feeler,
-                               const Vector3d& approach) const {
+                               const Vector3d& across) const {
     return !feeler.carried.empty() || !feeler.of_hand ||
-           !is_around(*arm(robot).model, world.object(index), approach);
+           !is_around(*arm(robot).model, world.object(index), across);
   }
 };
 
@@ -259,7 +259,7 @@ void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_
   scene.state(robot, now_ns, q, qd);
   const Robot& model = *scene.arm(robot).model;
   const std::vector<Isometry3d> frames = frames_at(model, q);
-  const Vector3d approach = frames.back().linear() * model.T_flange_tool().linear().col(2);
+  const Vector3d across = frames.back().linear() * model.T_flange_tool().linear().col(0);
   for (std::size_t k = 0; k < known.feelers.size(); ++k) {
     const Feeler& feeler = known.feelers[k];
     Room& known_room = known.rooms[k];
@@ -273,7 +273,7 @@ void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_
           (body.T.linear() - known_room.T_world_feeler.linear()).norm() * body.reach();
       double room = known_room.room - moved;
       if (now_ns < free.from_ns || room < kWorthIt * known_room.room) {
-        room = look_around(scene, robot, feeler, body, approach, now_ns, visit) - kClear;
+        room = look_around(scene, robot, feeler, body, across, now_ns, visit) - kClear;
         known_room.room = room;
         known_room.T_world_feeler = body.T;
       }
@@ -290,7 +290,7 @@ void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_
 // less.
 template <class Visit>
 double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler, const Solid& body,
-                             const Vector3d& approach, std::int64_t now_ns, Visit&& visit) {
+                             const Vector3d& across, std::int64_t now_ns, Visit&& visit) {
   double room = std::numeric_limits<double>::infinity();
   const double reach = body.reach() + kNear;
   for (std::size_t i = reaches_.size(); i < scene.world.size(); ++i)
@@ -313,7 +313,7 @@ double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler
     solid.T = scene.T_world_obj(i, now_ns);
     const bool apart = is_farther(body, solid, kNear);
     if (room > 0.0) room = std::min(room, apart ? gap_between(body, solid).distance : 0.0);
-    if (apart || !scene.may_press(robot, i, feeler, approach)) continue;
+    if (apart || !scene.may_press(robot, i, feeler, across)) continue;
     visit(feeler, body, i, solid);
   }
   // What is farther off counts where nothing nearer does.

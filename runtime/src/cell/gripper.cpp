@@ -12,7 +12,8 @@ GraspResult judge(const Cell& cell, int robot, const Object& object) {
   GraspResult result{.object = object.name,
                      .distance = grasp_distance(cell, robot, object),
                      .allowed = hand.grasp_distance,
-                     .width = grasp_width(object, T_world_tool.linear().col(2)),
+                     .width = grasp_width(object, T_world_tool.linear().col(0)),
+                     .turned = grasp_width(object, T_world_tool.linear().col(1)),
                      .stroke = hand.stroke};
   if (object.fixed) {
     result.status = GraspStatus::kFixed;

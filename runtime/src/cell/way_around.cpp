@@ -55,12 +55,17 @@ std::vector<BlockingBodies> blocking_of(const Way& way, const ComparedBodies& co
   return all;
 }
 
-// The motion along a way. Corners at which something is met are rounded less, in the end not at
-// all: the joints then follow the segments that the search has certified.
+// The motion along a way. Corners at which something is met, or a clearance is not kept, are
+// rounded less, in the end not at all: the joints then follow the segments that the search has
+// certified.
+//
+// scene  that the way was searched in.
 class AlongWay {
  public:
-  AlongWay(const Cell& cell, const WayAroundRequest& request, const Robot& model, const Way& way)
-      : cell_(cell), request_(request), model_(model) {
+  AlongWay(const Cell& cell, const WayAroundRequest& request, const Robot& model, const Way& way,
+           MotionScene scene)
+      : cell_(cell), request_(request), model_(model), scene_(std::move(scene)) {
+    keep_clearances(way);
     move_.q0 = way.points.front();
     move_.time = request.time;
     move_.speed = request.speed;
@@ -80,9 +85,17 @@ class AlongWay {
         if (!out.motion.outside.empty() && tighten_all()) continue;
         return;
       }
-      out.met = find_collisions(cell_, request_.robot, *out.motion.trajectory);
-      if (out.met.empty()) return;
-      if (!tighten(out.times, out.met)) {
+      scene_.arms[0].motion = &*out.motion.trajectory;
+      scene_.duration = out.motion.trajectory->duration();
+      std::vector<double> where;
+      for (const Nearing& each : check_clearances(scene_, kept_)) where.push_back(each.t);
+      if (where.empty()) {
+        out.met = find_collisions(cell_, request_.robot, *out.motion.trajectory);
+        if (out.met.empty()) return;
+        for (const CellCollision& each : out.met)
+          where.insert(where.end(), {each.t, each.t_deepest});
+      }
+      if (!tighten(out.times, where)) {
         out.motion.trajectory.reset();
         return;
       }
@@ -90,6 +103,19 @@ class AlongWay {
   }
 
  private:
+  // The pairs that keep a clearance. Robots that are moving count as standing where their motions
+  // end: while they move, they are only not met.
+  void keep_clearances(const Way& way) {
+    std::vector<CheckedPair> pairs;
+    for (std::size_t i = 0; i < scene_.pairs.size(); ++i) {
+      if (way.kept[i] <= 0.0 || scene_.pairs[i].b.arm > 0) continue;
+      pairs.push_back(scene_.pairs[i]);
+      pairs.back().leaving = false;
+      kept_.push_back(way.kept[i]);
+    }
+    scene_.pairs = std::move(pairs);
+  }
+
   // False if the corner is a stop already.
   bool tighten_at(std::size_t k) {
     double& blend = move_.points[k].blend;
@@ -104,24 +130,27 @@ class AlongWay {
     return any;
   }
 
-  // The corners nearest in time to where something is met; others only if these are stops.
-  bool tighten(const std::vector<double>& times, const std::vector<CellCollision>& met) {
-    bool any = false;
-    for (const CellCollision& each : met) {
-      for (const double t : {each.t, each.t_deepest}) {
-        std::size_t nearest = 0;
-        for (std::size_t k = 1; k + 1 < times.size(); ++k) {
-          if (std::abs(times[k] - t) < std::abs(times[nearest] - t)) nearest = k;
-        }
-        if (times.size() > 1) any = tighten_at(nearest) || any;
+  // The corners nearest in time to the instants at which something is wrong, each once; others only
+  // if these are stops.
+  bool tighten(const std::vector<double>& times, const std::vector<double>& where) {
+    std::vector<bool> at(times.size(), false);
+    for (const double t : where) {
+      std::size_t nearest = 0;
+      for (std::size_t k = 1; k + 1 < times.size(); ++k) {
+        if (std::abs(times[k] - t) < std::abs(times[nearest] - t)) nearest = k;
       }
+      if (times.size() > 1) at[nearest] = true;
     }
+    bool any = false;
+    for (std::size_t k = 0; k < at.size(); ++k) any = (at[k] && tighten_at(k)) || any;
     return any || tighten_all();
   }
 
   const Cell& cell_;
   const WayAroundRequest& request_;
   const Robot& model_;
+  MotionScene scene_;
+  std::vector<double> kept_;  // of each pair of scene_
   PathMove move_;
 };
 
@@ -131,12 +160,12 @@ WayAround find_way_around(const Cell& cell, const WayAroundRequest& request) {
   const CellRobot& arm = cell.robot(request.robot);
   WayAround out;
   const Trajectory ends = between(arm.q, request.goals.empty() ? arm.q : request.goals.front());
-  const ComparedBodies compared = compared_bodies(cell, request.robot, ends);
+  ComparedBodies compared = compared_bodies(cell, request.robot, ends);
   out.way = search_way(compared.scene, arm.q, request.goals, request.search);
   out.blocking = blocking_of(out.way, compared);
   if (!out.way.ok()) return out;
   const Robot& model = request.model != nullptr ? *request.model : *arm.model;
-  AlongWay(cell, request, model, out.way).plan(out);
+  AlongWay(cell, request, model, out.way, std::move(compared.scene)).plan(out);
   return out;
 }
 

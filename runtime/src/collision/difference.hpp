@@ -74,8 +74,6 @@ Nearest nearest_point(const CoreDifference& difference, std::optional<double> qu
 struct Depth {
   double depth = 0.0;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d p_a = Eigen::Vector3d::Zero();  // in the frame of the first body
-  Eigen::Vector3d p_b = Eigen::Vector3d::Zero();
 };
 
 // Expands a polytope inside of the difference until a face of it is a face of the difference (van

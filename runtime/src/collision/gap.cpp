@@ -19,10 +19,25 @@ Gap gap_at(const Solid& a, const Solid& b, double distance, const Vector3d& p_a,
           .away = out};
 }
 
+// The pair of points that lies deepest: after `a` has moved along `away` by the depth, and a little
+// more so that the cores are surely apart, these points are the nearest ones. The points of the
+// polytope's face do not do: where several of its triangles lie in one plane, the point may lie
+// beyond the triangle that was found.
 Gap overlapping(const Solid& a, const Solid& b, const CoreDifference& difference,
                 const Simplex& simplex) {
+  constexpr double kFree = 2e-7;  // m, and relative to the bodies
   const Depth least = least_depth(difference, simplex);
-  return gap_at(a, b, -least.depth, least.p_a, least.p_b, -least.direction);
+  const Vector3d away = -least.direction;
+  Solid moved = a;
+  moved.T.translation() +=
+      a.T.linear() * ((least.depth + kFree * std::max(1.0, difference.scale())) * away);
+  const Nearest nearest = nearest_point(CoreDifference(moved, b));
+  Vector3d p_a = Vector3d::Zero();
+  for (int i = 0; i < nearest.simplex.n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    p_a += nearest.simplex.weights[k] * nearest.simplex.points[k].a;
+  }
+  return gap_at(a, b, -least.depth, p_a, p_a + least.depth * away, away);
 }
 
 Gap apart(const Solid& a, const Solid& b, const Nearest& nearest) {

@@ -38,7 +38,7 @@ class Expansion {
       const auto at_face = static_cast<std::size_t>(face - faces_.begin());
       const DifferencePoint next = difference_.support(nearest.normal);
       const double depth = nearest.normal.dot(next.w);
-      if (depth < best_.depth) take(nearest, depth);
+      if (depth < best_.depth) best_ = {.depth = depth, .direction = nearest.normal};
       if (best_.depth - nearest.distance <= enough || !grow(at_face, next)) break;
     }
     return best_;
@@ -112,10 +112,8 @@ class Expansion {
     if (points_.size() == 3) normal = plane_normal();
     if (points_.size() == 2) normal = (points_[1].w - points_[0].w).unitOrthogonal();
     for (const Vector3d& n : {normal, Vector3d(-normal)}) {
-      const DifferencePoint point = difference_.support(n);
-      const double depth = std::max(n.dot(point.w), 0.0);
-      if (depth < best_.depth)
-        best_ = {.depth = depth, .direction = n, .p_a = point.a, .p_b = point.b};
+      const double depth = std::max(n.dot(difference_.support(n).w), 0.0);
+      if (depth < best_.depth) best_ = {.depth = depth, .direction = n};
     }
     return best_;
   }
@@ -130,20 +128,6 @@ class Expansion {
     }
     const Vector3d unit = normal / size;
     faces_.push_back({corners, unit, std::max(unit.dot(a), 0.0)});
-  }
-
-  // The point nearest to the origin of a face's plane, in both bodies.
-  void take(const Face& face, double depth) {
-    Simplex simplex;
-    for (const int corner : face.corners)
-      simplex.points[static_cast<std::size_t>(simplex.n++)] = at(corner);
-    simplex.reduce();
-    best_ = {.depth = depth, .direction = face.normal};
-    for (int i = 0; i < simplex.n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      best_.p_a += simplex.weights[k] * simplex.points[k].a;
-      best_.p_b += simplex.weights[k] * simplex.points[k].b;
-    }
   }
 
   // The face on the other side of an edge; the polytope is closed, so there is one.

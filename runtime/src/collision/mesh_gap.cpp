@@ -216,14 +216,19 @@ Gap overlapping_meshes(const Solid& a, const Solid& b) {
   return hull.distance > gap.distance ? hull : gap;
 }
 
-// Out through the nearest place of the surface.
+// Out through the nearest point of the surface. The point of the inner body that leaves last and
+// the point of that plane where it leaves are the pair of deepest penetration.
 Gap enclosed(const Solid& a, const Solid& b, const Gap& nearest) {
-  const Solid& inner = is_inside(a, b) ? b : a;
+  const bool b_is_inner = is_inside(a, b);
+  const Solid& inner = b_is_inner ? b : a;
   const Vector3d n = nearest.away;
   const double width = (farthest_point(inner, n) - farthest_point(inner, -n)).dot(n);
-  Gap gap = nearest;
-  gap.distance = -(nearest.distance + width);
-  gap.away = -n;
+  const double depth = nearest.distance + width;
+  const Vector3d last = farthest_point(inner, b_is_inner ? Vector3d(-n) : n);
+  const Gap gap{.distance = -depth,
+                .p_a = b_is_inner ? Vector3d(last + depth * n) : last,
+                .p_b = b_is_inner ? last : Vector3d(last - depth * n),
+                .away = -n};
   const Gap hull = gap_between(hull_of(a), hull_of(b));
   return hull.distance > gap.distance ? hull : gap;
 }

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
+#include "armlet/core/checkpoint.hpp"
+#include "armlet/core/error.hpp"
 #include "collision/motion_cells.hpp"
 #include "collision/scene_pose.hpp"
 
@@ -11,16 +14,22 @@ namespace armlet {
 namespace {
 
 constexpr double kResolution = 5e-5;  // m
-constexpr int kManyLooks = 20'000;    // then what is looked for becomes coarser
-constexpr double kComeApart = 1e-3;   // m, what leaves a body is checked from there
-constexpr int kSamples = 64;          // of a motion, for depths and for what leaves
+constexpr double kGrainOfClearance =
+    0.05;  // of a clearance, how far points travel between two looks
+constexpr std::uint64_t kClearanceCost =
+    1'000;                           // operations of a position where clearances are kept
+constexpr int kManyLooks = 20'000;   // then what is looked for becomes coarser
+constexpr double kComeApart = 1e-3;  // m, what leaves a body is checked from there
+constexpr int kSamples = 64;         // of a motion, for depths and for what leaves
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Check {
  public:
   // certifies  whether the heights that would do are looked at again.
-  explicit Check(const MotionScene& scene, bool certifies)
+  // keep       of each pair, m; empty: the bodies may touch.
+  Check(const MotionScene& scene, bool certifies, std::span<const double> keep = {})
       : scene_(scene),
+        keep_(keep),
         certifies_(certifies),
         pose_(scene),
         cells_(scene),
@@ -29,10 +38,17 @@ class Check {
         from_(scene.pairs.size(), 0.0),
         done_(scene.pairs.size(), false) {}
 
+  std::vector<Nearing> nearings() {
+    look_at_all();
+    std::vector<Nearing> all;
+    for (const Meeting& each : result_.meetings) all.push_back({.pair = each.pair, .t = each.t});
+    std::ranges::stable_sort(all, {}, &Nearing::t);
+    return all;
+  }
+
   MotionCheck run() {
     find_leaving();
-    for (std::size_t i = 0; i < scene_.pairs.size(); ++i) open_.push_back(i);
-    if (scene_.duration > 0.0) look_at_cells(0, cells_.count(), 0, open_.size());
+    look_at_all();
     result_.resolution = resolution_;
     for (std::size_t i = 0; i < before_.size(); ++i) {
       bring_forward(result_.meetings[i], before_[i]);
@@ -44,6 +60,11 @@ class Check {
   }
 
  private:
+  void look_at_all() {
+    for (std::size_t i = 0; i < scene_.pairs.size(); ++i) open_.push_back(i);
+    if (scene_.duration > 0.0) look_at_cells(0, cells_.count(), 0, open_.size());
+  }
+
   // Pairs [begin, end) of open_ are those that nobody has excluded for the cells.
   void look_at_cells(int first, int last, std::size_t begin, std::size_t end) {
     if (last - first == 1) {
@@ -65,8 +86,7 @@ class Check {
     const std::size_t kept = open_.size();
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t pair = open_[i];
-      if (!done_[pair] && !is_free(scene_.pairs[pair], pose_.travel(scene_.pairs[pair])))
-        open_.push_back(pair);
+      if (!done_[pair] && !is_free(pair, pose_.travel(scene_.pairs[pair]))) open_.push_back(pair);
     }
     const std::size_t kept_end = open_.size();
     if (kept != kept_end) {
@@ -102,12 +122,12 @@ class Check {
     const CheckedPair& pair = scene_.pairs[index];
     if (done_[index] || t1 <= from_[index]) return;
     const double travel = pose_.travel(pair);
-    if (is_free(pair, travel)) return;
-    if (travel >= resolution_) {
+    if (is_free(index, travel)) return;
+    if (travel >= (keep_.empty() ? resolution_ : kGrainOfClearance * keep_[index])) {
       open_.push_back(index);
       return;
     }
-    if (t0 < from_[index] || gap_of(pair).distance >= -kSoft) return;
+    if (keep_.empty() && (t0 < from_[index] || gap_of(pair).distance >= -kSoft)) return;
     done_[index] = true;
     result_.meetings.push_back({.pair = index, .t = 0.5 * (t0 + t1)});
     before_.push_back(t0);
@@ -115,15 +135,18 @@ class Check {
 
   void place() {
     pose_.place(q_, travel_);
+    if (!keep_.empty()) checkpoint(kClearanceCost);
     if (++result_.looks % kManyLooks == 0) resolution_ *= 2.0;
   }
 
-  // Whether the two stay apart, or touch, if no point travels farther.
-  bool is_free(const CheckedPair& pair, double travel) {
+  // Whether the two keep their clearance, or touch, if no point travels farther.
+  bool is_free(std::size_t index, double travel) {
+    const CheckedPair& pair = scene_.pairs[index];
+    const double keep = keep_.empty() ? -kSoft : keep_[index];
     const Solid &a = pose_.body(pair.a), &b = pose_.body(pair.b);
     const double middles = (a.T.translation() - b.T.translation()).norm();
-    if (middles - pose_.reach(pair.a) - pose_.reach(pair.b) > travel) return true;
-    const double wanted = travel - kSoft;
+    const double wanted = travel + keep;
+    if (middles - pose_.reach(pair.a) - pose_.reach(pair.b) > std::max(wanted, travel)) return true;
     if (middles < wanted) return false;
     return wanted >= 0.0 ? is_farther(a, b, wanted) : gap_between(a, b).distance > wanted;
   }
@@ -274,6 +297,7 @@ class Check {
   }
 
   const MotionScene& scene_;
+  std::span<const double> keep_;
   bool certifies_;
   ScenePose pose_;
   MotionCells cells_;
@@ -289,5 +313,11 @@ class Check {
 }  // namespace
 
 MotionCheck check_motion(const MotionScene& scene) { return Check(scene, true).run(); }
+
+std::vector<Nearing> check_clearances(const MotionScene& scene, std::span<const double> keep) {
+  check_size("keep", std::ssize(keep), std::ssize(scene.pairs));
+  if (keep.empty()) return {};
+  return Check(scene, false, keep).nearings();
+}
 
 }  // namespace armlet

@@ -10,6 +10,11 @@
 namespace armlet {
 namespace {
 
+// Shares of a clearance: what segments keep beyond it, so that a motion that follows them can be
+// certified again, and by how much more is kept at positions than between two of them.
+constexpr double kSpare = 0.05;
+constexpr double kGrain = 0.1;
+constexpr double kRoomy = 1.25;          // clearances; a gap at an end that reduces nothing
 constexpr double kTouching = -0.8e-4;    // m, what may touch: together with its grain not yet kSoft
 constexpr double kTouchingGrain = 2e-5;  // m
 constexpr double kLeft = 1e-3;           // m, as far as this what was lying on something still does
@@ -38,15 +43,19 @@ SegmentCheck::SegmentCheck(const MotionScene& scene, double clearance,
                            std::span<const Eigen::VectorXd> ends)
     : scene_(scene),
       pose_(std::make_unique<Pose>(scene)),
-      keep_(scene.pairs.size(), clearance),
+      kept_(scene.pairs.size(), clearance),
+      keep_(scene.pairs.size()),
       grain_(scene.pairs.size()),
       blocked_(scene.pairs.size(), 0) {
   for (const Eigen::VectorXd& end : ends) {
     check_size("ends", end.size(), scene.arms.at(0).robot->n());
-    keep_less_at(end);
+    keep_less_at(end, clearance);
   }
-  for (std::size_t i = 0; i < keep_.size(); ++i)
-    grain_[i] = keep_[i] > 0.0 ? 0.5 * keep_[i] : kTouchingGrain;
+  for (std::size_t i = 0; i < keep_.size(); ++i) {
+    const bool touches = kept_[i] < 0.0;
+    grain_[i] = touches ? kTouchingGrain : kGrain * kept_[i];
+    keep_[i] = touches ? kept_[i] : (1.0 + kSpare) * kept_[i] + grain_[i];
+  }
 }
 
 SegmentCheck::~SegmentCheck() = default;
@@ -62,18 +71,18 @@ void SegmentCheck::place(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, d
   pose_->pose.place(pose_->q, pose_->travel);
 }
 
-void SegmentCheck::keep_less_at(const Eigen::VectorXd& end) {
+void SegmentCheck::keep_less_at(const Eigen::VectorXd& end, double clearance) {
   place(end, end, 0.0, 0.0);
   for (std::size_t i = 0; i < scene_.pairs.size(); ++i) {
     const CheckedPair& pair = scene_.pairs[i];
     const Solid &a = pose_->pose.body(pair.a), &b = pose_->pose.body(pair.b);
-    if (is_farther(a, b, 2.0 * std::max(keep_[i], 0.0))) continue;
+    if (is_farther(a, b, kRoomy * clearance)) continue;
     const double gap = gap_between(a, b).distance;
     if (pair.leaving && gap < kLeft && gap > -kPressed) {
-      keep_[i] = std::min({keep_[i], kTouching, gap - kTouchingGrain});
+      kept_[i] = std::min({kept_[i], kTouching, gap - kTouchingGrain});
     } else if (gap >= -kSoft) {
-      const double half = 0.5 * gap;
-      keep_[i] = std::min(keep_[i], half > -kTouching ? half : kTouching);
+      const double less = std::max(0.5 * gap, gap - (kRoomy - 1.0) * clearance);
+      kept_[i] = std::min(kept_[i], less > -kTouching ? less : kTouching);
     }
   }
 }

@@ -277,7 +277,7 @@ Way search_way(const MotionScene& scene, const VectorXd& start, const Points& go
   Points ends = goals;
   ends.push_back(start);
   SegmentCheck check(scene, options.clearance, ends);
-  Way way{.overlaps = check.overlaps(start)};
+  Way way{.overlaps = check.overlaps(start), .kept = check.kept()};
   if (!way.overlaps.empty()) {
     way.status = WayStatus::kStartCollides;
     return way;
@@ -300,7 +300,10 @@ Way search_way(const MotionScene& scene, const VectorXd& start, const Points& go
   way.overlaps.clear();
   for (std::size_t k = 0; k < free.size(); ++k) {
     if (!check.is_free(start, free[k])) continue;
-    return {.status = WayStatus::kFound, .points = {start, free[k]}, .goal = index[k]};
+    way.status = WayStatus::kFound;
+    way.points = {start, free[k]};
+    way.goal = index[k];
+    return way;
   }
   const SearchBySampling search = sampling_search();
   if (search == nullptr) {

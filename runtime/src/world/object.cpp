@@ -85,27 +85,25 @@ struct InertiaPerMass {
   }
 };
 
-double smallest_across(const Eigen::Vector3d& size, const Eigen::Vector3d& approach) {
-  int along = 0;
-  approach.cwiseAbs().maxCoeff(&along);
-  return std::min(size[(along + 1) % 3], size[(along + 2) % 3]);
-}
-
-// Widths along the object's axes, seen along the axis that is nearest to the approach.
-struct GraspWidth {
-  Eigen::Vector3d approach;  // in the object's axes
-  double operator()(const Box& box) const { return smallest_across(box.size, approach); }
-  double operator()(const Mesh& mesh) const { return smallest_across(size_of(mesh), approach); }
+// How far a shape extends along a unit vector of its own axes, from end to end.
+struct WidthAlong {
+  Eigen::Vector3d n;
+  double operator()(const Box& box) const { return n.cwiseAbs().dot(box.size); }
   double operator()(const Plane& plane) const {
-    return smallest_across({plane.size.x(), plane.size.y(), 0.0}, approach);
+    return n.head<2>().cwiseAbs().dot(Eigen::Vector2d(plane.size));
   }
-  // Cylinders, and cones, which are as wide as their base.
-  double operator()(const auto& round) const {
-    const bool from_above = std::abs(approach.z()) >= approach.head<2>().norm();
-    const double across = 2.0 * round.radius;
-    return from_above ? across : std::min(across, round.height);
+  double operator()(const Mesh& mesh) const {
+    return n.dot(mesh.triangles->farthest(n) - mesh.triangles->farthest(-n));
   }
   double operator()(const Sphere& sphere) const { return 2.0 * sphere.radius; }
+  double operator()(const Cylinder& cylinder) const {
+    return 2.0 * cylinder.radius * n.head<2>().norm() + cylinder.height * std::abs(n.z());
+  }
+  // From the tip, or the rim of the base, to the rim on the other side.
+  double operator()(const Cone& cone) const {
+    const double rim = cone.radius * n.head<2>().norm(), tip = cone.height * std::abs(n.z());
+    return rim + std::max(rim, tip);
+  }
 };
 
 struct GraspLine {
@@ -220,8 +218,8 @@ Eigen::Matrix3d inertia(const Object& object) {
   return (object.mass * std::visit(InertiaPerMass{}, object.shape)).asDiagonal();
 }
 
-double grasp_width(const Object& object, const Eigen::Vector3d& approach) {
-  return std::visit(GraspWidth{object.T_world_obj.linear().transpose() * approach}, object.shape);
+double grasp_width(const Object& object, const Eigen::Vector3d& across) {
+  return std::visit(WidthAlong{object.T_world_obj.linear().transpose() * across}, object.shape);
 }
 
 Eigen::Vector3d grasp_line(const Object& object) { return std::visit(GraspLine{}, object.shape); }

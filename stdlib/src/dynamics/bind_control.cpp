@@ -155,9 +155,10 @@ Answer<JointVector> operational(Vm& vm, const RobotRef& r, JointList q, JointLis
     return failure(vm, "R0613", "all gains are 0, so the tool is free in every direction", 4, {},
                    "give kp and kd of the directions that matter");
   }
-  const auto tau =
-      operational_forces(mass_matrix(robot, task->q), task->J(rows, Eigen::all), a(rows),
-                         bias_forces(robot, task->q, task->qd), task->qd, settle);
+  const JointVector without_accel =
+      bias_forces(robot, task->q, task->qd) + friction_forces(robot, task->qd);
+  const auto tau = operational_forces(mass_matrix(robot, task->q), task->J(rows, Eigen::all),
+                                      a(rows), without_accel, task->qd, settle);
   if (tau.ok()) return tau.value();
   Failure f;
   f.headline = {row("R0640"), {tau.error().message}};
@@ -258,7 +259,8 @@ constexpr NativeFunction kControlFunctions[] = {
         "operationalTorques(r: robot, q: double[], qd: double[], to: posC, kp: double[], kd: "
         "double[], speed: double[]?, accel: double[]?, settle: double = 0.0) -> double[]",
         "Torques that give the tool the acceleration accel + kp e + kd e', e its distance from the "
-        "goal along x, y, z and about them, in the axes of the world. Directions with both gains 0 "
+        "goal along x, y, z and about them, in the axes of the world; the friction of the joints "
+        "is made up for. Directions with both gains 0 "
         "are left free; settle, 1/s, damps motions of the arm that these directions do not see.",
         "operationalTorques(joints().q, zeros(4), to: here(), kp: [9.0, 9.0, 9.0, 0.0, 0.0, 9.0], "
         "kd: [6.0, 6.0, 6.0, 0.0, 0.0, 6.0])"),

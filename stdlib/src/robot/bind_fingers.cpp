@@ -289,7 +289,7 @@ Answer<double> opening(Vm& vm, const RobotRef& r) {
     return fail(vm, std::move(f));
   }
   if (arm.held.empty()) return tool.stroke;
-  return grasp_width(cell.world().at(arm.held), cell.T_world_tool(r.id).linear().col(2));
+  return grasp_width(cell.world().at(arm.held), cell.T_world_tool(r.id).linear().col(0));
 }
 
 #define HAND "robot arm = robots.pa10(); robot hand = robots.barrettHand(on: arm); "

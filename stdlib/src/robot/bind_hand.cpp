@@ -31,9 +31,13 @@ Failed fail_grasp(Vm& vm, int robot, const GraspResult& result) {
     case GraspStatus::kTooWide:
       f.headline = Headline::own(row("R0605"),
                                  fmt::format("\"{}\" is too wide for this gripper", result.object));
-      f.why = fmt::format("it is {} wide and the gripper opens {}", format_mm(result.width),
-                          format_mm(result.stroke));
-      f.fix = "grasp it from another side, or use a gripper with a longer stroke";
+      f.why = fmt::format("between the fingers it is {} wide, and the gripper opens {}",
+                          format_mm(result.width), format_mm(result.stroke));
+      f.fix =
+          result.turned <= result.stroke
+              ? fmt::format("rotate the gripper by 90 deg about its approach: there it is {} wide",
+                            format_mm(result.turned))
+              : "grasp it from another side, or use a gripper with a longer stroke";
       break;
     case GraspStatus::kFixed:
       f.headline = Headline::own(

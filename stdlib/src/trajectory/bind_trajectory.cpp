@@ -269,8 +269,9 @@ constexpr std::string_view kRobotPositionsExample =
 constexpr std::string_view kPlanHelp =
     "A motion from where the robot stands to a target, around what is in the way, as a value for "
     "follow: a way is searched with a fixed seed, made short, rounded, and timed within the limits "
-    "of the joints; all of it is certain to meet nothing. clearance is kept from all bodies where "
-    "there is room; iterations is when the search gives up. time or speed, a fraction of the joint "
+    "of the joints; all of it is certain to meet nothing. clearance is kept from all bodies at "
+    "every instant, and of what is nearer at an end at least half of the gap there; iterations is "
+    "when the search gives up. time or speed, a fraction of the joint "
     "limits, not both. A target in space is reached by any "
     "solution of its inverse kinematics. With avoid: false the joints go straight, and nothing is "
     "looked at.";

@@ -317,7 +317,8 @@ constexpr NativeFunction kWorldFunctions[] = {
         "touching(robots.ur5(), object(\"cube\"))"),
     def<top_grasp>("topGrasp(o: object, yaw: angle = 0rad) -> posC",
                    "The pose for grasping an object from above, at the upper end of what is long "
-                   "and stands.",
+                   "and stands. The fingers close along the object's own x axis, as far as that "
+                   "lies flat, rotated by yaw about the vertical.",
                    "topGrasp(object(\"cube\"))"),
 };
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -191,6 +192,50 @@ bool same_bits(const Trajectory& a, const Trajectory& b) {
   return true;
 }
 
+// The clearance that a pair of a scene has to keep, from the gaps at both ends: what the reference
+// says, written down again.
+double promised(double clearance, double gap_at_ends) {
+  return std::min(clearance, std::max(0.5 * gap_at_ends, gap_at_ends - 0.25 * clearance));
+}
+
+// The gaps of all pairs of a scene at a position, placed without the code under test.
+std::vector<double> gaps_at(const MotionScene& scene, const VectorXd& q) {
+  const std::vector<Eigen::Isometry3d> frames = link_frames(*scene.arms[0].robot, q);
+  const auto body = [&](const BodyRef& ref) {
+    if (ref.arm == BodyRef::kFixed) return scene.fixed[static_cast<std::size_t>(ref.index)];
+    const ArmSolid& own = scene.arms[0].solids[static_cast<std::size_t>(ref.index)];
+    Solid solid = own.solid;
+    solid.T = (own.frame == 0 ? scene.arms[0].robot->T_world_base()
+                              : frames[static_cast<std::size_t>(own.frame - 1)]) *
+              own.solid.T;
+    return solid;
+  };
+  std::vector<double> all;
+  for (const CheckedPair& pair : scene.pairs)
+    all.push_back(gap_between(body(pair.a), body(pair.b)).distance);
+  return all;
+}
+
+// By how much the motion misses what is promised at the worst of many instants, m; below zero: it
+// keeps more.
+double missing_clearance(const Cell& cell, const Trajectory& motion, double clearance) {
+  constexpr int kSamples = 800;
+  const MotionScene scene = compared_bodies(cell, 0, motion).scene;
+  const std::vector<double> first = gaps_at(scene, motion.start());
+  const std::vector<double> last = gaps_at(scene, motion.end());
+  double worst = -clearance;
+  for (int k = 0; k <= kSamples; ++k) {
+    VectorXd q(motion.n());
+    for (int i = 0; i < motion.n(); ++i) q[i] = motion.value(i, motion.duration() * k / kSamples);
+    const std::vector<double> now = gaps_at(scene, q);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const double at_ends = std::min(first[i], last[i]);
+      if (at_ends > 2e-4) worst = std::max(worst, promised(clearance, at_ends) - now[i]);
+    }
+  }
+  return worst;
+}
+
 void check_motion_keeps_limits(const Robot& robot, const Trajectory& motion) {
   for (int i = 0; i < robot.n(); ++i) {
     CHECK(motion.peak(i, 1) <= robot.joint(i).max_speed * (1.0 + 1e-6));
@@ -209,6 +254,7 @@ TEST_CASE("ways around are found in random scenes that have one, certified, with
   const std::vector<std::string> arms = {"puma560", "scara", "ur5",  "planar3",
                                          "kr6",     "scara", "panda"};
   int tried = 0, scenes = 0, solved = 0, most = 0;
+  double whole = 0.0;
   for (std::uint64_t seed = 1; scenes < 200; ++seed) {
     const std::string& name = arms[seed % arms.size()];
     Puzzle puzzle(name, 77'000 + seed);
@@ -226,7 +272,9 @@ TEST_CASE("ways around are found in random scenes that have one, certified, with
     CHECK(motion.start() == cell.robot(0).q);
     CHECK(motion.end() == puzzle.goal());
     CHECK(find_collisions(cell, 0, motion).empty());
+    CHECK(missing_clearance(cell, motion, 0.005) <= 0.0);
     check_motion_keeps_limits(puzzle.robot(), motion);
+    whole += motion.duration();
     if (seed % 4 != 0) continue;
     // Again in a process that has searched others meanwhile, on a processor that knows less.
     use_at_most(InstructionSet::kBaseline);
@@ -236,7 +284,31 @@ TEST_CASE("ways around are found in random scenes that have one, certified, with
     CHECK(same_bits(motion, *again.motion.trajectory));
   }
   MESSAGE(solved << " of " << scenes << " scenes (" << tried << " tried), at most " << most
-                 << " iterations");
+                 << " iterations, " << whole << " s of motions");
+}
+
+// Where there is much room a wide clearance is kept as well; where there is none that wide, no way
+// is found, or one that keeps it.
+TEST_CASE("a clearance of any width is kept everywhere, corners included" *
+          doctest::skip(!can_search_ways())) {
+  int solved = 0, around_corners = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    Puzzle puzzle(seed % 2 == 0 ? "ur5" : "puma560", 99'000 + seed);
+    if (!puzzle.scatter(1 + seed % 9)) continue;
+    const Cell cell = puzzle.cell();
+    const double clearance = std::array{0.001, 0.005, 0.012, 0.03}[seed % 4];
+    const WayAround around =
+        find_way_around(cell, {.robot = 0,
+                               .goals = {puzzle.goal()},
+                               .search = {.clearance = clearance, .iterations = 2'000}});
+    if (!around.ok()) continue;
+    ++solved;
+    if (around.way.points.size() > 2) ++around_corners;
+    INFO(seed, ": ", clearance, " m");
+    CHECK(missing_clearance(cell, *around.motion.trajectory, clearance) <= 0.0);
+  }
+  CHECK(solved > 50);
+  CHECK(around_corners > 40);
 }
 
 namespace {

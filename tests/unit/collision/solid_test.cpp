@@ -201,6 +201,37 @@ TEST_CASE("overlapping bodies: the way out frees them, and there is no shorter o
   CHECK(overlapping > 300);
 }
 
+// Random poses of boxes, thin ones and cylinders, where many triangles of a difference lie in one
+// plane. Half of them are not rotated against each other, so that whole faces are parallel.
+TEST_CASE("the points of overlapping bodies are the pair of deepest penetration") {
+  Random random(9);
+  int overlapping = 0;
+  for (int round = 0; round < 6000; ++round) {
+    const auto body = [&] {
+      Solid solid = random_solid(random, round % 3 == 2 ? Core::kCylinder : Core::kBox, 0.05);
+      if (round % 3 == 1) solid.half[static_cast<int>(random.below(3))] = 0.0;
+      return solid;
+    };
+    const Solid a = body();
+    Solid b = round % 6 < 3 ? body() : random_solid(random, Core::kBox, 0.05);
+    if (round % 2 == 0) b.T.linear() = a.T.linear();
+    const Gap gap = gap_between(a, b);
+    if (gap.distance > -1e-6) continue;
+    ++overlapping;
+    const Vector3d free = gap.p_b - gap.p_a;
+    REQUIRE(std::abs(free.norm() + gap.distance) < 1e-12);
+    REQUIRE(outside(a, gap.p_a) < 1e-9);
+    REQUIRE(outside(b, gap.p_b) < 1e-6);
+    Solid freed = a;
+    freed.T.translation() += free + 1e-9 * gap.away;
+    REQUIRE(gap_between(freed, b).distance > -1e-9);
+    REQUIRE(separation(freed, b, gap.away) > -1e-9);
+    if (a.core == Core::kBox && b.core == Core::kBox)
+      REQUIRE(std::abs(gap.distance + box_depth(a, b)) < 1e-7);
+  }
+  CHECK(overlapping > 2000);
+}
+
 TEST_CASE("capsules agree with the distance of segments") {
   Random random(3);
   for (int round = 0; round < 20000; ++round) {

@@ -89,8 +89,9 @@ TEST_CASE("base parameters give all forces, and none of them can be left out") {
     const VectorXd p = dynamic_parameters(robot), p_base = base.grouping * p;
     MatrixXd stacked(40 * n, static_cast<Index>(base.columns.size()));
     for (Index sample = 0; sample < 40; ++sample) {
-      const VectorXd q = random_values(random, n), qd = random_rates(random, n),
-                     qdd = random_rates(random, n);
+      const VectorXd q = random_values(random, n), qdd = random_rates(random, n);
+      VectorXd qd = random_rates(random, n);
+      if (sample % 4 == 0) qd.setZero();  // as where forces are measured at rest
       const MatrixXd Y = dynamics_regressor(robot, q, qd, qdd);
       const MatrixXd Y_base = Y(Eigen::all, base.columns);
       stacked.middleRows(sample * n, n) = Y_base;
@@ -102,6 +103,30 @@ TEST_CASE("base parameters give all forces, and none of them can be left out") {
       CHECK((Y_base * (base.grouping * any) - forces).norm() < 1e-8 * (1.0 + forces.norm()));
     }
     if (stacked.rows() <= kMostDecomposed) CHECK(rank(stacked) == stacked.cols());
+  }
+}
+
+// The weight of what slides, 2 kg * 9.81 m/s^2, and its dry friction of 3 N: one column each, since
+// at rest only the weight acts.
+TEST_CASE("dry friction of a joint along gravity is told from the weight at rest") {
+  RobotSpec spec;
+  Joint joint;
+  joint.kind = JointKind::kPrismatic;
+  spec.joints.push_back(joint);
+  Link link;
+  link.mass = 2.0;
+  link.friction = {.coulomb_plus = 3.0, .coulomb_minus = -3.0};
+  spec.links.push_back(link);
+  spec.gravity = {0.0, 0.0, -9.81};
+  const Robot robot(spec);
+  const BaseParameters base = base_parameters(robot);
+  const VectorXd values = base.grouping * dynamic_parameters(robot);
+  const VectorXd q = VectorXd::Constant(1, 0.2), none = VectorXd::Zero(1);
+  for (const auto& [speed, force] : {std::pair{0.5, 22.62}, {-0.5, 16.62}, {0.0, 19.62}}) {
+    const VectorXd qd = VectorXd::Constant(1, speed);
+    const MatrixXd Y = dynamics_regressor(robot, q, qd, none);
+    CHECK((Y(Eigen::all, base.columns) * values)[0] == doctest::Approx(force));
+    CHECK(inverse_dynamics(robot, q, qd, none)[0] == doctest::Approx(force));
   }
 }
 

@@ -6,8 +6,10 @@
 #include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "armlet/core/error.hpp"
+#include "armlet/core/random.hpp"
 
 using namespace armlet;
 
@@ -77,24 +79,60 @@ TEST_CASE("inertias and centres of mass are what slices add up to") {
   same(Plane{{0.3, 0.2}}, {.count = 1, .sides = {0.3, 0.2}});
 }
 
-TEST_CASE("the grasp width is the smallest width across the approach") {
-  const Eigen::Vector3d down(0.0, 0.0, -1.0);
-  const Eigen::Vector3d side(1.0, 0.0, 0.0);
+TEST_CASE("the grasp width is the width along the line on which the fingers close") {
+  using Eigen::Vector3d;
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY(), z = Vector3d::UnitZ();
   Object box{.name = "b", .shape = Box{{0.05, 0.02, 0.01}}};
-  CHECK(grasp_width(box, down) == 0.02);
-  CHECK(grasp_width(box, side) == 0.01);
-  box.T_world_obj.linear() = Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitX()).matrix();
-  CHECK(grasp_width(box, down) == 0.01);
+  CHECK(grasp_width(box, x) == 0.05);
+  CHECK(grasp_width(box, -y) == 0.02);
+  CHECK(grasp_width(box, (x + y).normalized()) == doctest::Approx(0.07 / std::sqrt(2.0)));
+  box.T_world_obj.linear() = Eigen::AngleAxisd(0.5 * M_PI, z).matrix();
+  CHECK(grasp_width(box, x) == doctest::Approx(0.02));
   const Object cylinder{.name = "c", .shape = Cylinder{0.02, 0.03}};
-  CHECK(grasp_width(cylinder, down) == 0.04);
-  CHECK(grasp_width(cylinder, side) == 0.03);
-  CHECK(grasp_width({.name = "s", .shape = Sphere{0.02}}, side) == 0.04);
-  const Object cone{.name = "k", .shape = Cone{0.02, 0.03}};
-  CHECK(grasp_width(cone, down) == 0.04);
-  CHECK(grasp_width(cone, side) == 0.03);
+  CHECK(grasp_width(cylinder, x) == 0.04);
+  CHECK(grasp_width(cylinder, z) == 0.03);
+  CHECK(grasp_width({.name = "s", .shape = Sphere{0.02}}, y) == 0.04);
   const Object plane{.name = "p", .shape = Plane{{0.05, 0.02}}};
-  CHECK(grasp_width(plane, down) == 0.02);
-  CHECK(grasp_width(plane, side) == 0.0);
+  CHECK(grasp_width(plane, x) == 0.05);
+  CHECK(grasp_width(plane, z) == 0.0);
+}
+
+// The extent of points on the edges, which hold the farthest points of each shape.
+TEST_CASE("the grasp width agrees with points on the surface in every direction") {
+  using Eigen::Vector3d;
+  Random random(12);
+  const auto expect = [&](const Shape& shape, const std::vector<Vector3d>& points) {
+    for (int round = 0; round < 200; ++round) {
+      Object object{.name = "o", .shape = shape};
+      const auto part = [&] { return random.uniform(-1.0, 1.0); };
+      object.T_world_obj.linear() =
+          Eigen::Quaterniond(part(), part(), part(), part()).normalized().toRotationMatrix();
+      const Vector3d across = Vector3d(part(), part(), part()).normalized();
+      double low = 1.0, high = -1.0;
+      for (const Vector3d& p : points) {
+        const double at = across.dot(object.T_world_obj.linear() * p);
+        low = std::min(low, at);
+        high = std::max(high, at);
+      }
+      CHECK(std::abs(grasp_width(object, across) - (high - low)) < 1e-7);
+    }
+  };
+  const double r = 0.03, h = 0.11;
+  std::vector<Vector3d> corners, both_rims, one_rim = {{0.0, 0.0, 0.5 * h}};
+  for (const double i : {-0.5, 0.5}) {
+    for (const double k : {-0.5, 0.5})
+      for (const double m : {-0.5, 0.5}) corners.emplace_back(0.03 * i, 0.12 * k, 0.05 * m);
+  }
+  for (int k = 0; k < 7200; ++k) {
+    const double angle = 2.0 * M_PI * k / 7200;
+    const Vector3d out(r * std::cos(angle), r * std::sin(angle), 0.0);
+    both_rims.push_back(out + 0.5 * h * Vector3d::UnitZ());
+    both_rims.push_back(out - 0.5 * h * Vector3d::UnitZ());
+    one_rim.push_back(out - 0.5 * h * Vector3d::UnitZ());
+  }
+  expect(Box{{0.03, 0.12, 0.05}}, corners);
+  expect(Cylinder{r, h}, both_rims);
+  expect(Cone{r, h}, one_rim);
 }
 
 TEST_CASE("a long body can be taken along its longest side, a rod up to its radius from the end") {

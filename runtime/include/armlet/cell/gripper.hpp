@@ -20,13 +20,16 @@ enum class GraspStatus { kGrasped, kNothing, kTooWide, kFixed, kNoHand, kHolding
 //           with kHolding what is held.
 // distance  from the tool point to where a hand may take it (armlet/world/object.hpp), m.
 // allowed   how near the tool point must be, m.
-// width     of the object across the approach, and stroke of the gripper, m; for kTooWide.
+// width     of the object along the line on which the fingers close, and stroke of the gripper, m;
+//           for kTooWide.
+// turned    its width if the gripper were rotated by 90 deg about its approach, m.
 struct GraspResult {
   GraspStatus status = GraspStatus::kNothing;
   std::string object{};
   double distance = 0.0;
   double allowed = 0.0;
   double width = 0.0;
+  double turned = 0.0;
   double stroke = 0.0;
 
   [[nodiscard]] bool ok() const { return status == GraspStatus::kGrasped; }

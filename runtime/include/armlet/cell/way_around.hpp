@@ -54,9 +54,10 @@ struct WayAround {
 };
 
 // Searches a way for the robot, with all that it carries, from where it stands, and plans a motion
-// along it: corners are rounded as far as nothing is met there, speeds, accelerations and jerks
-// keep their limits, and the whole is certified by find_collisions. Other robots count as standing
-// where their motions end for the search, and as they move for the certificate.
+// along it: corners are rounded as far as clearances are kept there, speeds, accelerations and
+// jerks keep their limits, and the whole is certified: by check_clearances to keep what the search
+// keeps, and by find_collisions to meet nothing. Other robots count as standing where their motions
+// end for the clearances, and as they move for what is met.
 //
 // throws  ArgumentError as search_way and plan_path.
 WayAround find_way_around(const Cell& cell, const WayAroundRequest& request);

@@ -19,8 +19,8 @@ struct Overlap {
 };
 
 // The first arm of a scene moves; the others stand where their motions end. Bodies keep a clearance
-// from each other, and less where an end of what is planned is nearer: half of what they have
-// there, and where that is next to nothing they may touch.
+// from each other. Of a pair that has a gap g of less than 1.25 times the clearance c at an end,
+// they keep max(g / 2, g - c / 4) instead, and where that is next to nothing they may touch.
 class SegmentCheck {
  public:
   // scene      not owned; it stays as it is. The motion of the first arm does not count.
@@ -35,6 +35,10 @@ class SegmentCheck {
   // The overlaps at a position, deepest first; empty if none is deeper than kSoft. What lies on
   // something else, and is lifted from it, does not count there.
   [[nodiscard]] std::vector<Overlap> overlaps(const Eigen::VectorXd& q);
+
+  // What each pair keeps along free segments, m: certain for the whole segment, with 5 % to spare
+  // there. Negative: the pair may touch, or overlap by so much.
+  [[nodiscard]] const std::vector<double>& kept() const { return kept_; }
 
   // Whether the arm keeps its clearance at q.
   [[nodiscard]] bool is_free(const Eigen::VectorXd& q);
@@ -56,12 +60,13 @@ class SegmentCheck {
   enum class Answer { kFree, kBlocked, kOpen };
 
   void place(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, double t0, double t1);
-  void keep_less_at(const Eigen::VectorXd& end);
+  void keep_less_at(const Eigen::VectorXd& end, double clearance);
   [[nodiscard]] Answer look(std::size_t pair);
 
   const MotionScene& scene_;
   class Pose;
   std::unique_ptr<Pose> pose_;
+  std::vector<double> kept_;
   std::vector<double> keep_;   // of each pair: the gap at every position that is looked at, m
   std::vector<double> grain_;  // and by how much less it may be between two of them, m
   std::vector<std::uint64_t> blocked_;

@@ -56,8 +56,8 @@ Solid solid_of(const TriangleMesh& mesh);
 // How two bodies lie to each other.
 //
 // distance  m, below zero: how far one of them has to be moved at least to free it.
-// p_a, p_b  the nearest points of both; of bodies that overlap, the points that are deepest in the
-//           other one.
+// p_a, p_b  the nearest points of both; of bodies that overlap, the pair of deepest penetration:
+//           p_b - p_a is the motion of `a` that frees it.
 // away      unit vector: `a` moved along it leaves `b` the quickest way.
 struct Gap {
   double distance = 0.0;

@@ -102,7 +102,8 @@ struct IkResult {
   double rotation_error = 0.0;  // rad
   int iterations = 0;           // 0 if a formula gave the answer
   int starts = 0;
-  // Or the structure that the closed form goes by, or "the robot stands there".
+  // Or the structure that the closed form goes by, which may also have ruled the goal out, or "the
+  // robot stands there".
   std::string_view solver = "numeric";
   int branch = -1;          // of the closed form, see ClosedSolution; -1: numeric
   Eigen::VectorXd margins;  // from each joint to its nearer limit, rad or m; below 0: beyond it

@@ -12,7 +12,8 @@ namespace armlet {
 // are found without it.
 [[nodiscard]] bool can_search_ways();
 
-// clearance   that is kept from all bodies where there is room for it, m.
+// clearance   that is kept from all bodies, m; less from those that are nearer at an end
+//             (SegmentCheck).
 // iterations  steps of the search, before it gives up.
 // shortcuts   tried on the way that was found.
 struct WayOptions {
@@ -38,6 +39,7 @@ struct InTheWay {
 // goal        which of the goals that is.
 // iterations  spent.
 // in_the_way  most often first.
+// kept        of each pair of the scene, as SegmentCheck::kept.
 struct Way {
   WayStatus status = WayStatus::kNotFound;
   std::vector<Eigen::VectorXd> points{};
@@ -45,6 +47,7 @@ struct Way {
   int iterations = 0;
   std::vector<Overlap> overlaps{};
   std::vector<InTheWay> in_the_way{};
+  std::vector<double> kept{};
 
   [[nodiscard]] bool ok() const { return status == WayStatus::kFound; }
 };

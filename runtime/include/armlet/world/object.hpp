@@ -106,11 +106,11 @@ Eigen::Vector3d center_of_mass(const Object& object);
 // unless it was given.
 Eigen::Matrix3d inertia(const Object& object);
 
-// How far a parallel gripper must open to close on the object, m: the smallest width at right
-// angles to the approach.
+// How far a parallel gripper must open to close on the object, m: its whole width along the line on
+// which the fingers move.
 //
-// approach  direction in which the hand comes, in world axes (the z axis of the tool).
-double grasp_width(const Object& object, const Eigen::Vector3d& approach);
+// across  unit vector along which the fingers close, in world axes (the x axis of the tool).
+double grasp_width(const Object& object, const Eigen::Vector3d& across);
 
 // Where a hand may take a long body besides its grasp point: on the line through its centre along
 // its longest side, to both sides as far as half of what that side is longer than the next one. The

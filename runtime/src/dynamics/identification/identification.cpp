@@ -17,7 +17,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// A few motions through all places, at all speeds.
+// A few motions through all positions, at all speeds, and at rest: there gravity still acts, and
+// dry friction does not. While a joint moves, the friction of both directions and a constant force
+// depend on each other.
 class RandomMotions {
  public:
   explicit RandomMotions(const Robot& robot) : robot_(robot) {}
@@ -32,12 +34,15 @@ class RandomMotions {
       qd[i] = random_.uniform(-2.0, 2.0);
       qdd[i] = random_.uniform(-5.0, 5.0);
     }
+    if (++made_ % kRests == 0) qd.setZero();
     return dynamics_regressor(robot_, q, qd, qdd);
   }
 
  private:
+  static constexpr int kRests = 4;  // one motion of so many
   const Robot& robot_;
   Random random_{1991};
+  int made_ = 0;
 };
 
 // An orthonormal basis of columns that are offered one after the other, by the Gram-Schmidt process

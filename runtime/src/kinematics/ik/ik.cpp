@@ -142,6 +142,7 @@ bool find_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
       return true;
     case FormulaAnswer::kNone:
       result.q = options.seed;
+      result.solver = to_text(closed_form(robot).kind());
       return false;
     case FormulaAnswer::kSilent:
       break;
@@ -199,6 +200,7 @@ bool position_into(const Robot& robot, const IkGoal& keep, const IkOptions& opti
   const IkSearch search = search_ik(robot, position_goal, options, kNearestWanted, kNearestStarts);
   result.iterations += search.iterations;
   result.starts += search.starts;
+  result.solver = IkResult().solver;
   if (search.solutions.empty()) {
     result.q = search.closest;
     result.position_error = search.closest_error.position;
@@ -228,7 +230,10 @@ FormulaAnswer position_by_formula(const Robot& robot, const IkGoal& keep, const 
     return FormulaAnswer::kSilent;
   std::vector<FormulaSolution> solutions;
   const FormulaAnswer answer = solve_by_formula(robot, position_goal, options, solutions);
-  if (answer == FormulaAnswer::kNone) result.q = options.seed;
+  if (answer == FormulaAnswer::kNone) {
+    result.q = options.seed;
+    result.solver = to_text(closed_form(robot).kind());
+  }
   if (answer != FormulaAnswer::kAll) return answer;
   IkSolver solver(robot, keep);
   const auto error_of = [&](const FormulaSolution& s) { return solver.error_of(s.q).rotation; };
@@ -334,6 +339,7 @@ IkResult solve_from_seed(const Robot& robot, const Eigen::Isometry3d& T_world_to
   if (result.q.size() == 0) result.q = robot.home();
   if (options.diagnose && diagnose(robot, goal, options, result)) {
     take_solution(robot, goal, result.diagnosis.q_nearest, result);
+    result.solver = IkResult().solver;
     result.diagnosis = {};
   }
   return result;
