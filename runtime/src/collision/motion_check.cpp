@@ -14,18 +14,19 @@ namespace armlet {
 namespace {
 
 constexpr double kResolution = 5e-5;  // m
-constexpr double kGrainOfClearance =
-    0.05;  // of a clearance, how far points travel between two looks
-constexpr std::uint64_t kClearanceCost =
-    1'000;                           // operations of a position where clearances are kept
-constexpr int kManyLooks = 20'000;   // then what is looked for becomes coarser
-constexpr double kComeApart = 1e-3;  // m, what leaves a body is checked from there
-constexpr int kSamples = 64;         // of a motion, for depths and for what leaves
+constexpr double kGrainOfClearance = 0.05;        // of a clearance, how far points travel between two looks
+constexpr std::uint64_t kClearanceCost = 1'000;  // operations of a position where clearances are kept
+constexpr int kManyLooks = 20'000;               // then what is looked for becomes coarser
+constexpr double kComeApart = 1e-3;              // m, what leaves a body is checked from there
+constexpr int kSamples = 64;                     // of a motion, for depths and for what leaves
+constexpr double kExactDepth = 2e-6;             // m
+constexpr int kDepthLooks = 4'000;  // positions in which a depth is measured more exactly
+constexpr int kMeshLooks = 200;     // the same of bodies whose depths take long
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Check {
  public:
-  // certifies  whether the heights that would do are looked at again.
+  // certifies  whether the heights that would do are looked at again, and depths between samples.
   // keep       of each pair, m; empty: the bodies may touch.
   Check(const MotionScene& scene, bool certifies, std::span<const double> keep = {})
       : scene_(scene),
@@ -186,7 +187,9 @@ class Check {
   double leaves_at(std::size_t index) {
     const CheckedPair& pair = scene_.pairs[index];
     place_at(0.0);
-    const double deepest = std::min(gap_of(pair).distance, 0.0) - kComeApart;
+    const double at_start = gap_of(pair).distance;
+    if (at_start < -kPressed) return 0.0;
+    const double deepest = std::min(at_start, 0.0) - kComeApart;
     for (int k = 1; k <= kSamples; ++k) {
       const double t = scene_.duration * k / kSamples;
       place_at(t);
@@ -237,14 +240,89 @@ class Check {
       if (gap.distance >= -kSoft) continue;
       meeting.at_end = k == samples;
       if (meeting.higher >= 0.0) raise(meeting, pair);
-      if (-gap.distance <= meeting.depth) continue;
-      meeting.depth = -gap.distance;
-      meeting.t_deepest = t;
-      meeting.p_world = 0.5 * (gap.p_a + gap.p_b);
+      if (-gap.distance > meeting.depth) take_depth(meeting, gap, t);
     }
     if (!(meeting.depth > 0.0)) return;
+    if (certifies_) search_deepest(meeting, pair);
     place_at(meeting.t_deepest);
-    meeting.at_least = !is_whole_depth(pose_.body(pair.a), pose_.body(pair.b), gap_of(pair));
+    meeting.at_least = !has_whole_depth(pair);
+  }
+
+  bool has_whole_depth(const CheckedPair& pair) {
+    return is_whole_depth(pose_.body(pair.a), pose_.body(pair.b), gap_of(pair));
+  }
+
+  // A stretch of the motion in two halves.
+  //
+  // most  no overlap in it is deeper, m.
+  struct Stretch {
+    double t0, t1, most;
+    std::vector<JointCurve> first, second;
+  };
+
+  // Looks at the middle of a stretch, which is kept in `open` if it may hide something deeper: a
+  // depth changes by no more than points travel.
+  void look_for_depth(double t0, double t1, std::vector<JointCurve> curves, Meeting& meeting,
+                      std::vector<Stretch>& open) {
+    if (t1 <= meeting.t) return;
+    const CheckedPair& pair = scene_.pairs[meeting.pair];
+    Stretch stretch{t0, t1, 0.0, std::move(curves), {}};
+    stretch.second.resize(stretch.first.size());
+    for (std::size_t j = 0; j < stretch.first.size(); ++j) {
+      const JointCurve::Range range = stretch.first[j].range();
+      q_[j] = stretch.first[j].halve(stretch.second[j]);
+      travel_[j] = std::max({range.upper - q_[j], q_[j] - range.lower, 0.0});
+    }
+    pose_.place(q_, travel_);
+    const double travel = pose_.travel(pair), t = 0.5 * (t0 + t1);
+    const Solid &a = pose_.body(pair.a), &b = pose_.body(pair.b);
+    const double middles = (a.T.translation() - b.T.translation()).norm();
+    if (middles - pose_.reach(pair.a) - pose_.reach(pair.b) > travel - meeting.depth) return;
+    const Gap gap = gap_of(pair);
+    if (t >= meeting.t && -gap.distance > meeting.depth) take_depth(meeting, gap, t);
+    stretch.most = travel - gap.distance;
+    if (stretch.most > meeting.depth + kExactDepth) push(open, std::move(stretch));
+  }
+
+  static void take_depth(Meeting& meeting, const Gap& gap, double t) {
+    meeting.depth = -gap.distance;
+    meeting.t_deepest = t;
+    meeting.p_world = 0.5 * (gap.p_a + gap.p_b);
+  }
+
+  // A heap: the stretch that may hide the deepest overlap is in front.
+  static bool is_less(const Stretch& a, const Stretch& b) {
+    return a.most != b.most ? a.most < b.most : a.t0 > b.t0;
+  }
+  static void push(std::vector<Stretch>& open, Stretch stretch) {
+    open.push_back(std::move(stretch));
+    std::push_heap(open.begin(), open.end(), is_less);
+  }
+
+  // From the deepest sample to the deepest of all. Where bodies stay equally deep for long, the
+  // search ends with what nothing is deeper than.
+  void search_deepest(Meeting& meeting, const CheckedPair& pair) {
+    place_at(meeting.t_deepest);
+    const bool is_whole = has_whole_depth(pair);
+    std::vector<Stretch> open;
+    for (int cell = 0; cell < cells_.count(); ++cell) {
+      const auto curves = cells_.curves(cell);
+      look_for_depth(cells_.start(cell), cells_.start(cell + 1), {curves.begin(), curves.end()},
+                     meeting, open);
+    }
+    for (int looks = 0; !open.empty(); looks += 2) {
+      std::pop_heap(open.begin(), open.end(), is_less);
+      Stretch stretch = std::move(open.back());
+      open.pop_back();
+      if (stretch.most <= meeting.depth + kExactDepth) return;
+      if (looks >= (is_whole ? kDepthLooks : kMeshLooks)) {
+        if (is_whole && stretch.most > meeting.depth + kSoft) meeting.depth = stretch.most;
+        return;
+      }
+      const double middle = 0.5 * (stretch.t0 + stretch.t1);
+      look_for_depth(stretch.t0, middle, std::move(stretch.first), meeting, open);
+      look_for_depth(middle, stretch.t1, std::move(stretch.second), meeting, open);
+    }
   }
 
   // Raises what clears the second body so far until it does so here as well.

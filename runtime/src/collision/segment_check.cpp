@@ -18,8 +18,6 @@ constexpr double kRoomy = 1.25;          // clearances; a gap at an end that red
 constexpr double kTouching = -0.8e-4;    // m, what may touch: together with its grain not yet kSoft
 constexpr double kTouchingGrain = 2e-5;  // m
 constexpr double kLeft = 1e-3;           // m, as far as this what was lying on something still does
-constexpr double kPressed =
-    0.010;  // m: what is deeper in something does not just lie on it or touch it
 constexpr std::uint64_t kLookCost = 600;  // operations of a position, and of each pair there
 constexpr std::uint64_t kPairCost = 40;
 

@@ -17,12 +17,21 @@ std::string place_text(const Eigen::Vector3d& p) {
   return fmt::format("({:.0f}, {:.0f}, {:.0f}) mm", mm(p.x()), mm(p.y()), mm(p.z()));
 }
 
+// To the tenth of a millimetre that is not on the wrong side: above what is at most, below what is
+// at least.
+std::string depth_text(const CellCollision& met) {
+  constexpr double kTenth = 1e-4, kSame = 0.02;
+  const double tenths = met.depth / kTenth;
+  return format_mm(kTenth * (met.at_least ? std::max(std::floor(tenths + kSame), 1.0)
+                                          : std::ceil(tenths - kSame)));
+}
+
 std::string circumstances(const CellCollision& met, double duration) {
   std::string when = fmt::format("{} s after its start", format_number(met.t, 2));
   if (met.at_start) when = "from its start on";
   if (!met.at_start && met.at_end && met.t >= 0.995 * duration) when = "where it ends";
   return fmt::format("{}, {} {} deep, deepest at {}", when, met.at_least ? "at least" : "up to",
-                     format_mm(met.depth), place_text(met.p_world));
+                     depth_text(met), place_text(met.p_world));
 }
 
 // Passing higher helps what the hand has around the tool point; a link farther back moves

@@ -244,6 +244,51 @@ TEST_CASE("what stands on a table leaves it, and is seen when it goes into it") 
   CHECK(slide_down(0.03, 0.0, true).meetings.size() == 1);
 }
 
+TEST_CASE("what starts deeper than a touch is seen from the start on, also when it leaves") {
+  for (const double depth : {0.011, 0.02, 0.035}) {
+    CAPTURE(depth);
+    const MotionCheck check = slide_down(-0.06, -depth, true);
+    REQUIRE(check.meetings.size() == 1);
+    CHECK(check.meetings[0].t == 0.0);
+    CHECK(check.meetings[0].depth == doctest::Approx(depth).epsilon(1e-4));
+  }
+  CHECK(slide_down(-0.06, -0.009, true).meetings.empty());
+}
+
+// Thin walls that links pass: few samples fall into the deepest part of the passage.
+TEST_CASE("depths are not below those of dense sampling, and are reached: random moves") {
+  Random random(12);
+  const std::shared_ptr<const Robot> arms[] = {make_robot("scara"), make_robot("puma560"),
+                                               make_robot("ur5")};
+  int looked = 0;
+  for (int round = 0; round < 250; ++round) {
+    const Robot& robot = *arms[round % 3];
+    const Trajectory motion =
+        move_between(robot, random_joints(robot, random), random_joints(robot, random), "SCurve");
+    VectorXd q(robot.n());
+    for (int i = 0; i < robot.n(); ++i) q[i] = motion.value(i, 0.5 * motion.duration());
+    const Vector3d axis(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.3);
+    const Solid wall = wall_at(forward(robot, q).translation(), axis, random.uniform(0.0, 3.0),
+                               {random.uniform(0.003, 0.01), 0.2, random.uniform(0.05, 0.2)});
+    const MotionScene scene = against(robot, motion, wall);
+    for (const Meeting& each : check_motion(scene).meetings) {
+      ++looked;
+      double deepest = 0.0;
+      constexpr int kSamples = 3000;
+      for (int k = 0; k <= kSamples; ++k) {
+        const double t = each.t + (scene.duration - each.t) * k / kSamples;
+        deepest = std::max(deepest, -distance_at(scene, scene.pairs[each.pair], t));
+      }
+      CHECK(each.depth > deepest - 2e-5);
+      const double reached = -distance_at(scene, scene.pairs[each.pair], each.t_deepest);
+      CHECK(reached <= each.depth + 1e-9);
+      CHECK(reached > each.depth - 1e-3);
+      CHECK_FALSE(each.at_least);
+    }
+  }
+  CHECK(looked > 100);
+}
+
 TEST_CASE("sliding along a face for long is touching, and does not take long") {
   const std::shared_ptr<const Robot> robot = make_robot("scara");
   VectorXd q0 = robot->home(), q1 = q0;

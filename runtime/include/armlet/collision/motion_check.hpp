@@ -14,6 +14,9 @@ namespace armlet {
 // to a few micrometres.
 inline constexpr double kSoft = 1e-4;  // m
 
+// What is deeper in a body than this does not just touch it or lie on it.
+inline constexpr double kPressed = 0.010;  // m
+
 // An arm that moves, or stands, with all that it carries.
 //
 // motion  from `from` on, s; behind its end the arm stands. Not owned, as the robot.
@@ -31,8 +34,8 @@ struct BodyRef {
   int index = 0;
 };
 
-// leaving  the two touch at the begin: they are checked from where they have come 1 mm apart, or
-//          1 mm deeper.
+// leaving  the two may touch at the start, up to kPressed deep: they are checked from where they
+//          have come 1 mm apart, or 1 mm deeper.
 struct CheckedPair {
   BodyRef a;  // of an arm; of the same arm as b, on the frame farther out
   BodyRef b;
@@ -50,8 +53,9 @@ struct MotionScene {
 //
 // pair       of MotionScene::pairs.
 // t          when they begin to overlap by more than kSoft, s.
-// depth      the deepest seen from there on, m, and when, s; at_least: it may be more, as of meshes
-//            that are not convex (is_whole_depth).
+// depth      the deepest from there on, m, and when, s: to a few micrometres, and to kSoft or not
+//            below it where bodies stay equally deep for long; at_least: it may be more, as of
+//            meshes that are not convex (is_whole_depth).
 // p_world    where that is.
 // higher     how far the first body would have to pass higher to stay clear of the second, m;
 //            negative: more than a metre. Certain as the meetings are where the second one stands.
