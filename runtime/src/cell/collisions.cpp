@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "armlet/collision/own_pairs.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "cell/arm_bodies.hpp"
 #include "cell/finger_collisions.hpp"
@@ -203,13 +204,17 @@ class CellScene {
       pair_with({arm, static_cast<int>(i)}, is_taken(theirs.bodies[i]), !theirs.solids[i].still);
   }
 
-  // Arms whose bases overlap cannot both be there: they are taken for alternatives.
+  // Arms that stand where another one stands cannot both be there: they are taken for alternatives.
+  // Tables and frames that belong to bases may overlap.
   [[nodiscard]] bool stand_in_each_other(int other, const ArmBodies& theirs) const {
     const auto base_of = [&](int robot, const ArmBodies& bodies) {
       std::vector<ArmSolid> still;
       for (std::size_t i = 0; i < bodies.own; ++i) {
-        if (bodies.solids[i].still) still.push_back(bodies.solids[i]);
+        const ArmSolid& each = bodies.solids[i];
+        if (each.still && (each.frame > 0 || !each.given)) still.push_back(each);
       }
+      for (const Solid& each : cell_.robot(robot).model->derived<ArmSolids>().pedestal())
+        still.push_back({.solid = each});
       return placed(cell_, robot, still);
     };
     for (const Solid& a : base_of(robot_, mine_)) {
@@ -228,7 +233,7 @@ class CellScene {
       scene_.arms[0].solids.push_back(arm.slim()[i]);
       names_[0].push_back(mine_.bodies[i]);
     }
-    for (const auto& [first, second] : arm.own_pairs())
+    for (const auto& [first, second] : arm_.derived<OwnPairs>().pairs())
       scene_.pairs.push_back({.a = {0, slim + first}, .b = {0, slim + second}});
     for (std::size_t i = mine_.carried; i < mine_.solids.size(); ++i) add_own_pairs_of(i);
   }

@@ -19,21 +19,20 @@ struct ShapeSize {
   std::vector<double> operator()(const auto& round) const { return {round.radius, round.height}; }
 };
 
-// The row of joint i of the standard convention lies behind the frame in which its link moves.
-Eigen::Isometry3d T_moved_link(const Robot& robot, int i) {
+// The row of a joint of the standard convention lies behind the frame in which its link moves.
+Eigen::Isometry3d T_moved_link(const Robot& robot, int link) {
   const bool is_standard = robot.spec().convention == DhConvention::kStandard;
-  return is_standard ? dh_pose(DhConvention::kStandard, robot.joint(i).dh)
-                     : Eigen::Isometry3d::Identity();
+  return is_standard && link > 0 ? dh_pose(DhConvention::kStandard, robot.joint(link - 1).dh)
+                                 : Eigen::Isometry3d::Identity();
 }
 
 std::vector<LinkPicture> pictures_of(const Robot& robot) {
   std::vector<LinkPicture> pictures;
-  if (robot.spec().links.empty()) return pictures;
-  for (int i = 0; i < robot.n(); ++i) {
-    for (const LinkMesh& each : robot.link(i).bodies) {
+  for (int i = 0; i <= robot.n(); ++i) {
+    for (const LinkMesh& each : robot.body(i).bodies) {
       const MeshSource& source = each.triangles->source();
       if (source.bytes == nullptr) continue;
-      pictures.push_back({.link = i + 1,
+      pictures.push_back({.link = i,
                           .glb = source.bytes,
                           .T_glb = T_moved_link(robot, i) * each.T_link_mesh * source.T_mesh_file});
     }

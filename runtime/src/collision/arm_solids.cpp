@@ -3,68 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "armlet/core/random.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "collision/table_axes.hpp"
 #include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
 
-constexpr int kPositions = 256;     // of the joints, tried for every pair
-constexpr int kCloseLooks = 64;     // of these, bodies themselves are compared in so many
-constexpr double kFarApart = 0.1;   // of the reach of the arm
 constexpr double kStick = 0.003;    // m, radius
 constexpr double kNoLength = 0.03;  // m, a hand that is shorter is none
 constexpr double kHandRoom = 0.15;  // m, of the hand that an arm without one would have
-
-// The shape of link i is given in the frame that moves with joint i before the row's constants
-// (standard convention), or in the frame after it (modified).
-Eigen::Isometry3d T_frame_link(const Robot& robot, int link) {
-  const bool standard = robot.spec().convention == DhConvention::kStandard;
-  if (!standard || link == 0 || link > robot.n()) return Eigen::Isometry3d::Identity();
-  return dh_pose(DhConvention::kStandard, robot.joint(link - 1).dh).inverse();
-}
-
-// The frame that joint k + 1 turns about or slides along, seen from frame k: its axis is z.
-Eigen::Isometry3d T_frame_axis(const Robot& robot, int k) {
-  const bool standard = robot.spec().convention == DhConvention::kStandard;
-  if (standard || k >= robot.n()) return Eigen::Isometry3d::Identity();
-  return dh_pose(DhConvention::kModified, robot.joint(k).dh);
-}
-
-// From the axis of joint k to that of joint k + 1, counted from 1, but for the joint's own motion
-// along and about the former.
-Eigen::Isometry3d T_axis_next(const Robot& robot, int k) {
-  return T_frame_link(robot, k).inverse() * T_frame_axis(robot, k);
-}
-
-constexpr double kSameAxis = 1e-9;
-
-bool are_parallel(const Eigen::Isometry3d& T_axis_next) {
-  return T_axis_next.linear().col(2).head<2>().norm() < kSameAxis;
-}
-
-// Whether the axes of joints k and k + 1 are one.
-bool is_one_axis(const Robot& robot, int k) {
-  const Eigen::Isometry3d T = T_axis_next(robot, k);
-  return are_parallel(T) && T.translation().head<2>().norm() < kSameAxis;
-}
-
-// Whether only joints with parallel axes are between two frames. A joint table does not say where
-// along these axes links are: most arms have them side by side, drawn from the table they lie in
-// one plane.
-bool may_be_side_by_side(const Robot& robot, int lower, int upper) {
-  for (int k = lower + 1; k < upper; ++k) {
-    if (!are_parallel(T_axis_next(robot, k))) return false;
-  }
-  return true;
-}
-
-// The first frame that moves on the axis on which frame k moves.
-int first_on_axis(const Robot& robot, int k) {
-  while (k > 1 && is_one_axis(robot, k - 1)) --k;
-  return k;
-}
 
 // The way of a rod is inside of its sleeve; it ends where the link ends.
 void cut_rod(const Robot& robot, const LinkShape& shape, Solid& solid) {
@@ -179,13 +127,6 @@ void add_needle(const Robot& robot, std::vector<ArmSolid>& bodies) {
   bodies.push_back(needle);
 }
 
-// Of what joint `link` moves, counted from 1.
-bool has_bodies(const Robot& robot, int link) {
-  if (link <= 0 || link > robot.n() || robot.spec().links.empty()) return false;
-  const Link& own = robot.link(link - 1);
-  return !own.bodies.empty() || !own.solids.empty();
-}
-
 Solid solid_of(const LinkSolid& body) {
   Solid solid;
   switch (body.kind) {
@@ -200,20 +141,23 @@ Solid solid_of(const LinkSolid& body) {
       solid = {.margin = body.size.x()};
       break;
   }
-  solid.T = body.T_link_solid;
   return solid;
 }
 
+// Those that were given, not made from the table.
 void add_bodies(const Robot& robot, std::vector<ArmSolid>& bodies) {
-  for (int link = 1; link <= robot.n(); ++link) {
-    if (!has_bodies(robot, link)) continue;
-    for (const LinkSolid& each : robot.link(link - 1).solids)
-      bodies.push_back({.frame = link, .solid = solid_of(each)});
-    for (const LinkMesh& each : robot.link(link - 1).bodies) {
-      ArmSolid body{.frame = link, .solid = solid_of(*each.triangles)};
-      body.solid.T = each.T_link_mesh;
+  for (int link = 0; link <= robot.n(); ++link) {
+    const Link& own = robot.body(link);
+    const auto add = [&](Solid solid, const Eigen::Isometry3d& T) {
+      ArmSolid body{.frame = link, .solid = std::move(solid), .still = link == 0, .given = true};
+      if (link == 0) body.role = LinkShapeRole::kBase;
+      body.solid.T = T;
       bodies.push_back(std::move(body));
+    };
+    for (const LinkSolid& each : own.solids) {
+      if (each.use != LinkSolidUse::kPicture) add(solid_of(each), each.T_link_solid);
     }
+    for (const LinkMesh& each : own.bodies) add(solid_of(*each.triangles), each.T_link_mesh);
   }
 }
 
@@ -222,12 +166,20 @@ bool ends_bare(const Robot& robot) {
   return robot.spec().role == RobotRole::kArm && robot.tool().length < kNoLength;
 }
 
+// Shapes that are only drawn: those of links whose bodies were given, and the column of an arm
+// whose base nobody described. What stands there is not known.
+bool is_picture(const Robot& robot, const LinkShape& shape) {
+  if (shape.link == 0) return robot.spec().role == RobotRole::kArm;
+  if (shape.role == LinkShapeRole::kFlange) return robot.body(robot.n()).has_shape();
+  return shape.link <= robot.n() && robot.body(shape.link).has_shape();
+}
+
 std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
   const std::vector<Eigen::Isometry3d> frames = link_frames(robot, robot.home());
   const Eigen::Isometry3d T_world_tool = forward(robot, robot.home());
   std::vector<ArmSolid> bodies;
   for (const LinkShape& shape : link_shapes(robot)) {
-    if (is_left_out(shape, bare) || has_bodies(robot, shape.link)) continue;
+    if (is_left_out(shape, bare) || is_picture(robot, shape)) continue;
     ArmSolid body{.frame = std::min(shape.link, robot.n()),
                   .role = shape.role,
                   .solid = solid_of(shape),
@@ -252,10 +204,20 @@ std::vector<ArmSolid> bodies_of(const Robot& robot, bool bare) {
   return bodies;
 }
 
+std::vector<Solid> pedestal_of(const Robot& robot) {
+  std::vector<Solid> pedestal;
+  if (robot.spec().role != RobotRole::kArm) return pedestal;
+  for (const LinkShape& shape : pedestal_shapes(robot)) {
+    if (shape.role != LinkShapeRole::kMark) pedestal.push_back(solid_of(shape));
+  }
+  return pedestal;
+}
+
 // Half as thick. Shapes that follow from a joint table are thicker than most arms: a forearm passes
 // a column that it would cut as drawn.
 std::vector<ArmSolid> slimmed(std::vector<ArmSolid> bodies) {
   for (ArmSolid& each : bodies) {
+    if (each.given) continue;
     Solid& solid = each.solid;
     if (solid.core == Solid::Core::kSegment) solid.margin *= 0.5;
     if (solid.core == Solid::Core::kCylinder) solid.half.head<2>() *= 0.5;
@@ -263,101 +225,12 @@ std::vector<ArmSolid> slimmed(std::vector<ArmSolid> bodies) {
   return bodies;
 }
 
-// Within the limits; a joint without one turns once or slides by the length of the arm.
-Eigen::VectorXd random_position(const Robot& robot, Random& random) {
-  Eigen::VectorXd q(robot.n());
-  for (int i = 0; i < robot.n(); ++i) {
-    const double most = robot.is_revolute(i) ? std::numbers::pi : robot.length();
-    double low = robot.lower()[i], high = robot.upper()[i];
-    if (!std::isfinite(low) || !std::isfinite(high)) {
-      low = std::isfinite(low) ? low : std::isfinite(high) ? high - 2.0 * most : -most;
-      high = std::isfinite(high) ? high : low + 2.0 * most;
-    }
-    q[i] = random.uniform(low, high);
-  }
-  return q;
-}
-
-struct OwnPair {
-  std::pair<int, int> bodies;
-  int overlaps = 0;
-  bool comes_near = false;
-  bool overlaps_at_home = false;
-};
-
-class OwnPairs {
- public:
-  OwnPairs(const Robot& robot, const std::vector<ArmSolid>& bodies)
-      : robot_(robot), bodies_(bodies), frames_(static_cast<std::size_t>(robot.n())) {
-    for (const ArmSolid& each : bodies) placed_.push_back(each.solid);
-    for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
-      for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
-        if (frame(b) < first_on_axis(robot, std::max(frame(a), 1)) - 1 &&
-            !may_be_side_by_side(robot, frame(b), frame(a)))
-          pairs_.push_back({.bodies = {a, b}});
-      }
-    }
-  }
-
-  std::vector<std::pair<int, int>> find() {
-    place(robot_.home());
-    for (OwnPair& each : pairs_) each.overlaps_at_home = !is_free(each);
-    Random random(0x61726d6c6574);
-    for (int k = 0; k < kPositions; ++k) {
-      place(random_position(robot_, random));
-      for (OwnPair& each : pairs_) look(each, k < kCloseLooks);
-    }
-    std::vector<std::pair<int, int>> found;
-    for (const OwnPair& each : pairs_) {
-      const bool mostly = 2 * each.overlaps > kCloseLooks;
-      if (each.comes_near && !mostly && !each.overlaps_at_home) found.push_back(each.bodies);
-    }
-    return found;
-  }
-
- private:
-  [[nodiscard]] int frame(int body) const { return bodies_[static_cast<std::size_t>(body)].frame; }
-  [[nodiscard]] const Solid& placed(int body) const {
-    return placed_[static_cast<std::size_t>(body)];
-  }
-
-  void place(const Eigen::VectorXd& q) {
-    (void)link_frames(robot_, q, frames_);
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const int k = bodies_[i].frame;
-      placed_[i].T = (k == 0 ? robot_.T_world_base() : frames_[static_cast<std::size_t>(k - 1)]) *
-                     bodies_[i].solid.T;
-    }
-  }
-
-  // Distance of the balls around both.
-  [[nodiscard]] double apart(const OwnPair& pair) const {
-    const Solid &a = placed(pair.bodies.first), &b = placed(pair.bodies.second);
-    return (a.T.translation() - b.T.translation()).norm() - a.reach() - b.reach();
-  }
-  [[nodiscard]] bool is_free(const OwnPair& pair) const {
-    return apart(pair) > 0.0 ||
-           is_farther(placed(pair.bodies.first), placed(pair.bodies.second), 0.0);
-  }
-  void look(OwnPair& pair, bool closely) const {
-    const double gap = apart(pair);
-    pair.comes_near = pair.comes_near || gap < kFarApart * robot_.reach();
-    if (closely && gap <= 0.0 && !is_free(pair)) ++pair.overlaps;
-  }
-
-  const Robot& robot_;
-  const std::vector<ArmSolid>& bodies_;
-  std::vector<Eigen::Isometry3d> frames_;
-  std::vector<Solid> placed_;
-  std::vector<OwnPair> pairs_;
-};
-
 }  // namespace
 
 ArmSolids::ArmSolids(const Robot& robot)
     : solids_(bodies_of(robot, ends_bare(robot))),
       slim_(slimmed(solids_)),
-      own_pairs_(OwnPairs(robot, slim_).find()),
+      pedestal_(pedestal_of(robot)),
       neighbour_of_last_(first_on_axis(robot, robot.n()) - 1),
       is_bare_(ends_bare(robot)) {}
 

@@ -35,6 +35,7 @@ void add_body(Link& link, const Link& body) {
   if (link.mesh.empty()) link.mesh = body.mesh;
   link.bodies.insert(link.bodies.end(), body.bodies.begin(), body.bodies.end());
   link.solids.insert(link.solids.end(), body.solids.begin(), body.solids.end());
+  link.names.insert(link.names.end(), body.names.begin(), body.names.end());
   if (link.mass + body.mass == 0.0) {
     link.inertia += body.inertia;
     if (link.com.isZero()) link.com = body.com;

@@ -95,6 +95,7 @@ Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
   check_pose(spec_.name + ".tool", spec_.T_flange_tool);
   check_finite(spec_.name + ".gravity", spec_.gravity);
   check_payload(spec_);
+  check_link_pairs(spec_);
 
   lower_ = gather(spec_.joints, &Joint::lower);
   upper_ = gather(spec_.joints, &Joint::upper);
@@ -123,10 +124,20 @@ Robot Robot::changed(RobotSpec spec) const {
   return copy;
 }
 
+Robot Robot::changed_beside_shape(RobotSpec spec) const {
+  Robot copy = changed(std::move(spec));
+  copy.from_shape_ = from_shape_;
+  return copy;
+}
+
+bool Robot::has_shapes() const {
+  return spec_.base.has_shape() || std::ranges::any_of(spec_.links, &Link::has_shape);
+}
+
 Robot Robot::with_name(std::string name) const {
   RobotSpec spec = spec_;
   spec.name = std::move(name);
-  return changed(std::move(spec));
+  return changed_beside_shape(std::move(spec));
 }
 
 Robot Robot::with_base(const Eigen::Isometry3d& T_world_base) const {
@@ -157,7 +168,7 @@ Robot Robot::with_home(const Eigen::VectorXd& home) const {
 Robot Robot::with_payload(const Payload& payload) const {
   RobotSpec spec = spec_;
   spec.payload = payload;
-  return changed(std::move(spec));
+  return changed_beside_shape(std::move(spec));
 }
 
 Robot Robot::with_link(int i, const Link& link) const {
@@ -191,7 +202,7 @@ Robot Robot::with_acceleration(double fraction) const {
   }
   RobotSpec spec = spec_;
   for (Joint& joint : spec.joints) joint.max_accel *= fraction;
-  return changed(std::move(spec));
+  return changed_beside_shape(std::move(spec));
 }
 
 std::vector<Joint> joints_from_table(const std::vector<std::vector<double>>& rows,

@@ -309,15 +309,26 @@ Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
   }
 
   const Carried carried = carried_by(m, legs.chain);
+  const auto named = [](Link link, const std::string& name) {
+    link.names = {name};
+    return link;
+  };
+  const Isometry3d T_base_world = spec.T_world_base.inverse();
+  add_body(spec.base, named(moved(m.spec().base, T_base_world), m.spec().base_name));
   spec.links.resize(n);
   for (std::size_t i = 0; i < m.bodies().size(); ++i) {
-    if (carried.row[i] < 0) continue;
+    const Link& link = m.bodies()[i].link;
+    const std::string& name = m.bodies()[i].name;
+    if (carried.row[i] < 0) {
+      add_body(spec.base, named(moved(link, T_base_world * carried.T_row_body[i]), name));
+      continue;
+    }
     const std::size_t k = static_cast<std::size_t>(carried.row[i]);
     const Body& carrier = m.bodies()[static_cast<std::size_t>(legs.chain[k])];
     const Isometry3d T_row_carrier =
         T_row_axis[k] * make_pose(R_with_z(carrier.axis), Vector3d::Zero()).inverse();
-    add_body(spec.links[k], moved(m.bodies()[i].link, T_row_carrier * carried.T_row_body[i]));
-    if (static_cast<int>(i) == legs.chain[k]) copy_motor(spec.links[k], m.bodies()[i].link);
+    add_body(spec.links[k], named(moved(link, T_row_carrier * carried.T_row_body[i]), name));
+    if (static_cast<int>(i) == legs.chain[k]) copy_motor(spec.links[k], link);
   }
   return spec;
 }
@@ -328,8 +339,10 @@ MechanismSpec mechanism_of(const Robot& robot) {
   spec.source = robot.source();
   spec.base_name = "world";
   spec.inertia_check = robot.spec().inertia_check;
-  spec.bodies.push_back(
-      {.name = "base", .joint_name = "world_base", .T_parent_joint = robot.T_world_base()});
+  spec.bodies.push_back({.name = "base",
+                         .joint_name = "world_base",
+                         .T_parent_joint = robot.T_world_base(),
+                         .link = moved(robot.spec().base, Isometry3d::Identity())});
   const bool standard = robot.spec().convention == DhConvention::kStandard;
   // What comes after the joint's own motion: the constants of Z, and the X that follows.
   Isometry3d T_link_next = Isometry3d::Identity();

@@ -18,6 +18,7 @@
 #include "armlet/core/platform.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/serial_arm.hpp"
+#include "math/snapped_rotation.hpp"
 #include "urdf_faults.hpp"
 #include "xml_guard.hpp"
 
@@ -27,8 +28,6 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double kRightAngle = 1e-5;
 
 // Keeps what urdfdom would print.
 class Capture : public console_bridge::OutputHandler {
@@ -98,19 +97,6 @@ Parsed parse(const std::string& text) {
 }
 
 Error broken(const std::string& what) { return {"urdf", what}; }
-
-// Entries that a rounded right angle leaves become zero, where the rest is a rotation without them.
-Matrix3d snapped(const Matrix3d& R) {
-  Matrix3d S = R;
-  for (double& entry : S.reshaped()) {
-    if (std::abs(entry) < kRightAngle) entry = 0.0;
-  }
-  if (S == R) return R;
-  for (Eigen::Index k = 0; k < 3; ++k) S.col(k) /= S.col(k).norm();
-  const Matrix3d gram = S.transpose() * S;
-  if ((gram - Matrix3d::Identity()).cwiseAbs().maxCoeff() > 1e-9) return R;
-  return 0.5 * S * (3.0 * Matrix3d::Identity() - gram);
-}
 
 Matrix3d R_of(const urdf::Rotation& r) {
   const double norm = r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w;
@@ -215,6 +201,9 @@ class Reader {
     if (root == nullptr) return broken("there is no link that all others hang on");
     spec_.base_name = root->name;
     if (auto error = check_meshes(*root)) return *error;
+    spec_.base = link_of(*root);
+    if (const auto meshes = meshes_of(*root); !meshes.empty()) spec_.base.mesh = meshes.front();
+    if (auto error = load_bodies(*root, spec_.base)) return *error;
     if (auto error = add_children(*root)) return *error;
     if (auto error = couple()) return *error;
     return std::move(spec_);
@@ -232,15 +221,24 @@ class Reader {
 
   // Boxes, cylinders and spheres among what is compared with other bodies, and meshes.
   std::optional<Error> load_bodies(const urdf::Link& link, Link& body) const {
-    const auto add = [&](const urdf::GeometrySharedPtr& geometry, const urdf::Pose& origin) {
-      const auto solid = geometry ? solid_of(*geometry) : std::nullopt;
+    // Pictures show the shapes for collisions where those for pictures are meshes, or none.
+    const bool is_apart =
+        !link.collision_array.empty() && !link.visual_array.empty() && meshes_of(link).empty();
+    const auto add = [&](const auto& element, LinkSolidUse use) {
+      auto solid = element.geometry ? solid_of(*element.geometry) : std::nullopt;
       if (!solid) return;
-      body.solids.push_back(*solid);
-      body.solids.back().T_link_solid = pose_of(origin);
+      solid->T_link_solid = pose_of(element.origin);
+      if (is_apart) solid->use = use;
+      const auto same = std::ranges::find_if(body.solids, [&](const LinkSolid& each) {
+        return each.use != use && each.kind == solid->kind && each.size == solid->size &&
+               each.T_link_solid.matrix() == solid->T_link_solid.matrix();
+      });
+      if (same == body.solids.end()) return body.solids.push_back(*solid);
+      same->use = LinkSolidUse::kBoth;
     };
-    for (const auto& each : link.collision_array) add(each->geometry, each->origin);
+    for (const auto& each : link.collision_array) add(*each, LinkSolidUse::kCollision);
     for (const auto& each : link.visual_array) {
-      if (link.collision_array.empty()) add(each->geometry, each->origin);
+      if (is_apart || link.collision_array.empty()) add(*each, LinkSolidUse::kPicture);
     }
     if (!options_.load_mesh) return std::nullopt;
     for (const PlacedMesh& each : collision_meshes_of(link)) {

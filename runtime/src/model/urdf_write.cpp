@@ -27,12 +27,35 @@ std::string origin(const Isometry3d& T) {
   return fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", three(T.translation()), three(rpy));
 }
 
-std::string link_text(const Body& body) {
-  const Link& link = body.link;
+std::string geometry_text(const LinkSolid& solid) {
+  switch (solid.kind) {
+    case LinkSolidKind::kBox:
+      return fmt::format("<box size=\"{}\"/>", three(solid.size));
+    case LinkSolidKind::kCylinder:
+      return fmt::format("<cylinder radius=\"{}\" length=\"{}\"/>", number(solid.size.x()),
+                         number(solid.size.y()));
+    case LinkSolidKind::kSphere:
+      break;
+  }
+  return fmt::format("<sphere radius=\"{}\"/>", number(solid.size.x()));
+}
+
+std::string solid_text(const LinkSolid& solid) {
+  std::string text;
+  for (const bool is_picture : {true, false}) {
+    if (solid.use == (is_picture ? LinkSolidUse::kCollision : LinkSolidUse::kPicture)) continue;
+    text += fmt::format("    <{0}>{1}<geometry>{2}</geometry></{0}>\n",
+                        is_picture ? "visual" : "collision", origin(solid.T_link_solid),
+                        geometry_text(solid));
+  }
+  return text;
+}
+
+std::string link_text(const std::string& name, const Link& link) {
   const bool heavy = link.mass != 0.0 || !link.inertia.isZero(0.0);
-  if (!heavy && link.mesh.empty())
-    return fmt::format("  <link name=\"{}\"/>\n", xml_escaped(body.name));
-  std::string text = fmt::format("  <link name=\"{}\">\n", xml_escaped(body.name));
+  if (!heavy && link.mesh.empty() && link.solids.empty())
+    return fmt::format("  <link name=\"{}\"/>\n", xml_escaped(name));
+  std::string text = fmt::format("  <link name=\"{}\">\n", xml_escaped(name));
   if (heavy) {
     const Eigen::Matrix3d& I = link.inertia;
     text += fmt::format(
@@ -46,6 +69,7 @@ std::string link_text(const Body& body) {
     text += fmt::format("    <visual><geometry><mesh filename=\"{}\"/></geometry></visual>\n",
                         xml_escaped(link.mesh));
   }
+  for (const LinkSolid& each : link.solids) text += solid_text(each);
   return text + "  </link>\n";
 }
 
@@ -150,10 +174,10 @@ std::string joint_text(const Mechanism& m, const Leaders& leaders, std::size_t i
 std::string write_urdf(const Mechanism& m) {
   const Leaders leaders(m);
   std::string text =
-      fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"{}\"/>\n",
-                  xml_escaped(m.name()), xml_escaped(m.spec().base_name));
+      fmt::format("<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n", xml_escaped(m.name()));
+  text += link_text(m.spec().base_name, m.spec().base);
   for (std::size_t i = 0; i < m.bodies().size(); ++i) {
-    text += link_text(m.bodies()[i]);
+    text += link_text(m.bodies()[i].name, m.bodies()[i].link);
     text += joint_text(m, leaders, i);
   }
   for (const Tip& tip : m.tips()) {

@@ -183,4 +183,17 @@ void check_home(const RobotSpec& spec) {
   }
 }
 
+void check_link_pairs(const RobotSpec& spec) {
+  const int n = static_cast<int>(spec.joints.size());
+  for (const auto* pairs : {&spec.allow, &spec.watch}) {
+    for (const auto& [first, second] : *pairs) {
+      if (first > second && second >= 0 && first <= n) continue;
+      throw ArgumentError(
+          fmt::format("Links {} and {} are no pair of robot `{}`; expected two of 0 (its base) to "
+                      "{}, the larger first.",
+                      first, second, spec.name, n));
+    }
+  }
+}
+
 }  // namespace armlet

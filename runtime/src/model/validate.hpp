@@ -11,6 +11,7 @@ void check_joints(const RobotSpec& spec);
 void check_links(const RobotSpec& spec);  // one link per joint
 void check_payload(const RobotSpec& spec);
 void check_home(const RobotSpec& spec);
+void check_link_pairs(const RobotSpec& spec);  // RobotSpec::allow and watch
 
 // What is wrong with the mass, the inertia or the motor of a link, as the end of a sentence that
 // begins with its name; empty if nothing is.

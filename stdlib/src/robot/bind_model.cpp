@@ -12,6 +12,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
 #include "robot/models.hpp"
+#include "robot/own_pairs.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
@@ -198,7 +199,7 @@ Answer<void> load_meshes(Vm& vm, RobotSpec& spec) {
 Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> joints,
                              const PosC* base, const ToolValue* tool, Numbers gravity,
                              std::string_view convention, const PosJ* home, const PosC* tcp,
-                             std::string_view inertias) try {
+                             std::string_view inertias, NamePairs allow, NamePairs watch) try {
   constexpr int kGravity = 4;
   RobotSpec spec;
   spec.name = name;
@@ -220,14 +221,15 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
   if (home != nullptr) spec.home = home->vector();
   Robot robot = finished(Robot(std::move(spec)), base, tool);
   if (tcp != nullptr) robot = robot.with_tool_point(tcp->T);
-  return add_robot(vm, std::move(robot));
+  return add_robot(vm, with_own_pairs(std::move(robot), allow, watch));
 } catch (const ArgumentError& error) {
   return failure_of(vm, row("R0630"), error);
 }
 
 // A robot from a file in the folder of the program.
 Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::string_view inertias,
-                                 const PosC* base, const ToolValue* tool, Text name) try {
+                                 const PosC* base, const ToolValue* tool, Text name,
+                                 NamePairs allow, NamePairs watch) try {
   constexpr int kPath = 0;
   const std::string path(file);
   const Result<std::string> text = Host::of(vm).load_file(path);
@@ -247,7 +249,8 @@ Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::s
     return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), kPath,
                       inertia_only ? kKeepInertias : "");
   }
-  return add_robot(vm, finished(Robot(std::move(spec).value()), base, tool, name));
+  Robot robot = finished(Robot(std::move(spec).value()), base, tool, name);
+  return add_robot(vm, with_own_pairs(std::move(robot), allow, watch));
 } catch (const ArgumentError& error) {
   return failure_of(vm, row("R0630"), error);
 }
@@ -299,16 +302,18 @@ constexpr NativeFunction kModelFunctions[] = {
         "joint prismatic(limits: [0mm, 150mm])", {.check = check_prismatic_row}),
     def<robot_block>(
         "robot{}(name: string, joint: jointRow[], base: posC?, tool: tool?, gravity: accel[]?, "
-        "convention: string = \"standard\", home: posJ?, tcp: posC?, inertias: string = \"rigid\") "
-        "-> robot",
+        "convention: string = \"standard\", home: posJ?, tcp: posC?, inertias: string = \"rigid\", "
+        "allow: string[][]?, watch: string[][]?) -> robot",
         "A robot made of joints; tcp: the tool point seen from the flange, if the hand does not "
-        "say it; inertias: \"published\" keeps numbers that no rigid body has.",
+        "say it; inertias: \"published\" keeps numbers that no rigid body has; allow, watch: pairs "
+        "of links that are never, or always, compared with each other, [[\"base\", \"link 3\"]].",
         "robot arm { joint revolute(a: 300mm) }", {.check = check_robot_block}),
     def<robot_from_urdf>(
         "urdf(path: string, tip: string?, inertias: string = \"rigid\", base: posC?, tool: tool?, "
-        "name: string?) -> robot",
+        "name: string?, allow: string[][]?, watch: string[][]?) -> robot",
         "A robot from a description in the program's folder; tip: the link at its end, where the "
-        "file has several arms.",
+        "file has several arms; allow, watch: pairs of links, by name, that are never, or always, "
+        "compared with each other.",
         "urdf(\"arm.urdf\", tip: \"tool0\")", {.check = note_read_robot}),
     def<default_robot>("robot()() -> robot", "The robot that the host supplies.", "joints()",
                        {.check = check_default_robot}),

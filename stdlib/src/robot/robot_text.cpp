@@ -12,6 +12,7 @@
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
+#include "robot/own_pairs.hpp"
 
 namespace armlet {
 namespace {
@@ -168,6 +169,7 @@ std::string robot_block(const Robot& robot) {
   if (!spec.T_flange_tool.isApprox(T_hand, 0.0)) {
     text += fmt::format("    tcp: {}\n", pose_text(spec.T_flange_tool));
   }
+  text += bind::own_pairs_rows(robot);
   std::vector<std::string> home;
   for (int i = 0; i < robot.n(); ++i) home.push_back(of_joint(robot.joint(i), robot.home()[i]));
   text += fmt::format("    home: posJ({})\n}}\n", fmt::join(home, ", "));

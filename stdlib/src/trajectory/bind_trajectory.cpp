@@ -14,6 +14,7 @@
 #include "motion/motion_torques.hpp"
 #include "motion/move_around.hpp"
 #include "motion/move_failures.hpp"
+#include "robot/own_pairs.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
 #include "trajectory/trajectories.hpp"
@@ -245,7 +246,9 @@ Answer<void> explain_trajectory(Vm& vm, const PlannedMotion& plan) {
 }
 
 Answer<void> explain_robot(Vm& vm, const RobotRef& r) {
-  return print_line(vm, last_move_text(Host::of(vm), r.id));
+  const std::string exempt = exempt_text(*Host::of(vm).cell().robot(r.id).model);
+  const std::string move = last_move_text(Host::of(vm), r.id);
+  return print_line(vm, exempt.empty() ? move : move + '\n' + exempt);
 }
 
 constexpr std::string_view kMakeHelp =
@@ -350,7 +353,8 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
         "the joint that decides.",
         "explain(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)], time: 2s))"),
     def<explain_robot>("explain(r: robot)",
-                       "Prints the same of the last move of a robot, as it was planned.",
+                       "Prints the same of the last move of a robot, as it was planned, and "
+                       "which pairs of its links are not compared with each other, and why.",
                        "moveJ(posJ(60deg, 30deg, 0mm, 0deg)); explain()"),
 };
 

@@ -36,11 +36,14 @@ struct LinkMesh {
 // A simple body fixed to a link, its middle in its frame; a cylinder lies along z.
 //
 // size  m: the sides of a box; (radius, length, 0) of a cylinder; (radius, 0, 0) of a sphere.
+// use   a description may give a link other shapes for pictures than for collisions.
 enum class LinkSolidKind { kBox, kCylinder, kSphere };
+enum class LinkSolidUse { kBoth, kPicture, kCollision };
 struct LinkSolid {
   LinkSolidKind kind = LinkSolidKind::kBox;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
   Eigen::Isometry3d T_link_solid = Eigen::Isometry3d::Identity();
+  LinkSolidUse use = LinkSolidUse::kBoth;
 };
 
 // The rigid body moved by a joint and the motor that moves it. Positions are in the link's own DH
@@ -57,6 +60,11 @@ struct Link {
   double mesh_scale = 1.0;        // of the shape that it gives
   std::vector<LinkMesh> bodies;   // what was read of it: in the place of shapes from the table
   std::vector<LinkSolid> solids;  // simple bodies, likewise
+  // In a description: its own name, then those of the links that are fixed to it.
+  std::vector<std::string> names;
+
+  // Whether its shape was given, so that none is made from the joint table.
+  bool has_shape() const { return !bodies.empty() || !solids.empty(); }
 };
 
 // A rigid body fixed to the flange, besides the last link: what a hand holds.

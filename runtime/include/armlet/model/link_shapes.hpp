@@ -1,6 +1,6 @@
 #pragma once
-// Simple shapes for an arm that has no meshes, made from its joint table: what a picture needs to
-// look like a robot.
+// The shapes that an arm is drawn as: those that its description gives, or simple ones made from
+// its joint table.
 
 #include <Eigen/Geometry>
 #include <string_view>
@@ -37,10 +37,18 @@ struct LinkShape {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  // m, of boxes: along x, y and z
 };
 
-// The shapes of an arm, of its base, and of the tool in its hand. A link runs along its own joint's
+// The shapes of an arm, of its base, and of the tool in its hand. Boxes, cylinders and spheres that
+// were given for a link are its shapes. Other links get some from the table, also links with
+// meshes, which stand in where these cannot be shown, and so does the base of an arm of which no
+// shape was given at all.
+//
+// A link of the table runs along its own joint's
 // axis to the point nearest to the next axis, across to that axis, and along it to the next joint;
 // a sliding joint is a rod in a sleeve, long enough for all of its way. The fingers of a gripper
 // are open. How thick things are follows from the reach of the arm.
 std::vector<LinkShape> link_shapes(const Robot& robot);
+
+// The shapes of a base made from the table alone, whatever was given: where the arm stands.
+std::vector<LinkShape> pedestal_shapes(const Robot& robot);
 
 }  // namespace armlet

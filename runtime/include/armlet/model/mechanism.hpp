@@ -50,6 +50,7 @@ struct MechanismSpec {
   std::string name = "mechanism";
   std::string source;
   std::string base_name = "base";
+  Link base{};  // masses and shapes of the base, in its frame
   std::vector<Body> bodies;
   std::vector<Actuator> actuators;
   Eigen::MatrixXd coupling;

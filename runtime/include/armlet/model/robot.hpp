@@ -4,6 +4,7 @@
 #include <concepts>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "armlet/chain/chain.hpp"
@@ -26,7 +27,13 @@ enum class InertiaCheck { kRigidBody, kPublished };
 // kFinger  a finger of such a hand.
 enum class RobotRole { kArm, kHand, kFinger };
 
+// Two links of an arm, 0 the base and i what joint i moves, the larger number first.
+using LinkPair = std::pair<int, int>;
+
 // Everything that defines a serial arm; Robot checks it.
+//
+// base          what does not move: masses and shapes in the frame of the base.
+// allow, watch  pairs of links that are never, or always, compared with each other.
 struct RobotSpec {
   std::string name = "robot";
   std::string source;  // where the numbers come from
@@ -34,6 +41,8 @@ struct RobotSpec {
   DhConvention convention = DhConvention::kStandard;
   std::vector<Joint> joints;  // 1 to kMaxJoints
   std::vector<Link> links;    // as many as joints, or none for an arm without mass
+  Link base;
+  std::vector<LinkPair> allow, watch;
   InertiaCheck inertia_check = InertiaCheck::kRigidBody;
   Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();  // the tool point
@@ -56,6 +65,10 @@ class Robot {
 
   const Joint& joint(int i) const { return spec_.joints[static_cast<std::size_t>(i)]; }
   const Link& link(int i) const { return spec_.links[static_cast<std::size_t>(i)]; }
+  // 0: the base; i: what joint i moves, counted from 1.
+  const Link& body(int i) const { return i == 0 ? spec_.base : link(i - 1); }
+  // Whether the shape of the base or of a link was given, not made from the joint table.
+  bool has_shapes() const;
   bool is_revolute(int i) const { return chain_.revolute[static_cast<std::size_t>(i)]; }
 
   const Eigen::Isometry3d& T_world_base() const { return spec_.T_world_base; }
@@ -87,13 +100,17 @@ class Robot {
   // as its closed form. The constructor of T says what the value depends on. One that takes a Chain
   // sees nothing but the geometry, and the value is shared by all copies with the same chain,
   // whatever their limits, rates, home and name. One that takes a Robot may use all of it, and
-  // the value is shared by copies with nothing changed. As DerivedValues::get otherwise.
+  // the value is shared by copies with nothing changed; one with a member type FromShape uses
+  // neither name, payload nor rates, and is shared by copies that differ in these alone. As
+  // DerivedValues::get otherwise.
   template <class T>
   const T& derived() const {
     static_assert(std::constructible_from<T, const Chain&> !=
                   std::constructible_from<T, const Robot&>);
     if constexpr (std::constructible_from<T, const Chain&>) {
       return from_chain_.get<T>(chain_);
+    } else if constexpr (requires { typename T::FromShape; }) {
+      return from_shape_.get<T>(*this);
     } else {
       return from_robot_.get<T>(*this);
     }
@@ -130,10 +147,11 @@ class Robot {
   Eigen::VectorXd lower_, upper_, max_speed_, max_accel_, max_jerk_;
   double length_ = 0.0;
   double reach_ = 0.0;
-  DerivedValues from_chain_, from_robot_;
+  DerivedValues from_chain_, from_shape_, from_robot_;
 
-  // A copy described by another spec.
+  // A copy described by another spec; the second has the same shape, limits and home.
   Robot changed(RobotSpec spec) const;
+  Robot changed_beside_shape(RobotSpec spec) const;
 };
 
 // Joints from a table with one row theta, d, a, alpha per joint (rad, m) and a word such as "RRPR".

@@ -6,7 +6,7 @@
 
 namespace armlet {
 
-// The shapes of link_shapes, or the meshes of links that have some, at home: a node for the base,
+// The shapes of link_shapes and the meshes of links that have some, at home: a node for the base,
 // one for each link, in the frame that moves with its joint, about or along z, one for the flange
 // and an empty one at the tool point, each a child of the one before. Round surfaces have 32 faces
 // about their axis.

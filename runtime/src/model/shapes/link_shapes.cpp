@@ -49,10 +49,20 @@ class ShapesOfArm {
   explicit ShapesOfArm(const Robot& robot) : robot_(robot) {}
 
   std::vector<LinkShape> all() {
-    base();
-    for (int i = 0; i < robot_.n(); ++i) link_of_joint(i);
+    given(0);
+    if (!robot_.has_shapes()) base();
+    for (int i = 0; i < robot_.n(); ++i) {
+      // Of a link of meshes alone the table's shapes stand in until its meshes are there.
+      if (robot_.link(i).solids.empty()) link_of_joint(i);
+      given(i + 1);
+    }
     flange();
     tool();
+    return std::move(shapes_);
+  }
+
+  std::vector<LinkShape> pedestal() {
+    base();
     return std::move(shapes_);
   }
 
@@ -71,6 +81,32 @@ class ShapesOfArm {
     if (!is_standard && i + 1 < robot_.n())
       T = dh_pose(DhConvention::kModified, robot_.joint(i + 1).dh);
     return T;
+  }
+
+  // From the frame of shapes of a link to the one in which its body is given.
+  [[nodiscard]] Isometry3d T_shapes_body(int link) const {
+    const bool is_standard = robot_.spec().convention == DhConvention::kStandard;
+    return is_standard && link > 0 ? dh_pose(DhConvention::kStandard, robot_.joint(link - 1).dh)
+                                   : Isometry3d::Identity();
+  }
+
+  void given(int link) {
+    for (const LinkSolid& solid : robot_.body(link).solids) {
+      if (solid.use == LinkSolidUse::kCollision) continue;
+      const LinkShapeRole role = link == 0 ? LinkShapeRole::kBase : LinkShapeRole::kLink;
+      const Isometry3d T = T_shapes_body(link) * solid.T_link_solid;
+      switch (solid.kind) {
+        case LinkSolidKind::kBox:
+          add(link, LinkShapeKind::kBox, role, T).size = solid.size;
+          break;
+        case LinkSolidKind::kCylinder:
+          round(link, LinkShapeKind::kCylinder, role, T, solid.size.x(), solid.size.y());
+          break;
+        case LinkSolidKind::kSphere:
+          round(link, LinkShapeKind::kCapsule, role, T, solid.size.x(), 0.0);
+          break;
+      }
+    }
   }
 
   LinkShape& add(int link, LinkShapeKind kind, LinkShapeRole role, const Isometry3d& T) {
@@ -218,6 +254,8 @@ std::string_view to_text(LinkShapeRole role) {
                                          "tool", "finger_left", "finger_right", "mark"};
   return kWords[static_cast<std::size_t>(role)];
 }
+
+std::vector<LinkShape> pedestal_shapes(const Robot& robot) { return ShapesOfArm(robot).pedestal(); }
 
 std::vector<LinkShape> link_shapes(const Robot& robot) {
   return robot.spec().role == RobotRole::kArm ? ShapesOfArm(robot).all() : hand_shapes(robot);

@@ -45,10 +45,9 @@ Isometry3d moved_by(const Robot& robot, int i, double q) {
   return Isometry3d(Eigen::Translation3d(0.0, 0.0, q));
 }
 
-// Of what joint `link` moves, counted from 1.
-bool has_meshes(const Robot& robot, int link) {
-  return link > 0 && link <= robot.n() && !robot.spec().links.empty() &&
-         !robot.link(link - 1).bodies.empty();
+// Whether the shapes of a link stand in for its meshes.
+bool is_stand_in(const Robot& robot, int link) {
+  return link <= robot.n() && robot.body(link).solids.empty() && !robot.body(link).bodies.empty();
 }
 
 }  // namespace
@@ -77,15 +76,14 @@ GlbScene robot_scene(const Robot& robot) {
       {.name = "tool point", .parent = n + 1, .T_parent_node = robot.T_flange_tool()});
   std::vector<std::array<GlbPart, kLooks>> parts(static_cast<std::size_t>(n) + 2);
   for (const LinkShape& shape : link_shapes(robot)) {
-    if (!has_meshes(robot, shape.link))
+    if (!is_stand_in(robot, shape.link))
       add_triangles(shape, parts[static_cast<std::size_t>(shape.link)][look_of(shape.role)]);
   }
-  for (int link = 1; link <= n; ++link) {
-    if (!has_meshes(robot, link)) continue;
-    const Isometry3d T_node_link = standard
+  for (int link = 0; link <= n; ++link) {
+    const Isometry3d T_node_link = standard && link > 0
                                        ? dh_pose(DhConvention::kStandard, robot.joint(link - 1).dh)
                                        : Isometry3d::Identity();
-    for (const LinkMesh& each : robot.link(link - 1).bodies)
+    for (const LinkMesh& each : robot.body(link).bodies)
       add_triangles(*each.triangles, T_node_link * each.T_link_mesh,
                     parts[static_cast<std::size_t>(link)][kLight]);
   }

@@ -106,7 +106,7 @@ void add_triangles(const LinkShape& shape, GlbPart& part) {
       break;
     case LinkShapeKind::kCapsule:
       half_sphere(surface, r, -h, -1.0);
-      surface.straight({r, -h}, {r, h});
+      if (h > 0.0) surface.straight({r, -h}, {r, h});
       half_sphere(surface, r, h, 1.0);
       break;
     case LinkShapeKind::kRing: {
