@@ -22,6 +22,7 @@ namespace {
 constexpr double kShareOfPosition = 0.2;
 constexpr double kShareOfTime = 0.2;
 constexpr double kShareOfChange = 0.6;
+constexpr int kPiecesOfEnd = 4;          // at least, of the ramp at each end
 constexpr double kShortestPiece = 0.05;  // of the motion, as a part of a piece of the speed
 constexpr double kChanges = 0.02;  // of the highest acceleration along the path: more is a change
 constexpr int kRounds = 4;         // how often limits that are exceeded in between are tightened
@@ -199,7 +200,14 @@ class Run {
   }
 
   std::vector<double> with_borders(std::vector<double> knots) const {
-    std::vector<double> borders = {warp_.start(), warp_.whole() - warp_.end()};
+    // Each end has pieces of its own, however little time it takes: one piece over a whole ramp to
+    // a low speed swings beyond that speed.
+    std::vector<double> borders;
+    for (int k = 1; k <= kPiecesOfEnd; ++k) {
+      const double part = static_cast<double>(k) / kPiecesOfEnd;
+      borders.push_back(part * warp_.start());
+      borders.push_back(warp_.whole() - part * warp_.end());
+    }
     for (const SpeedZone& zone : zones_) {
       borders.push_back(warp_.inverse(zone.from));
       borders.push_back(warp_.inverse(zone.to));
