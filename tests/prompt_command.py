@@ -361,6 +361,17 @@ def check_terminal(home):
     terminal.type("\x1b[A\x1b[A\n")
     terminal.expect(r"\n1 s", "the arrow key fetches an earlier line")
     terminal.expect(r"rbt> ", "the prompt after that")
+    for home_key in ["\x1b[H", "\x1bOH", "\x1b[1~", "\x1b[7~", "\x1b[1;5H"]:
+        for end_key in ["\x1b[F", "\x1bOF", "\x1b[4~", "\x1b[8~", "\x1b[1;5F"]:
+            terminal.type(f"00{home_key}4{end_key}1\n")
+            terminal.expect(r"\n4001 +int", f"{home_key!r} goes to the start, {end_key!r} to the end")
+    for back, on in [("\x1b[1;5D", "\x1b[1;5C"), ("\x1b[1;3D", "\x1b[1;3C"), ("\x1bOd", "\x1bOc")]:
+        terminal.type(f"20 + 30{back}{back}1{on}5\n")
+        terminal.expect(r"\n1235 +int", f"{back!r} and {on!r} go by words")
+    terminal.type("let half = 21\nhalf * 1\nnow()\nhal\x1b[5~\x1b[F00\n")
+    terminal.expect(r"\n2100 +int", "Page Up finds the entry that begins like the line")
+    terminal.type("\x1b[2~\x1b[15~\x1bOP7 * 6\n")
+    terminal.expect(r"42 +int", "keys without a use here leave nothing")
     check("Ctrl-D ends with 0", terminal.end() == 0)
 
     again = Terminal(home)

@@ -91,6 +91,59 @@ std::string list_of(const std::vector<std::string>& texts) {
   return out;
 }
 
+// What terminals send for keys that libedit does not bind by itself, and what the keys do: Home and
+// End of xterm, the Linux console, rxvt and tmux; arrows with Ctrl or Alt; Page Up and Down, which
+// go to entries that begin like the line; keys that have no use here and would leave letters.
+struct Key {
+  const char* sequence;
+  const char* action;
+};
+constexpr Key kKeys[] = {
+    {"\\e[H", "ed-move-to-beg"},
+    {"\\eOH", "ed-move-to-beg"},
+    {"\\e[1~", "ed-move-to-beg"},
+    {"\\e[7~", "ed-move-to-beg"},
+    {"\\e[1;5H", "ed-move-to-beg"},
+    {"\\e[F", "ed-move-to-end"},
+    {"\\eOF", "ed-move-to-end"},
+    {"\\e[4~", "ed-move-to-end"},
+    {"\\e[8~", "ed-move-to-end"},
+    {"\\e[1;5F", "ed-move-to-end"},
+    {"\\e[1;5C", "em-next-word"},
+    {"\\e[1;3C", "em-next-word"},
+    {"\\e[5C", "em-next-word"},
+    {"\\eOc", "em-next-word"},
+    {"\\e[1;5D", "ed-prev-word"},
+    {"\\e[1;3D", "ed-prev-word"},
+    {"\\e[5D", "ed-prev-word"},
+    {"\\eOd", "ed-prev-word"},
+    {"\\e[1;2C", "ed-next-char"},
+    {"\\e[1;2D", "ed-prev-char"},
+    {"\\e[1;5A", "ed-prev-history"},
+    {"\\e[1;5B", "ed-next-history"},
+    {"\\e[5~", "ed-search-prev-history"},
+    {"\\e[6~", "ed-search-next-history"},
+    {"\\e[3~", "ed-delete-next-char"},
+    {"\\e[3;5~", "em-delete-next-word"},
+    {"\\e[2~", "ed-ignore"},
+    {"\\e[11~", "ed-ignore"},
+    {"\\e[12~", "ed-ignore"},
+    {"\\e[13~", "ed-ignore"},
+    {"\\e[14~", "ed-ignore"},
+    {"\\e[15~", "ed-ignore"},
+    {"\\e[17~", "ed-ignore"},
+    {"\\e[18~", "ed-ignore"},
+    {"\\e[19~", "ed-ignore"},
+    {"\\e[20~", "ed-ignore"},
+    {"\\e[21~", "ed-ignore"},
+    {"\\e[23~", "ed-ignore"},
+    {"\\e[24~", "ed-ignore"},
+    {"\\eOP", "ed-ignore"},
+    {"\\eOQ", "ed-ignore"},
+    {"\\eOR", "ed-ignore"},
+    {"\\eOS", "ed-ignore"},
+};
+
 class EditedLines final : public LineSource {
  public:
   EditedLines(Completer complete, std::string history)
@@ -111,6 +164,7 @@ class EditedLines final : public LineSource {
     edit_.set(line_, EL_ADDFN, "armlet-complete", "complete the word", &EditedLines::on_tab);
     edit_.set(line_, EL_BIND, "^I", "armlet-complete", nullptr);
     edit_.set(line_, EL_BIND, "^R", "em-inc-search-prev", nullptr);
+    for (const Key& key : kKeys) edit_.set(line_, EL_BIND, key.sequence, key.action, nullptr);
   }
   ~EditedLines() override {
     edit_.end(line_);
