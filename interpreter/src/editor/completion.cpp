@@ -7,6 +7,7 @@
 #include "check/calls/list_mutations.hpp"
 #include "editor/cursor.hpp"
 #include "editor/facts.hpp"
+#include "editor/places.hpp"
 #include "reference/language_words.hpp"
 #include "reference/written_call.hpp"
 #include "syntax/tokens/signs.hpp"
@@ -30,7 +31,9 @@ class Completer {
   Completions run() {
     Completions out{.replaced = cursor_.word};
     if (cursor_.in_comment) return out;
-    if (cursor_.quoted) {
+    if (auto only = items_of_place(facts_, cursor_)) {
+      items_ = std::move(*only);
+    } else if (cursor_.quoted) {
       add_texts();
     } else if (cursor_.point) {
       add_members();
@@ -206,6 +209,16 @@ class Completer {
       if (is_plain(name)) add_native(name, name);
     }
     add("Math", NameKind::kModule);
+    if (!is_value_place(facts_, cursor_)) return add_types_and_words();
+    for (const Word& word : kWordRows) {
+      const bool stands_in_values = word.kind == WordKind::kTruth || word.kind == WordKind::kType ||
+                                    word.text == "fn" || word.text == "new";
+      if (stands_in_values) add(std::string(word.text), NameKind::kWord);
+    }
+  }
+
+  // What no value can be made of.
+  void add_types_and_words() {
     for (const auto& [name, type] : facts_.registry->types()) add(name, NameKind::kType);
     for (const auto& [name, fields] : facts_.registry->records())
       add(name, NameKind::kType, fields);
@@ -370,8 +383,10 @@ class Completer {
 
   // ---- between quotes
   void add_texts() {
+    for (Completion& each : texts_of_place(facts_, cursor_))
+      add(std::move(each.text), each.kind, std::move(each.detail));
     if (!cursor_.call || !facts_.options.texts) return;
-    for (const NativeFunction* function : candidates(facts_, *cursor_.call)) {
+    for (const NativeFunction* function : functions_of(*cursor_.call)) {
       const int at = parameter_of(facts_, *cursor_.call, *function);
       if (at < 0) continue;
       const Parameter& parameter =

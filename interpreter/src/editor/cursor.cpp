@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/places.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 
@@ -14,10 +15,23 @@ bool is_text(std::uint16_t type) {
 
 bool is_word(std::uint16_t type) { return is_name(type) || !word_of(type).text.empty(); }
 
-// Whether the position is in braces of a formatted text.
-bool in_braces(std::string_view text) {
+// Where the braces open that the end of a part of a formatted text is in; npos: it is in none.
+std::size_t braces_of(std::string_view text) {
   const std::size_t open = text.rfind('{');
-  return open != std::string_view::npos && text.find('}', open) == std::string_view::npos;
+  const bool is_open =
+      open != std::string_view::npos && text.find('}', open) == std::string_view::npos;
+  return is_open ? open : std::string_view::npos;
+}
+
+// Where the format begins in what stands between braces: its colon; npos: there is none.
+std::size_t colon_of(std::string_view piece) {
+  int depth = 0;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (piece[i] == '(' || piece[i] == '[') ++depth;
+    if (piece[i] == ')' || piece[i] == ']') --depth;
+    if (piece[i] == ':' && depth == 0) return i;
+  }
+  return std::string_view::npos;
 }
 
 class Around {
@@ -31,7 +45,10 @@ class Around {
     out_.in_comment = facts_.in_comment(out_.at);
     if (out_.in_comment) return std::move(out_);
     find_word();
-    if (before_ > 0 && tokens_[before_ - 1].type == sign::kPoint) out_.point = tokens_[before_ - 1];
+    out_.before = before_;
+    const bool is_value = !out_.number && !out_.in_braces;
+    if (is_value && before_ > 0 && tokens_[before_ - 1].type == sign::kPoint)
+      out_.point = tokens_[before_ - 1];
     find_call();
     return std::move(out_);
   }
@@ -44,7 +61,9 @@ class Around {
     const Token& token = tokens_[before_];
     const bool inside = token.begin < out_.at && out_.at <= token.end && token.type != kEndOfText;
     if (inside && is_text(token.type)) return find_word_in_text(token);
-    if (inside && (is_word(token.type) || token.type == sign::kBadNumber)) {
+    if (inside && (is_number(token.type) || token.type == sign::kBadNumber))
+      return find_unit(token);
+    if (inside && is_word(token.type)) {
       out_.word = {token.begin, token.end, 0};
     } else if (token.end <= out_.at && token.type != kEndOfText) {
       ++before_;
@@ -53,6 +72,19 @@ class Around {
     const bool begins = before_ < tokens_.size() && tokens_[before_].begin == out_.at &&
                         tokens_[before_].type != kEndOfText && is_word(tokens_[before_].type);
     if (begins) out_.word = {tokens_[before_].begin, tokens_[before_].end, 0};
+  }
+
+  // 100mm/s|: what is written of the last unit.
+  void find_unit(const Token& token) {
+    const std::string_view text = facts_.text_of(token);
+    const std::size_t at = out_.at - token.begin;
+    std::size_t first = std::min(unit_begin(text), at);
+    const std::size_t sign = text.substr(0, at).find_last_of("*/");
+    if (sign != std::string_view::npos) first = std::max(first, sign + 1);
+    const std::size_t last = std::min(text.find_first_of("*/^", at), text.size());
+    out_.word = {token.begin + static_cast<std::uint32_t>(first),
+                 token.begin + static_cast<std::uint32_t>(last), 0};
+    out_.number = token;
   }
 
   void find_word_in_text(const Token& token) {
@@ -65,14 +97,15 @@ class Around {
     const std::size_t quote = text.find_first_of("\"'");
     const auto begin = token.begin + static_cast<std::uint32_t>(quote) + 1;
     if (out_.at < begin) return;
-    if (text.starts_with('f') && in_braces(text.substr(0, out_.at - token.begin)))
-      return find_word_in_braces(token, text);
+    const std::size_t braces = braces_of(text.substr(0, out_.at - token.begin));
+    if (text.starts_with('f') && braces != std::string_view::npos)
+      return find_word_in_braces(token, text, braces + 1);
     out_.quoted = token;
     out_.word = {begin, is_closed ? token.end - 1 : out_.at, 0};
   }
 
   // f"{left.na|}": bytes, as the text is one token.
-  void find_word_in_braces(const Token& token, std::string_view text) {
+  void find_word_in_braces(const Token& token, std::string_view text, std::size_t begin) {
     const auto at = static_cast<std::size_t>(out_.at - token.begin);
     std::size_t first = at;
     std::size_t last = at;
@@ -83,11 +116,16 @@ class Around {
     if (first > 0 && text[first - 1] == '.')
       out_.point =
           Token{.begin = out_.word.begin - 1, .end = out_.word.begin, .type = sign::kPoint};
-    in_formatted_ = true;
+    out_.in_braces = true;
+    const std::size_t colon = colon_of(text.substr(begin, at - begin));
+    if (colon == std::string_view::npos) return;
+    out_.point.reset();
+    const auto value = token.begin + static_cast<std::uint32_t>(begin);
+    out_.format = Span{value, value + static_cast<std::uint32_t>(colon), 0};
   }
 
   void find_call() {
-    if (in_formatted_) return;
+    if (out_.in_braces) return;
     std::size_t depth = 0;
     bool directly = true;
     for (std::size_t i = before_; i-- > 0;) {
@@ -215,7 +253,6 @@ class Around {
   const Tokens& tokens_;
   Cursor out_{};
   std::size_t before_ = 0;
-  bool in_formatted_ = false;
 };
 
 bool is_ambient(const Parameter& parameter) {

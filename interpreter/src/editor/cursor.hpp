@@ -28,7 +28,11 @@ struct Cursor {
   std::uint32_t at = 0;
   Span word{};  // that is being written; may be empty
   bool in_comment = false;
+  std::size_t before = 0;         // tokens in front of the word
   std::optional<Token> quoted{};  // the text that the position is in
+  std::optional<Token> number{};  // the number that it is in, or ends; `word` is its unit
+  bool in_braces = false;         // of a formatted text
+  std::optional<Span> format{};   // behind the colon in such braces: the value in front of it
   std::optional<Token> point{};   // in front of the word
   std::optional<OpenCall> call{};
 };

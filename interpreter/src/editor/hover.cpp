@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "editor/cursor.hpp"
 #include "editor/facts.hpp"
+#include "editor/places.hpp"
 #include "editor/symbol_at.hpp"
 #include "format_value.hpp"
 #include "reference/language_words.hpp"
@@ -94,6 +96,61 @@ std::optional<Hover> library_hover(const Facts& facts, const Token& token) {
   return out.text.empty() ? std::nullopt : std::optional(out);
 }
 
+// A name where a type is written.
+std::optional<Hover> type_hover(const Facts& facts, const Token& token, std::size_t index) {
+  if (!is_type_place(facts, index)) return std::nullopt;
+  const std::string name(facts.text_of(token));
+  Hover out{.span = {token.begin, token.end, 0}, .text = word_help(facts, name, out.help)};
+  const bool is_builtin = is_primitive_type(token.type) || name == "string" || name == "matrix";
+  if (out.text.empty() && is_builtin) out.text = "type " + name;
+  if (const auto dim = dimension_named(name)) {
+    out.help = "Units:";
+    for (const std::string_view unit : units_of(dim)) out.help += ' ' + std::string(unit);
+  }
+  return out.text.empty() ? std::nullopt : std::optional(out);
+}
+
+// What the file behind an `import` declares.
+std::optional<Hover> import_hover(const Facts& facts, std::uint32_t at) {
+  for (const FileTree::Import& import : facts.files.back().imports) {
+    const Span path = import.statement->path_span;
+    if (at < path.begin || at > path.end || import.file < 0) continue;
+    Hover out{.span = path, .text = "file " + std::string(facts.compiled->sources->slice(path))};
+    const Span whole = facts.files[static_cast<std::size_t>(import.file)].program.span;
+    for (const Symbol& symbol : facts.names.symbols) {
+      const bool is_shown = symbol.kind == NameKind::kFunction ||
+                            symbol.kind == NameKind::kStruct || symbol.kind == NameKind::kEnum;
+      if (symbol.declared.source == whole.source && is_shown && !symbol.name.starts_with('_'))
+        out.help += (out.help.empty() ? "" : "\n") + std::string(symbol.header);
+    }
+    return out;
+  }
+  return std::nullopt;
+}
+
+// A text that names something: a kind of error, or a choice of a setting.
+std::optional<Hover> text_hover(const Facts& facts, const Token& token, std::size_t index,
+                                std::uint32_t at) {
+  const std::string_view text = facts.text_of(token);
+  if (token.type != sign::kText || text.size() < 2) return std::nullopt;
+  const std::string_view name = text.substr(1, text.size() - 2);
+  Hover out{.span = {token.begin, token.end, 0}};
+  if (is_kind_place(facts, index)) {
+    const CatalogEntry* entry = facts.registry->messages().of_kind(name);
+    out.text = fmt::format("kind \"{}\"", name);
+    if (entry != nullptr) out.help = entry->page.substr(0, entry->page.find("\n\n"));
+    return out;
+  }
+  const Cursor cursor = cursor_at(facts, std::max(at, token.begin + 1));
+  if (!cursor.call || cursor.call->kind != OpenCall::Kind::kWith) return std::nullopt;
+  const std::string setting = cursor.call->name + '.' + std::string(cursor.call->setting);
+  for (const NativeFunction* function : facts.registry->functions(setting)) {
+    out.text = std::string(cursor.call->setting) + ": string";
+    out.help = function->help;
+  }
+  return out.text.empty() ? std::nullopt : std::optional(out);
+}
+
 std::optional<Hover> native_hover(const Facts& facts, const Learnt::NativeUse& use) {
   Hover out{.span = use.name};
   if (use.parameter < 0) {
@@ -141,12 +198,15 @@ std::optional<Hover> name_hover(const Facts& facts, std::uint32_t at) {
   if (native != nullptr) {
     if (auto out = native_hover(facts, *native)) return out;
   }
+  if (auto out = import_hover(facts, at)) return out;
   const std::size_t index = facts.token_behind(at == 0 ? 0 : at);
   for (std::size_t i = index; i < facts.tokens.size() && i <= index + 1; ++i) {
     const Token& token = facts.tokens[i];
     if (token.begin > at || at > token.end || token.type == kEndOfText) continue;
+    if (auto out = text_hover(facts, token, i, at)) return out;
     if (const Symbol* symbol = symbol_called(facts, token, i))
       return symbol_hover(facts, {token.begin, token.end, 0}, *symbol);
+    if (auto out = type_hover(facts, token, i)) return out;
     const bool is_word = is_name(token.type) || !word_of(token.type).text.empty();
     if (is_word && (at < token.end || i == index)) {
       if (auto out = library_hover(facts, token)) return out;

@@ -10,6 +10,7 @@
 
 #include "armlet/core/format.hpp"
 #include "session/bind.hpp"
+#include "session/setting_choices.hpp"
 #include "session/settings.hpp"
 #include "values/values.hpp"
 
@@ -95,6 +96,12 @@ constexpr NamedChoices<CollisionCheck, 3> kCollisions{"collisions",
                                                       {{"report", CollisionCheck::kReport},
                                                        {"error", CollisionCheck::kError},
                                                        {"ignore", CollisionCheck::kIgnore}}};
+
+template <const auto& kSetting>
+void add_choices(std::string_view setting, std::vector<std::string>& out) {
+  if (kSetting.setting != setting) return;
+  for (const auto& [name, unused] : kSetting.choices) out.emplace_back(name);
+}
 
 template <const auto& kSetting>
 Answer<void> set_choice(Vm& vm, std::string_view name) {
@@ -220,6 +227,14 @@ constexpr NativeFunction kSettingsFunctions[] = {
 };
 
 }  // namespace
+
+std::vector<std::string> choices_of_setting(std::string_view setting) {
+  std::vector<std::string> out;
+  add_choices<kTrack>(setting, out);
+  add_choices<kTorques>(setting, out);
+  add_choices<kCollisions>(setting, out);
+  return out;
+}
 
 std::span<const NativeFunction> settings_functions() { return kSettingsFunctions; }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "robot/rules.hpp"
+#include "session/setting_choices.hpp"
 
 namespace armlet {
 
@@ -14,6 +15,7 @@ std::function<std::vector<std::string>(const NativeFunction&, std::string_view)>
     const bool makes_trajectory = function.check == &bind::check_trajectory<true> ||
                                   function.check == &bind::check_trajectory<false>;
     if (parameter == "traj" || (makes_trajectory && parameter == "name")) return planners;
+    if (function.name.starts_with("with.")) return bind::choices_of_setting(parameter);
     if (names_object && world != nullptr) return world->things;
     return std::vector<std::string>();
   };
