@@ -81,6 +81,8 @@ void add_run(Parcel& parcel, const RunRecord& run, KnownOfRun& known) {
             [&](auto first, auto count) { return write_lines(run, first, count); });
   add_items(parcel, known.texts, run.texts.size(),
             [&](auto first, auto count) { return write_notes(run, first, count); });
+  add_items(parcel, known.advice, run.advice.size(),
+            [&](auto first, auto count) { return write_advice(run, first, count); });
   add_rows(parcel, 1, run.number, run.robot_rows, known.robots);
   add_rows(parcel, 2, run.number, run.object_rows, known.objects);
   add_rows(parcel, 3, run.number, run.element_rows, known.elements);

@@ -20,7 +20,7 @@ struct KnownOfRun {
   std::uint64_t changes = 0;
   std::uint64_t described = 0;
   std::uint64_t figures = 0;
-  std::size_t moves = 0, ways = 0, stretches = 0, lines = 0, events = 0, texts = 0;
+  std::size_t moves = 0, ways = 0, stretches = 0, lines = 0, events = 0, texts = 0, advice = 0;
   std::vector<std::size_t> robots, objects, elements, forces, contacts;  // rows
 };
 

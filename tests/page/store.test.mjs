@@ -4,7 +4,7 @@ import test from "node:test";
 import { source } from "./modules.mjs";
 
 const { receive, receiveRows } = await source("store/receive.ts");
-const { initialState, shownRun, isStale, currentLine } = await source("store/state.ts");
+const { adviceOfRun, initialState, shownRun, isStale, currentLine } = await source("store/state.ts");
 const { recordingOf } = await source("store/recording.ts");
 const { firstText, reopen } = await source("alone/saved.ts");
 const { pageWithLaboratory, pageWithRecording } = await source("home/source.ts");
@@ -279,4 +279,15 @@ test("a laboratory that was handed in has its runs again, each from the one most
   const empty = laboratoryOf("wrong text", hashOf);
   assert.deepEqual(await reopen({ text: "wrong text", shown: 0, runs: [] }, empty), []);
   assert.deepEqual(empty.heard, ["hello"]);
+});
+
+test("advice of a run is there once for each place, with how often it came, and not while an older text is shown", () => {
+  const advice = (t, line) => ({ severity: "advice", code: "W0711", message: "they collide", span: [line, 4, line, 9], t });
+  const state = told(welcome, ...shown(1), { type: "advice", run: 1, first: 0, items: [advice(0, 3), advice(1, 4)] });
+  receive(state, { type: "advice", run: 1, first: 2, items: [advice(2, 3)] });
+  assert.deepEqual(adviceOfRun(state).map((each) => [each.span[0], each.t, each.times]), [[3, 0, 2], [4, 1, 1]]);
+  receive(state, { type: "diagnostics", text_version: 4, runs: false, items: [{ severity: "error", code: "E0201", message: "no", span: [1, 0, 1, 1] }] });
+  assert.deepEqual(adviceOfRun(state), []);
+  receive(state, { type: "diagnostics", text_version: 5, runs: true, items: [] });
+  assert.equal(recordingOf(state, shownRun(state)).find((each) => each.type === "advice").items.length, 3);
 });

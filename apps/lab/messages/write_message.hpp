@@ -101,6 +101,7 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 [[nodiscard]] Message write_lines(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_events(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_notes(const RunRecord& run, std::size_t first, std::size_t count);
+[[nodiscard]] Message write_advice(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_figure(const RunRecord& run, const RecordedFigure& figure);
 // What elements show at an instant.
 [[nodiscard]] Message write_elements(Seq to, int run, double t,

@@ -177,6 +177,13 @@ Message write_notes(const RunRecord& run, std::size_t first, std::size_t count) 
   return message_of(out);
 }
 
+Message write_advice(const RunRecord& run, std::size_t first, std::size_t count) {
+  OrderedJson out = piece("advice", run, first);
+  for (std::size_t i = first; i < first + count; ++i)
+    out["items"].push_back(json_of(run.advice[i]));
+  return message_of(out);
+}
+
 Message write_figure(const RunRecord& run, const RecordedFigure& figure) {
   return message_of({{"type", "figures"},
                      {"run", run.number},

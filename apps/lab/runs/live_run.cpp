@@ -40,6 +40,7 @@ LiveRun::LiveRun(const SessionOptions& options, const RunBounds& bounds, RunReco
   SessionOptions own = options;
   own.backends = {&recording_, &marks_};
   own.on_move = [this](const MoveReport& report) { recording_.on_move(report); };
+  own.advice = [this](const Diagnostic& advice) { recording_.on_advice(advice); };
   own.on_press = [this](const PressReport& report) { recording_.on_press(report); };
   own.pace = [this](std::int64_t) {
     recording_.on_wait();

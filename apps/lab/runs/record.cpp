@@ -21,6 +21,8 @@ std::size_t RunRecord::bytes() const {
   for (const Rows& each : contact_rows) sum += each.bytes();
   for (const Rows& each : object_rows) sum += each.bytes();
   for (const RecordedText& each : texts) sum += sizeof(each) + each.text.size();
+  for (const TextMessage& each : advice)
+    sum += sizeof(each) + each.message.size() + each.why.size();
   for (const RecordedFigure& each : figures) sum += each.svg.size();
   for (const RecordedWay& each : ways)
     sum += sizeof(each) + each.path.size() * sizeof(Eigen::Vector3d) + each.arms.size() * 64;

@@ -165,6 +165,7 @@ struct RunHead {
   std::vector<RunInput> inputs;
   std::string hash;
   std::optional<TextMessage> error;
+  std::vector<TextMessage> advice;  // that it gave, with times; only the first of very many
   std::uint64_t changes = 1;    // counts what has happened to the fields above
   std::uint64_t described = 0;  // to the robots and objects
   std::uint64_t figure_changes = 0;
@@ -211,9 +212,9 @@ class Recording : public Backend {
   // The session that it listens to, before its run.
   void listen_to(Session& session) { session_ = &session; }
   void on(const Event& event) override;
-  // From on_move of the session.
+  // From on_move, `advice` and on_press of the session.
   void on_move(const MoveReport& report);
-  // From on_press of the session.
+  void on_advice(const Diagnostic& advice);
   void on_press(const PressReport& report);
   // From `pace` of the session: time is about to pass, so that what the program has come to lasts.
   void on_wait();

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostObjects = 2000;
 constexpr std::size_t kMostLines = 500'000;
+constexpr std::size_t kMostAdvice = 2000;
 
 // x, y, z, qw, qx, qy, qz.
 std::array<double, 7> numbers_of(const Eigen::Isometry3d& T) {
@@ -47,6 +48,13 @@ void Recording::on_press(const PressReport& report) {
   const TextMessage told = resolved(*report.failure, session_->sources());
   record_.texts.push_back({to_seconds(report.end_ns), NoteKind::kMessage, told.message,
                            told.place.span, report.button});
+}
+
+void Recording::on_advice(const Diagnostic& advice) {
+  if (record_.advice.size() >= kMostAdvice) return;
+  TextMessage told = resolved(advice, session_->sources());
+  if (!told.t) told.t = to_seconds(session_->host()->now_ns());
+  record_.advice.push_back(std::move(told));
 }
 
 void Recording::on_wait() {

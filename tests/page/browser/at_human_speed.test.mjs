@@ -31,6 +31,16 @@ test("Enter behind a number with its unit ends the line and puts in nothing", ()
     assert.equal(await program(page), `var a = 1\nvar m = 2\nwait(1s)\n${written.join("\n")}\n`);
   }));
 
+test("behind a number only units are offered", () =>
+  withLab("var metal = 1\nwait(1s)\n", async (open) => {
+    const page = await open();
+    await untilStatus(page, /1\.00 s/);
+    await typeAtEnd(page, "let h = 85m");
+    await popup(page).filter({ hasText: /^mm$/ }).waitFor();
+    const offered = await popup(page).allInnerTexts();
+    for (const name of ["metal", "max", "moveJ", "matrix"]) assert.ok(!offered.some((text) => text.startsWith(name)), `${name} is offered`);
+  }));
+
 test("a completion is taken by Enter when it was chosen, and by Tab", () =>
   withLab(`${ARM}wait(1s)\n`, async (open) => {
     const page = await open();
@@ -76,6 +86,47 @@ test("a text that was loaded cannot be undone; what was written can", () =>
     await page.waitForTimeout(LOOKS);
     assert.equal(await program(page), before);
     await untilStatus(page, new RegExp(`^${run.replaceAll(".", "\\.")}$`));
+  }));
+
+const WALL = `${ARM}object wall { shape: box(20mm, 800mm, 600mm); at: xyz(250mm, 0mm, 300mm) }
+arm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 1s)
+arm.moveJ(posJ(-40deg, 60deg, 50mm, 0deg), time: 1s)
+`;
+
+test("advice of a run stands among the problems, at its line, on the bar of time and in the status", () =>
+  withLab(WALL, async (open) => {
+    const page = await open();
+    await untilStatus(page, /2 moves, 2\.00 s, advice: 2/);
+    assert.equal(await status(page).getAttribute("data-kind"), "advice");
+    const items = page.locator(".problem.advice");
+    assert.equal(await items.filter({ hasText: "W0711" }).count(), 2);
+    assert.match(await items.first().innerText(), /^3:5 .*collide/);
+    await lineOf(page, "40deg, 60deg").locator(".cm-lintRange-info").waitFor();
+    await lineOf(page, "-40deg").locator(".cm-lintRange-info").waitFor();
+    const bar = await page.locator(".bar").boundingBox();
+    for (let x = 70; x < bar.width - 20 && !/collide/.test(await page.locator(".bar-note").innerText()); x += 3) await page.mouse.move(bar.x + x, bar.y + 12);
+    assert.match(await page.locator(".bar-note").innerText(), /collide/);
+    await items.nth(1).getByRole("button", { name: /^\d\.\d\d s$/ }).click();
+    await untilClock(page, /^(1|2)\.00 /);
+    // Once the wall is gone, so is the advice.
+    await lineOf(page, "object wall").click();
+    await page.keyboard.press("End");
+    await page.keyboard.press("Shift+Home");
+    await page.keyboard.press("Delete");
+    await untilStatus(page, /^2 moves, 2\.00 s$/);
+    assert.equal(await items.count(), 0);
+    await page.locator(".list .quiet", { hasText: "No problems." }).waitFor();
+  }));
+
+test("advice that comes in every round of a loop is one problem that says how often", () =>
+  withLab(`${ARM}object wall { shape: box(20mm, 800mm, 600mm); at: xyz(250mm, 0mm, 300mm) }
+for (i in [1, 2, 3, 4]) {
+    arm.moveJ(posJ(40deg, 60deg, i * 10mm, 0deg), time: 1s)
+}
+`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /4 moves, 4\.00 s, advice: 1/);
+    await page.locator(".problem.advice", { hasText: /4 times/ }).waitFor();
   }));
 
 const STEPS = `${ARM}let lag = 1.5s

@@ -77,6 +77,30 @@ TEST_CASE("a page is told everything of the run that the laboratory has already 
   CHECK(page.last("description")["robots"][0]["shapes"].size() > 8);
 }
 
+TEST_CASE(
+    "advice of a run is told with its place and its time, in the run and in one made from it") {
+  Laboratory laboratory(
+      lab_with("object wall { shape: box(20mm, 800mm, 600mm); at: xyz(250mm, 0mm, 300mm) }\n"
+               "moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 1s)\n"
+               "moveJ(posJ(-40deg, 60deg, 50mm, 0deg), time: 1s)\n"));
+  TestPage page(laboratory);
+  page.hello();
+  finish_work(laboratory);
+  page.take();
+  const TestJson advice = page.list("advice", 1);
+  REQUIRE(advice.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(advice[i]["severity"] == "advice");
+    CHECK(advice[i]["code"] == "W0711");
+    CHECK(advice[i]["span"][0] == 2 + i);
+    CHECK(advice[i]["t"] >= double(i));
+    CHECK(advice[i]["t"] <= double(i) + 1.0);
+  }
+  page.ask({{"type", "input"}, {"t", 1.5}, {"joints", "arm"}, {"values", {0.1, 0.2, 0.05, 0.0}}});
+  const TestJson shown = page.last("shown");
+  if (shown["run"] != 1) CHECK(page.list("advice", shown["run"]).size() >= 2);
+}
+
 TEST_CASE("a text with mistakes keeps the last run, and its fix is an edit") {
   Laboratory laboratory(lab_with("wait(1s)\n"));
   TestPage page(laboratory);

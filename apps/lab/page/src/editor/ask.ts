@@ -26,7 +26,7 @@ const KINDS: Record<string, string> = { method: "method", field: "property", var
 
 async function complete(intents: Intents, context: CompletionContext): Promise<CompletionResult | null> {
   const word = context.matchBefore(/[\w.]+/);
-  if (!context.explicit && (!word || /^\d/.test(word.text))) return null;
+  if (!context.explicit && (!word || /^\d[\d_.]*$/.test(word.text))) return null;
   const answer = await intents.ask<"completion">({ type: "complete", at: positionOf(context.state.doc, context.pos) }).catch(() => null);
   if (!answer?.items.length || context.aborted) return null;
   const from = answer.replaced ? rangeOf(context.state.doc, answer.replaced).from : (context.matchBefore(/\w*/)?.from ?? context.pos);

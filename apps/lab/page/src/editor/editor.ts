@@ -10,7 +10,7 @@ import { fixed } from "../elements/units.ts";
 import type { Diagnostic, Edit, Span } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
-import { currentLine, inControl, isStale, shownRun, type State } from "../store/state.ts";
+import { adviceOfRun, currentLine, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { asking, positionOf, rangeOf, takeFirst } from "./ask.ts";
 import { language } from "./language.ts";
@@ -63,7 +63,7 @@ export class Editor {
     store.watch((s) => [s.welcome], (s) => this.view.dispatch({ effects: this.highlighting.reconfigure(language(s.welcome?.words)) }));
     store.watch((s) => [s.textFrom], (s) => this.take(s.text));
     store.watch((s) => [inControl(s), intents.live], (s) => this.view.dispatch({ effects: this.writing.reconfigure(EditorState.readOnly.of(!inControl(s) || !intents.live)) }));
-    store.watch((s) => [s.diagnostics, shownRun(s)?.error], (s) => this.diagnose(s));
+    store.watch((s) => [s.diagnostics, shownRun(s)?.error, shownRun(s), shownRun(s)?.advice.length, isStale(s)], (s) => this.diagnose(s));
     store.watch(
       (s) => [s.breakpoints, currentLine(s), hoveredLine(s), shownRun(s), shownRun(s)?.version, isStale(s), s.followed],
       (s) => this.mark(s),
@@ -144,7 +144,7 @@ export class Editor {
   private diagnose(state: State): void {
     const { doc } = this.view.state;
     const failure = shownRun(state)?.error;
-    const all = failure && !isStale(state) ? [...state.diagnostics, failure] : state.diagnostics;
+    const all = [...state.diagnostics, ...(failure && !isStale(state) ? [failure] : []), ...adviceOfRun(state)];
     const list = all.filter((d) => d.span).map((d) => this.lintOf(d, rangeOf(doc, d.span!)));
     if (!this.shows(list)) this.view.dispatch(setDiagnostics(this.view.state, list));
   }

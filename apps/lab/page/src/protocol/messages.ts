@@ -160,6 +160,8 @@ export interface NoteItem {
   span?: Span | null;
   element?: string; // the button whose function says so
 }
+// Advice that the run gave at t.
+export type RunAdvice = Diagnostic & { t: number };
 export type RunError = Diagnostic & { t: number; when?: string | null; robot?: number | null; goal?: Pose | null; nearest?: Nearest | null };
 export type RunState = "running" | "done" | "failed" | "stopped";
 export interface RunHead {
@@ -331,6 +333,7 @@ export type Incoming = { to?: number | null } & (
   | ({ type: "statements" } & Grown<[number, number]>)
   | ({ type: "objects" } & Grown<ObjectEvent>)
   | ({ type: "notes" } & Grown<NoteItem>)
+  | ({ type: "advice" } & Grown<RunAdvice>)
   | { type: "figures"; run: number; index: number; title?: string | null; svg: string }
   | { type: "elements"; run: number; t: number; values: Record<string, ElementValue> }
   | { type: "breakpoints"; lines: number[]; known?: number[] }

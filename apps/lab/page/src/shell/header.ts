@@ -2,7 +2,7 @@
 import type { Intents } from "../store/intents.ts";
 import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
 import { base64, filesOf, looksOf, recordingOf, timesToLook } from "../store/recording.ts";
-import { inControl, isStale, shownRun, type State } from "../store/state.ts";
+import { adviceOfRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { transport } from "../timebar/transport.ts";
 import { el, remember, remembered, save, setText } from "./dom.ts";
@@ -83,7 +83,8 @@ function statusOf(state: State, live: boolean): [string, string] {
   if (run.state === "failed") return [`failed at ${run.error?.t.toFixed(2) ?? run.tEnd.toFixed(2)} s`, "warning"];
   if (run.state === "stopped") return [`stopped at ${run.tEnd.toFixed(2)} s`, "warning"];
   const what = run.moves.length ? `${run.moves.length} ${run.moves.length === 1 ? "move" : "moves"}, ` : "";
-  return [`${live ? "" : "recording, "}${what}${run.tEnd.toFixed(2)} s`, "good"];
+  const advice = adviceOfRun(state).length;
+  return [`${live ? "" : "recording, "}${what}${run.tEnd.toFixed(2)} s${advice ? `, advice: ${advice}` : ""}`, advice ? "advice" : "good"];
 }
 
 function drawControl(host: HTMLElement, state: State, intents: Intents): void {

@@ -2,7 +2,7 @@
 import type { Editor } from "../editor/editor.ts";
 import type { Diagnostic } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
-import { inControl, shownRun, type State } from "../store/state.ts";
+import { adviceOfRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { stepButtons } from "../timebar/transport.ts";
 import { el, setText } from "./dom.ts";
@@ -52,12 +52,14 @@ export function tabs(host: HTMLElement, list: Tab[], label: string, beside: HTML
   return { choose, count: (name, n) => setText(counts.get(name)!, n ? String(n) : "") };
 }
 
-function problem(d: Diagnostic, editor: Editor, allowed: boolean): HTMLElement {
+// `when` is what stands behind the message: the instant that it is about.
+function problem(d: Diagnostic, editor: Editor, allowed: boolean, when: HTMLElement | null = null): HTMLElement {
   const fix = d.fix;
   return el(
     "li", { class: `problem ${d.severity}` },
     el("button", { class: "link", onclick: () => d.span && editor.select(d.span) }, d.span ? `${d.span[0]}:${d.span[1] + 1}` : (d.file ?? ""), " ", d.message),
     el("span", { class: "code" }, d.code),
+    when,
     d.why ? el("p", { class: "quiet" }, d.why) : null,
     fix?.edits.length && allowed ? el("button", { class: "fix", onclick: () => editor.apply(fix.edits) }, `Fix: ${fix.text}`) : null,
   );
@@ -74,11 +76,14 @@ export function editorPanels(host: HTMLElement, store: Store, intents: Intents, 
     { name: "variables", title: "Variables", content: variables },
     { name: "runs", title: "Runs", content: el("div", {}, runs) },
   ], "About the program", stepButtons(store, intents));
-  store.watch((s) => [s.diagnostics, shownRun(s)?.error, inControl(s)], (s) => {
+  const at = (t: number, times: number) => el("button", { class: "tiny", onclick: () => intents.goTo(t) }, `${t.toFixed(2)} s${times > 1 ? `, ${times} times` : ""}`);
+  store.watch((s) => [s.diagnostics, shownRun(s)?.error, shownRun(s), shownRun(s)?.advice.length, isStale(s), inControl(s)], (s) => {
     const failure = shownRun(s)?.error;
     const all = failure ? [...s.diagnostics, failure] : s.diagnostics;
-    problems.replaceChildren(...(all.length ? all.map((d) => problem(d, editor, inControl(s) && intents.live)) : [el("li", { class: "quiet" }, "No problems.")]));
-    bar.count("problems", all.length);
+    const allowed = inControl(s) && intents.live;
+    const items = [...all.map((d) => problem(d, editor, allowed)), ...adviceOfRun(s).map((d) => problem(d, editor, allowed, at(d.t, d.times)))];
+    problems.replaceChildren(...(items.length ? items : [el("li", { class: "quiet" }, "No problems.")]));
+    bar.count("problems", items.length);
   });
   store.watch((s) => [s.shown, shownRun(s)?.version, s.t], (s) => drawOutput(output, s, intents, bar));
   store.watch((s) => [s.instant, s.shown], (s) => drawVariables(variables, s));

@@ -69,6 +69,7 @@ const handlers: Handlers = {
   statements: (state, message) => growList(state, "statements", message),
   objects: (state, message) => growList(state, "events", message),
   notes: (state, message) => growList(state, "notes", message),
+  advice: (state, message) => growList(state, "advice", message),
   figures(state, message) {
     const run = runOf(state, message.run);
     run.figures.set(message.index, { title: message.title ?? "", svg: message.svg });
@@ -159,7 +160,7 @@ function forgetOld(state: State): void {
   }
 }
 
-function growList<T>(state: State, name: "moves" | "ways" | "stretches" | "statements" | "events" | "notes", message: { run: number; first: number; items: T[] }): void {
+function growList<T>(state: State, name: "moves" | "ways" | "stretches" | "statements" | "events" | "notes" | "advice", message: { run: number; first: number; items: T[] }): void {
   const run = runOf(state, message.run);
   grow(run[name] as T[], message.first, message.items);
   run.version++;

@@ -64,7 +64,7 @@ export function recordingOf(state: State, run: Run, files = new Map<string, stri
     { ...head, type: "run", text_version: run.textVersion, inputs: run.inputs, hash: run.hash, error: run.error },
     ...[...files].map(([file, binary]) => ({ file, binary })),
     { type: "description", run: id, world, title, layout, robots, objects, elements },
-    list("objects", run.events), list("moves", run.moves), list("ways", run.ways), list("stretches", run.stretches), list("statements", run.statements), list("notes", run.notes),
+    list("objects", run.events), list("moves", run.moves), list("ways", run.ways), list("stretches", run.stretches), list("statements", run.statements), list("notes", run.notes), list("advice", run.advice),
     ...[...run.figures].map(([index, figure]) => ({ type: "figures", run: id, index, ...figure })),
     { type: "elements", run: id, t: run.valuesAt, values: run.values },
     ...run.tracks.flatMap((rows, i) => (rows?.count ? [rowsMessage(id, ROBOT_ROWS, i, rows)] : [])),

@@ -35,6 +35,7 @@ export class Run {
   looks: M.Look[] = []; // of a recording, each whole, in the order of time
   events: M.ObjectEvent[] = [];
   notes: M.NoteItem[] = [];
+  advice: M.RunAdvice[] = [];
   figures = new Map<number, Figure>();
   tracks: Track[] = [];
   objectRows = new Map<number, Rows>();

@@ -96,6 +96,19 @@ export function isStale(state: State): boolean {
   return state.diagnosedVersion >= 0 && state.diagnostics.some((d) => d.severity === "error");
 }
 
+// Advice of the shown run, each of a place and a text once: `t` is when it came first, `times` how often it came. None while an
+// older text is shown.
+export function adviceOfRun(state: State): (M.RunAdvice & { times: number })[] {
+  const once = new Map<string, M.RunAdvice & { times: number }>();
+  for (const each of isStale(state) ? [] : (shownRun(state)?.advice ?? [])) {
+    const key = JSON.stringify([each.code, each.span, each.file, each.message]);
+    const known = once.get(key);
+    if (known) known.times++;
+    else once.set(key, { ...each, times: 1 });
+  }
+  return [...once.values()];
+}
+
 // The line on which the program is: that of the instant the laboratory told, or that of the record.
 export function currentLine(state: State): number | null {
   const { instant, t } = state;

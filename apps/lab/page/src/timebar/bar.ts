@@ -24,7 +24,8 @@ export function ticksOf(run: Run): Tick[] {
   const notes = run.notes
     .filter((note) => note.kind !== "output")
     .map((note): Tick => ({ t: note.t, text: note.element ? `${note.element}: ${note.text}` : note.text, kind: note.kind === "message" ? "message" : "advice" }));
-  return [...events, ...notes].sort((a, b) => a.t - b.t);
+  const advice = run.advice.map((each): Tick => ({ t: each.t, text: each.message, kind: "advice" }));
+  return [...events, ...notes, ...advice].sort((a, b) => a.t - b.t);
 }
 
 // Distance of the marks of a ruler, so that about `room` of them fit into `span` seconds.
