@@ -5,9 +5,11 @@
 if(EMSCRIPTEN)
   set(platform src/core/bare/ fork_lock)
   set(urdf_read urdf_none)
+  set(urdf_library)
 else()
   set(platform src/core/posix/ ample_stack fork_lock)
   set(urdf_read urdf_read)
+  set(urdf_library urdf_library)
 endif()
 
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
@@ -48,7 +50,7 @@ function(armlet_use_file_formats)
   mark_as_advanced(ARMLET_URDFDOM_HEADERS ARMLET_URDFDOM_MODEL)
   file(REAL_PATH ${ARMLET_URDFDOM_MODEL} urdfdom_library)
   cmake_path(GET urdfdom_library FILENAME urdfdom_library)
-  set_source_files_properties(src/model/urdf_read.cpp PROPERTIES
+  set_source_files_properties(src/model/descriptions/urdf_library.cpp PROPERTIES
     COMPILE_DEFINITIONS ARMLET_URDFDOM_LIBRARY="${urdfdom_library}")
   target_include_directories(armlet_layer_model SYSTEM PRIVATE ${ARMLET_URDFDOM_HEADERS})
   target_link_libraries(armlet_layer_model PRIVATE ${CMAKE_DL_LIBS})

@@ -91,6 +91,20 @@ def check_hands():
         check(f"{form} of no robot", robot(form).returncode, 64)
 
 
+def check_packages(folder):
+    """A mesh that is not there is advice; --package and ROS_PACKAGE_PATH say where it is."""
+    mesh = '<link name="a"><visual><geometry><mesh filename="package://arm/a.xyz"/></geometry></visual></link>'
+    path = folder / "meshes.urdf"
+    path.write_text(GRIPPER.replace('<link name="a"/>', mesh))
+    (folder / "elsewhere").mkdir()
+    (folder / "elsewhere" / "a.xyz").write_text("")
+    done = robot(str(path), "--tip", "a")
+    check("a mesh that is not there", (done.returncode, "`a` is not there" in done.stderr), (0, True))
+    done = robot(str(path), "--tip", "a", "--package", f"arm={folder / 'elsewhere'}")
+    check("a mesh of a package", (done.returncode, "is not there" in done.stderr), (0, False))
+    check("no package", robot(str(path), "--tip", "a", "--package", "arm").returncode, 64)
+
+
 def check_files(folder):
     for name in NAMES:
         # The arm as a description, read back: same reach, same limits, and again the same description.
@@ -113,7 +127,16 @@ def check_files(folder):
         check(f"{command} of a block", done.returncode, 0)
     gripper = folder / "grabber.urdf"
     gripper.write_text(GRIPPER)
-    check("an arm that ends at its palm", robot(str(gripper)).stdout.startswith("grabber: 1 joints, R"), True)
+    done = robot(str(gripper))
+    check("fingers that divide", (done.returncode, "`a` (1 joint: turn), where they meet" in done.stderr), (65, True))
+    check("an arm that ends at its palm", robot(str(gripper), "--tip", "a").stdout.startswith("grabber: 1 joints, R"),
+          True)
+    capital = folder / "GRABBER.URDF"
+    capital.write_text(GRIPPER)
+    check("an ending in capitals", robot(str(capital), "--tip", "a").returncode, 0)
+    done = robot(str(folder / "arm.urdf.xacro"))
+    check("a xacro file", (done.returncode, "xacro file" in done.stderr), (65, True))
+    check_packages(folder)
     check("a finger", "RP" in robot(str(gripper), "--tip", "b").stdout, True)
     gripper.write_text(GRIPPER.replace('<mimic joint="left"/>', '<mimic joint="left" multiplier="0.5"/>'))
     done = robot(str(gripper), "--tip", "c")

@@ -37,7 +37,7 @@ EVERYTHING = list(MAY_INCLUDE)
 # what: (pattern of the header, folders that may include it). Public headers never may.
 FENCES = {
     "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax/"]),
-    "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp"]),
+    "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp", "runtime/src/model/descriptions/urdf_library."]),
     "nlohmann": (r"nlohmann/", ["runtime/src/mesh/", "interpreter/src/diagnostic/", "apps/", "tests/"]),
     "OMPL": (r"ompl/|boost/", ["runtime/src/planning/ompl/"]),
     "Assimp": (r"^assimp/", ["apps/mesh/converter/assimp_import.cpp"]),

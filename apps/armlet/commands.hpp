@@ -24,6 +24,7 @@ struct ProgramOptions {
   std::string world;  // a .rbt file; empty: the command's own, when a program names an object
   std::uint64_t steps = 10'000'000'000;
   bool json = false;
+  std::vector<std::string> packages;  // NAME=DIR
 };
 
 struct RunOptions {
@@ -73,11 +74,12 @@ struct RobotOptions {
   std::string name;  // of the catalogue, or a .urdf file; empty: the catalogue
   std::string tip;   // where the arm of a file ends; empty: at the end of its only chain
   bool json = false;
-  bool urdf = false;       // write a URDF
-  bool block = false;      // write a robot block
-  bool glb = false;        // write its shapes as GLB
-  std::string glb_file;    // to this file; empty: to standard output
-  bool published = false;  // keep inertias that no rigid body has
+  bool urdf = false;                  // write a URDF
+  bool block = false;                 // write a robot block
+  bool glb = false;                   // write its shapes as GLB
+  std::string glb_file;               // to this file; empty: to standard output
+  bool published = false;             // keep inertias that no rigid body has
+  std::vector<std::string> packages;  // NAME=DIR
 };
 
 struct MeshOptions {

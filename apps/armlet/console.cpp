@@ -5,6 +5,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -114,6 +115,7 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   session.folder = folder.empty() ? std::filesystem::path(".") : folder;
   session.convert_mesh = mesh_converter();
+  session.packages = package_folders(options.packages);
   session.limits.steps = options.steps;
   session.output = [](std::string_view text) {
     print_out(text);
@@ -122,6 +124,22 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
     return said ? std::string(std::strerror(output_failure)) : std::string();
   };
   return setup;
+}
+
+PackageFolders package_folders(const std::vector<std::string>& named) {
+  PackageFolders packages;
+  for (const std::string& each : named) {
+    const std::size_t equals = each.find('=');
+    packages.named[each.substr(0, equals)] = each.substr(equals + 1);
+  }
+  const char* path = std::getenv("ROS_PACKAGE_PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    if (end > 0) packages.folders.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return packages;
 }
 
 void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json) {

@@ -15,6 +15,9 @@ namespace armlet::cli {
 // The text of a file, or nothing after a message.
 std::optional<std::string> read_file(const std::string& path, bool json);
 
+// The packages of --package NAME=DIR and the folders of ROS_PACKAGE_PATH.
+PackageFolders package_folders(const std::vector<std::string>& named);
+
 // The options of a session for a program, with the robot and world asked for, or the exit status
 // after a message.
 struct Setup {

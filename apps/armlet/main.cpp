@@ -15,7 +15,22 @@ namespace {
 
 using namespace armlet::cli;
 
+// The folders of packages whose meshes a description names.
+void add_packages(CLI::App& command, std::vector<std::string>& packages) {
+  command
+      .add_option("--package", packages,
+                  "where the meshes of package://NAME/... are (also along ROS_PACKAGE_PATH)")
+      ->type_name("NAME=DIR")
+      ->expected(1)
+      ->check([](const std::string& text) {
+        const std::size_t equals = text.find('=');
+        const bool good = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+        return good ? std::string() : "expected NAME=DIR, such as ur_description=../ur";
+      });
+}
+
 void add_program_options(CLI::App& command, ProgramOptions& options) {
+  add_packages(command, options.packages);
   command
       .add_option("--robot", options.robot,
                   "the robot of programs that declare none (default: scara)")
@@ -183,6 +198,7 @@ void add_robot_options(CLI::App& command, Asked& asked) {
       ->type_name("LINK");
   command.add_flag("--published", asked.robot.published,
                    "of a .urdf file: keep inertias that no rigid body has");
+  add_packages(command, asked.robot.packages);
 }
 
 void add_mesh_options(CLI::App& command, Asked& asked) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -60,11 +61,12 @@ int refuse(const std::string& message, int exit) {
 
 // A mesh that a description names; null for a kind of file that is not read.
 Result<std::shared_ptr<const TriangleMesh>> read_mesh(const std::string& folder,
-                                                      const std::string& mesh) {
+                                                      const std::string& mesh,
+                                                      const PackageFolders& packages) {
   constexpr std::size_t kMostBytes = 128 << 20;
   std::shared_ptr<const TriangleMesh> made;
   if (mesh_format(mesh).empty()) return made;
-  const std::string path = find_mesh(folder, {}, mesh);
+  const std::string path = find_mesh(folder, {}, mesh, packages);
   const std::size_t slash = path.rfind('/');
   const Result<std::string> bytes =
       is_glb_name(path)
@@ -92,8 +94,11 @@ Found read_description(const RobotOptions& options) {
   const std::string folder = slash == std::string::npos ? "." : options.name.substr(0, slash);
   UrdfOptions urdf;
   if (options.published) urdf.inertia_check = InertiaCheck::kPublished;
-  urdf.has_mesh = [&](const std::string& mesh) { return !find_mesh(folder, {}, mesh).empty(); };
-  urdf.load_mesh = [&](const std::string& mesh) { return read_mesh(folder, mesh); };
+  const PackageFolders packages = package_folders(options.packages);
+  urdf.has_mesh = [&](const std::string& mesh) {
+    return !find_mesh(folder, {}, mesh, packages).empty();
+  };
+  urdf.load_mesh = [&](const std::string& mesh) { return read_mesh(folder, mesh, packages); };
   Result<Mechanism> read = read_urdf(*text, urdf);
   if (!read.ok()) {
     found.exit = refuse(fmt::format("{}: {}", options.name, read.error().message), kRejected);
@@ -102,6 +107,8 @@ Found read_description(const RobotOptions& options) {
   found.file.emplace(std::move(read).value());
   Result<RobotSpec> spec = serial_arm(*found.file, options.tip);
   if (spec.ok()) {
+    for (const std::string& note : spec->notes)
+      progress(fmt::format("armlet: {}: {}", options.name, note));
     found.arm = std::make_shared<const Robot>(std::move(spec).value());
   } else if (!options.urdf) {
     found.exit = refuse(fmt::format("{}: {}", options.name, spec.error().message), kRejected);
@@ -109,9 +116,26 @@ Found read_description(const RobotOptions& options) {
   return found;
 }
 
+// From the last full stop on, in small letters.
+std::string ending_of(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  std::string ending = dot == std::string::npos ? std::string() : name.substr(dot);
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
 Found find(const RobotOptions& options) {
-  if (options.name.ends_with(".urdf")) return read_description(options);
   Found found;
+  const std::string ending = ending_of(options.name);
+  if (ending == ".urdf") return read_description(options);
+  if (ending == ".xacro") {
+    found.exit =
+        refuse(fmt::format("{} is a xacro file, from which a description is made first: xacro {} > "
+                           "arm.urdf",
+                           options.name, options.name),
+               kRejected);
+    return found;
+  }
   found.hand = make_hand(options.name);
   if (!found.hand) found.arm = find_robot(options.name);
   if (!found.hand && found.arm == nullptr) found.exit = kUsage;

@@ -64,10 +64,13 @@ std::string limits_text(const Robot& robot) {
   for (int i = 0; i < robot.n(); ++i) {
     const Joint& joint = robot.joint(i);
     const bool turns = joint.is_revolute();
+    const auto limit = [&](double value) {
+      return joint.is_continuous() ? std::string("no limit") : shown(turns, value, 3);
+    };
     text += fmt::format("  {:>2} {:<6} {:>12} {:>13} {:>10} {:>10} {:>10} {:>10}\n", i + 1,
-                        joint_word(joint.kind), shown(turns, joint.lower, 3),
-                        shown(turns, joint.upper, 3), shown(turns, joint.max_speed, 1),
-                        shown(turns, joint.max_accel, 1), shown(turns, joint.max_jerk, 1),
+                        joint_word(joint.kind), limit(joint.lower), limit(joint.upper),
+                        shown(turns, joint.max_speed, 1), shown(turns, joint.max_accel, 1),
+                        shown(turns, joint.max_jerk, 1),
                         std::isfinite(joint.max_effort) ? format_number(joint.max_effort, 1) : "-");
   }
   return text;

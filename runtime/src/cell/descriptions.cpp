@@ -66,6 +66,7 @@ JointInfo joint_info(const Robot& robot, int i) {
   const DhConvention convention = robot.spec().convention;
   const Eigen::Isometry3d T_row = dh_pose(convention, robot.joint(i).dh);
   (convention == DhConvention::kStandard ? info.T_joint_link : info.T_before_joint) = T_row;
+  if (i == 0) info.T_before_joint = robot.spec().T_base_first * info.T_before_joint;
   if (!robot.spec().links.empty()) info.mesh = robot.link(i).mesh;
   return info;
 }

@@ -4,6 +4,7 @@
 #include "checks.hpp"
 #include "friction.hpp"
 #include "spatial_arm.hpp"
+#include "trees/follower_forces.hpp"
 
 namespace armlet {
 
@@ -11,6 +12,7 @@ JointVector articulated_body(const Robot& robot, JointsIn q, JointsIn qd, Joints
   check_joint_values("q", q, robot);
   check_joint_values("qd", qd, robot);
   check_joint_values("tau", tau, robot);
+  if (has_followers(robot)) return forward_dynamics(robot, q, qd, tau);
   const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   const SpatialArm arm(robot, q);
   const std::size_t n = plan.n;

@@ -4,6 +4,7 @@
 #include "checks.hpp"
 #include "friction.hpp"
 #include "spatial_arm.hpp"
+#include "trees/follower_forces.hpp"
 
 namespace armlet {
 namespace {
@@ -86,6 +87,7 @@ JointMatrix coriolis_matrix(const Robot& robot, JointsIn q, JointsIn qd) {
       C(column, row) = across.dot(moving.arm.axis[i]) + inert.dot(moving.axis_rate[i]);
     }
   }
+  if (has_followers(robot)) add_follower_coriolis(robot, q, qd, C);
   check_finite("Coriolis matrix", C);
   return C;
 }
@@ -121,6 +123,7 @@ ForceDerivatives inverse_dynamics_derivatives(const Robot& robot, JointsIn q, Jo
   for (Eigen::Index i = 0; i < qd.size(); ++i) {
     result.by_qd(i, i) += friction_slope(plan.links[i], qd[i]);
   }
+  if (has_followers(robot)) add_follower_derivatives(robot, q, qd, qdd, result.by_q, result.by_qd);
   check_finite("derivative by q", result.by_q);
   check_finite("derivative by qd", result.by_qd);
   return result;

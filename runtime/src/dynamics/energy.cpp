@@ -3,6 +3,7 @@
 #include "armlet/dynamics/forward_dynamics.hpp"
 #include "checks.hpp"
 #include "spatial_arm.hpp"
+#include "trees/follower_forces.hpp"
 
 namespace armlet {
 
@@ -25,6 +26,7 @@ double potential_energy(const Robot& robot, JointsIn q) {
     energy -=
         robot.gravity().dot(link.mass * (origin + frame.translation()) + frame.linear() * link.h);
   }
+  if (has_followers(robot)) energy += follower_potential_energy(robot, q);
   check_finite("potential energy", energy);
   return energy;
 }

@@ -5,8 +5,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "armlet/dynamics/inverse_dynamics.hpp"
 #include "checks.hpp"
 #include "friction.hpp"
+#include "trees/follower_forces.hpp"
 
 namespace armlet {
 
@@ -22,13 +24,34 @@ JointMatrix mass_matrix(const Robot& robot, JointsIn q) {
   const DynamicsInput in = input_of(robot, q.data());
   JointMatrix M(robot.n(), robot.n());
   kernel_for(kMassKernels, in.plan)(in, M.data());
+  if (has_followers(robot)) [[unlikely]]
+    add_follower_inertia(robot, q, M);
   return M;
+}
+
+// From M qdd = tau - friction - bias: the recursions know no links beside the chain.
+static JointVector accelerations_with_followers(const Robot& robot, JointsIn q, JointsIn qd,
+                                                JointsIn tau) {
+  check_joint_values("qd", qd, robot);
+  check_joint_values("tau", tau, robot);
+  const JointMatrix M = mass_matrix(robot, q);
+  const Eigen::LLT<JointMatrix> factors(M);
+  if (factors.info() != Eigen::Success) {
+    Eigen::Index least = 0;
+    M.diagonal().minCoeff(&least);
+    refuse_massless(robot, static_cast<int>(least));
+  }
+  JointVector qdd = factors.solve(tau - friction_forces(robot, qd) - bias_forces(robot, q, qd));
+  if (!all_finite(qdd.data(), qdd.size())) refuse_result(robot, qdd, "acceleration", {});
+  return qdd;
 }
 
 JointVector forward_dynamics(const Robot& robot, JointsIn q, JointsIn qd, JointsIn tau) {
   check_joint_count("q", q, robot);
   check_joint_count("qd", qd, robot);
   check_joint_count("tau", tau, robot);
+  if (has_followers(robot)) [[unlikely]]
+    return accelerations_with_followers(robot, q, qd, tau);
   const DynamicsInput in = input_of(robot, q.data(), qd.data());
   JointVector qdd = tau;
   if (in.plan.friction != FrictionKind::kNone) {

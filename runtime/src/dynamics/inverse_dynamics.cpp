@@ -3,6 +3,7 @@
 #include "chain/walk_out.hpp"
 #include "checks.hpp"
 #include "friction.hpp"
+#include "trees/follower_forces.hpp"
 
 namespace armlet {
 
@@ -14,6 +15,10 @@ JointVector inverse_dynamics(const Robot& robot, JointsIn q, JointsIn qd, Joints
   JointVector tau(robot.n());
   kernel_for(kInverseKernels, in.plan)(in, tau.data());
   add_friction(in.plan, qd.data(), tau.data());
+  if (has_followers(robot)) [[unlikely]] {
+    add_follower_forces(robot, q, qd, qdd, true, tau);
+    add_follower_friction(robot, qd, tau);
+  }
   if (!all_finite(tau.data(), tau.size())) [[unlikely]] {
     refuse_result(robot, tau, "force", {{"q", q}, {"qd", qd}, {"qdd", qdd}});
   }
@@ -34,6 +39,8 @@ JointVector bias_forces(const Robot& robot, JointsIn q, JointsIn qd) {
   const DynamicsInput in = input_of(robot, q.data(), qd.data());
   JointVector tau(robot.n());
   kernel_for(kBiasKernels, in.plan)(in, tau.data());
+  if (has_followers(robot)) [[unlikely]]
+    add_follower_forces(robot, q, qd, {}, true, tau);
   if (!all_finite(tau.data(), tau.size())) [[unlikely]] {
     refuse_result(robot, tau, "force", {{"q", q}, {"qd", qd}});
   }
@@ -45,6 +52,8 @@ JointVector gravity_forces(const Robot& robot, JointsIn q) {
   const DynamicsInput in = input_of(robot, q.data());
   JointVector tau(robot.n());
   kernel_for(kGravityKernels, in.plan)(in, tau.data());
+  if (has_followers(robot)) [[unlikely]]
+    add_follower_forces(robot, q, {}, {}, true, tau);
   if (!all_finite(tau.data(), tau.size())) [[unlikely]] {
     refuse_result(robot, tau, "force", {{"q", q}});
   }
@@ -59,6 +68,8 @@ JointVector coriolis_forces(const Robot& robot, JointsIn q, JointsIn qd) {
   JointVector tau(robot.n());
   kernel_for(kBiasKernels, plan)(
       {robot.walk_plan(), plan, q.data(), qd.data(), nullptr, kWeightless}, tau.data());
+  if (has_followers(robot)) [[unlikely]]
+    add_follower_forces(robot, q, qd, {}, false, tau);
   if (!all_finite(tau.data(), tau.size())) [[unlikely]] {
     refuse_result(robot, tau, "force", {{"q", q}, {"qd", qd}});
   }
@@ -69,6 +80,7 @@ JointVector friction_forces(const Robot& robot, JointsIn qd) {
   check_joint_values("qd", qd, robot);
   JointVector tau = JointVector::Zero(robot.n());
   add_friction(robot.derived<RobotDynamics>().plan, qd.data(), tau.data());
+  if (has_followers(robot)) add_follower_friction(robot, qd, tau);
   if (!all_finite(tau.data(), tau.size())) refuse_result(robot, tau, "friction", {});
   return tau;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/core/error.hpp"
+
 namespace armlet {
 namespace {
 
@@ -125,6 +127,7 @@ Moments moments_of_link(const Robot& robot, int i) {
 }
 
 RobotDynamics::RobotDynamics(const Robot& robot) {
+  if (!robot.spec().no_dynamics.empty()) throw ArgumentError(robot.spec().no_dynamics);
   const WalkPlan& walk = robot.walk_plan();
   const std::size_t n = static_cast<std::size_t>(robot.n());
   plan.n = n;

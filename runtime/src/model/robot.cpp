@@ -28,7 +28,7 @@ Chain make_chain(const RobotSpec& spec) {
   Chain chain;
   chain.n = static_cast<int>(spec.joints.size());
   chain.standard = spec.convention == DhConvention::kStandard;
-  chain.T_world_base = spec.T_world_base;
+  chain.T_world_base = spec.T_world_base * spec.T_base_first;
   chain.T_flange_tool = spec.T_flange_tool;
   for (std::size_t i = 0; i < spec.joints.size(); ++i) {
     const Joint& joint = spec.joints[i];
@@ -92,6 +92,7 @@ Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
   if (spec_.links.empty()) spec_.links.resize(spec_.joints.size());
   check_links(spec_);
   check_pose(spec_.name + ".base", spec_.T_world_base);
+  check_pose(spec_.name + ".first joint", spec_.T_base_first);
   check_pose(spec_.name + ".tool", spec_.T_flange_tool);
   check_finite(spec_.name + ".gravity", spec_.gravity);
   check_payload(spec_);

@@ -10,6 +10,8 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "body_inertia.hpp"
+#include "descriptions/arm_tip.hpp"
+#include "descriptions/followers.hpp"
 
 namespace armlet {
 namespace {
@@ -75,94 +77,17 @@ struct Walk {
   const Mechanism* mechanism;
   std::vector<int> path;  // bodies from the base to the tip
   Isometry3d T_last_tip = Isometry3d::Identity();
+  std::string note;
 };
 
 bool moves(const Mechanism& m, int body) { return m.joint_of(body) >= 0; }
 
-std::vector<int> children(const Mechanism& m, int body) {
-  std::vector<int> found;
-  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
-    if (m.bodies()[i].parent == body) found.push_back(static_cast<int>(i));
-  }
-  return found;
-}
-
-// Whether a joint turns or slides in each body or below it.
-std::vector<bool> moving_below(const Mechanism& m) {
-  std::vector<bool> below(m.bodies().size(), false);
-  for (std::size_t i = m.bodies().size(); i-- > 0;) {
-    if (moves(m, static_cast<int>(i))) below[i] = true;
-    const int parent = m.bodies()[i].parent;
-    if (below[i] && parent >= 0) below[static_cast<std::size_t>(parent)] = true;
-  }
-  return below;
-}
-
-Error no_chain(const Mechanism& m, const std::string& reason) {
-  std::string leaves;
-  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
-    if (!children(m, static_cast<int>(i)).empty()) continue;
-    leaves += (leaves.empty() ? "" : ", ") + m.bodies()[i].name;
-  }
-  return {"no_chain",
-          fmt::format("{}; name the link at the end of the arm: one of {}", reason, leaves)};
-}
-
-// The end of the only chain of joints.
-Result<int> default_tip(const Mechanism& m) {
-  constexpr std::string_view kTools[] = {"tool0", "tcp", "tool", "ee", "flange"};
-  const std::vector<bool> below = moving_below(m);
-  int at = -1;
-  bool any = false;
-  for (;;) {
-    const std::vector<int> all = children(m, at);
-    std::vector<int> moving;
-    for (const int child : all) {
-      if (below[static_cast<std::size_t>(child)]) moving.push_back(child);
-    }
-    if (moving.size() > 1) {
-      if (any) return at;
-      return no_chain(m, fmt::format("`{}` has several arms", m.name()));
-    }
-    int next = -1;
-    if (moving.size() == 1) {
-      next = moving[0];
-    } else if (all.size() == 1) {
-      next = all[0];
-    } else {
-      for (const std::string_view name : kTools) {
-        for (const int child : all) {
-          if (next < 0 && m.bodies()[static_cast<std::size_t>(child)].name == name) next = child;
-        }
-      }
-    }
-    if (next < 0) break;
-    at = next;
-    any = any || moves(m, at);
-  }
-  if (!any) return no_chain(m, fmt::format("`{}` has no joint that turns or slides", m.name()));
-  return at;
-}
-
 Result<Walk> walk_to(const Mechanism& m, std::string_view tip) {
-  Walk walk{&m, {}, Isometry3d::Identity()};
-  int end = -2;
-  if (tip.empty()) {
-    Result<int> found = default_tip(m);
-    if (!found.ok()) return found.error();
-    end = *found;
-  } else {
-    for (std::size_t i = 0; i < m.bodies().size(); ++i) {
-      if (m.bodies()[i].name == tip) end = static_cast<int>(i);
-    }
-    for (const Tip& named : m.tips()) {
-      if (end != -2 || named.name != tip) continue;
-      end = named.body;
-      walk.T_last_tip = named.T_body_tip;
-    }
-    if (end == -2) return no_chain(m, fmt::format("`{}` has no link `{}`", m.name(), tip));
-  }
-  for (; end >= 0; end = m.bodies()[static_cast<std::size_t>(end)].parent) walk.path.push_back(end);
+  const Result<ArmTip> end = find_arm_tip(m, tip);
+  if (!end.ok()) return end.error();
+  Walk walk{&m, {}, end->T_body_tip, end->note};
+  for (int at = end->body; at >= 0; at = m.bodies()[static_cast<std::size_t>(at)].parent)
+    walk.path.push_back(at);
   std::ranges::reverse(walk.path);
   return walk;
 }
@@ -245,9 +170,14 @@ Legs legs_of(const Walk& walk) {
   return legs;
 }
 
-Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs) {
+// The joints of the arm, and the actuator of each.
+Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs,
+                              std::vector<Eigen::Index>* motors) {
   if (legs.chain.empty()) {
-    return no_chain(m, fmt::format("`{}` has no joint on the way to this link", m.name()));
+    return Error{"no_chain",
+                 fmt::format("`{}` has no joint between its base `{}` and this link; name the link "
+                             "at the end of the arm",
+                             m.name(), m.spec().base_name)};
   }
   if (legs.chain.size() > static_cast<std::size_t>(kMaxJoints)) {
     return Error{"too_many_joints",
@@ -255,7 +185,7 @@ Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs) {
                              legs.chain.size(), kMaxJoints)};
   }
   RobotSpec spec;
-  std::vector<Eigen::Index> used;
+  std::vector<Eigen::Index>& used = *motors;
   for (const int i : legs.chain) {
     const Body& body = m.bodies()[static_cast<std::size_t>(i)];
     const auto actuator = own_actuator(m, m.joint_of(i));
@@ -273,20 +203,34 @@ Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs) {
   return spec;
 }
 
+// What follows from an inertia that no body has.
+void note_inertia(const Mechanism& m, const Body& body, bool is_moved, RobotSpec& spec) {
+  if (body.inertia_fault.empty()) return;
+  spec.notes.push_back(fmt::format("link `{}` {}; {}", body.name, body.inertia_fault,
+                                   is_moved ? "forces are refused, its mass is left out"
+                                            : "no joint moves it, so it is left out"));
+  if (is_moved && spec.no_dynamics.empty())
+    spec.no_dynamics = fmt::format("The forces of robot `{}` cannot be computed: link `{}` {}.",
+                                   m.name(), body.name, body.inertia_fault);
+}
+
 }  // namespace
 
 Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
   const Result<Walk> walk = walk_to(m, tip);
   if (!walk.ok()) return walk.error();
   const Legs legs = legs_of(*walk);
-  Result<RobotSpec> result = check_chain(m, legs);
+  std::vector<Eigen::Index> motors;
+  Result<RobotSpec> result = check_chain(m, legs, &motors);
   if (!result.ok()) return result;
   RobotSpec spec = std::move(result).value();
   spec.name = m.name();
   spec.source = m.source();
   spec.convention = DhConvention::kModified;
   spec.inertia_check = m.spec().inertia_check;
-  spec.T_world_base = legs.T_before_axis[0];
+  spec.T_base_first = legs.T_before_axis[0];
+  spec.notes = m.spec().notes;
+  if (!walk->note.empty()) spec.notes.push_back(walk->note);
 
   // The rest of each normal commutes with the joint and goes into the next leg.
   const std::size_t n = spec.joints.size();
@@ -313,22 +257,28 @@ Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
     link.names = {name};
     return link;
   };
-  const Isometry3d T_base_world = spec.T_world_base.inverse();
-  add_body(spec.base, named(moved(m.spec().base, T_base_world), m.spec().base_name));
+  const Followers followers = followers_of(m, legs.chain, motors);
+  spec.followers = followers.mechanism;
+  add_body(spec.base, named(m.spec().base, m.spec().base_name));
   spec.links.resize(n);
   for (std::size_t i = 0; i < m.bodies().size(); ++i) {
-    const Link& link = m.bodies()[i].link;
-    const std::string& name = m.bodies()[i].name;
+    const Body& body = m.bodies()[i];
+    const bool follows = followers.follows[i];
+    note_inertia(m, body, follows || carried.row[i] >= 0, spec);
+    if (follows && (!body.link.bodies.empty() || !body.link.solids.empty()))
+      spec.notes.push_back(fmt::format(
+          "the shape of link `{}` is where its joint is while the arm is at zero", body.name));
+    const Link link = named(follows ? without_mass(body.link) : body.link, body.name);
     if (carried.row[i] < 0) {
-      add_body(spec.base, named(moved(link, T_base_world * carried.T_row_body[i]), name));
+      add_body(spec.base, moved(link, carried.T_row_body[i]));
       continue;
     }
     const std::size_t k = static_cast<std::size_t>(carried.row[i]);
     const Body& carrier = m.bodies()[static_cast<std::size_t>(legs.chain[k])];
     const Isometry3d T_row_carrier =
         T_row_axis[k] * make_pose(R_with_z(carrier.axis), Vector3d::Zero()).inverse();
-    add_body(spec.links[k], named(moved(link, T_row_carrier * carried.T_row_body[i]), name));
-    if (static_cast<int>(i) == legs.chain[k]) copy_motor(spec.links[k], link);
+    add_body(spec.links[k], moved(link, T_row_carrier * carried.T_row_body[i]));
+    if (static_cast<int>(i) == legs.chain[k]) copy_motor(spec.links[k], body.link);
   }
   return spec;
 }
@@ -350,7 +300,8 @@ MechanismSpec mechanism_of(const Robot& robot) {
     const Joint& joint = robot.joint(i);
     const Isometry3d Z = screw_z(joint.dh.theta, joint.dh.d);
     const Isometry3d X = dh_pose(DhConvention::kStandard, {0.0, 0.0, joint.dh.a, joint.dh.alpha});
-    const Isometry3d T_parent_joint = standard ? T_link_next : T_link_next * X;
+    Isometry3d T_parent_joint = standard ? T_link_next : T_link_next * X;
+    if (i == 0) T_parent_joint = robot.spec().T_base_first * T_parent_joint;
     T_link_next = standard ? Z * X : Z;
     const std::string number = std::to_string(i + 1);
     spec.bodies.push_back(

@@ -1,7 +1,5 @@
-// The only door to urdfdom. Its library is loaded when the first robot description is read: it
-// brings four more shared libraries, which no other program should wait for.
+// Robot descriptions as urdfdom parses them.
 
-#include <console_bridge/console.h>
 #include <fmt/format.h>
 #include <urdf_model/model.h>
 
@@ -9,18 +7,19 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <type_traits>
+#include <set>
 #include <utility>
 #include <vector>
 
-#include "armlet/core/platform.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/model/serial_arm.hpp"
+#include "descriptions/followers.hpp"
+#include "descriptions/urdf_faults.hpp"
+#include "descriptions/urdf_library.hpp"
+#include "descriptions/xml_guard.hpp"
 #include "math/snapped_rotation.hpp"
-#include "urdf_faults.hpp"
-#include "xml_guard.hpp"
+#include "validate.hpp"
 
 namespace armlet {
 namespace {
@@ -28,73 +27,6 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-// Keeps what urdfdom would print.
-class Capture : public console_bridge::OutputHandler {
- public:
-  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || text.empty()) return;
-    if (first_.empty()) first_ = text;
-  }
-  const std::string& first() const { return first_; }
-
- private:
-  std::string first_;
-};
-
-// urdf::parseURDF, and where console_bridge sends what it reports.
-struct Library {
-  std::shared_ptr<urdf::ModelInterface> (*parse)(const std::string&) = nullptr;
-  void (*use_handler)(console_bridge::OutputHandler*) = nullptr;
-  void (*restore_handler)() = nullptr;
-  std::string missing;
-};
-
-const Library& library() {
-  static const Library loaded = [] {
-    Library found;
-    const LoadedLibrary urdfdom(ARMLET_URDFDOM_LIBRARY);
-    const auto find = [&](auto& function, const char* symbol) {
-      using Function = std::remove_reference_t<decltype(function)>;
-      function = reinterpret_cast<Function>(urdfdom.find(symbol));
-      if (function == nullptr) found.missing = ARMLET_URDFDOM_LIBRARY;
-    };
-    find(found.parse, "_ZN4urdf9parseURDFERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE");
-    find(found.use_handler, "_ZN14console_bridge16useOutputHandlerEPNS_13OutputHandlerE");
-    find(found.restore_handler, "_ZN14console_bridge28restorePreviousOutputHandlerEv");
-    return found;
-  }();
-  return loaded;
-}
-
-struct Parsed {
-  std::shared_ptr<urdf::ModelInterface> model;
-  std::string reason;
-};
-
-// The handler of console_bridge belongs to the process: one text at a time.
-Parsed parse(const std::string& text) {
-  static std::mutex one_at_a_time;
-  const std::lock_guard lock(one_at_a_time);
-  Parsed parsed;
-  if (!library().missing.empty()) {
-    parsed.reason = fmt::format(
-        "robot descriptions are read by the library {}, which is not installed (Debian: "
-        "liburdfdom-model3.0)",
-        library().missing);
-    return parsed;
-  }
-  Capture capture;
-  library().use_handler(&capture);
-  try {
-    parsed.model = library().parse(text);
-  } catch (const std::exception& error) {
-    parsed.reason = error.what();
-  }
-  library().restore_handler();
-  if (!capture.first().empty()) parsed.reason = capture.first();
-  return parsed;
-}
 
 Error broken(const std::string& what) { return {"urdf", what}; }
 
@@ -200,27 +132,52 @@ class Reader {
     const auto root = model_.getRoot();
     if (root == nullptr) return broken("there is no link that all others hang on");
     spec_.base_name = root->name;
-    if (auto error = check_meshes(*root)) return *error;
-    spec_.base = link_of(*root);
-    if (const auto meshes = meshes_of(*root); !meshes.empty()) spec_.base.mesh = meshes.front();
-    if (auto error = load_bodies(*root, spec_.base)) return *error;
+    note_meshes(*root);
+    Body base{.link = link_of(*root)};
+    check_inertia(base);
+    if (const auto meshes = meshes_of(*root); !meshes.empty() && !is_missing(meshes.front()))
+      base.link.mesh = meshes.front();
+    load_bodies(*root, base.link);
+    spec_.base = std::move(base.link);
     if (auto error = add_children(*root)) return *error;
     if (auto error = couple()) return *error;
     return std::move(spec_);
   }
 
  private:
-  std::optional<Error> check_meshes(const urdf::Link& link) const {
-    if (!options_.has_mesh) return std::nullopt;
+  bool is_missing(const std::string& mesh) const {
+    return options_.has_mesh && !options_.has_mesh(mesh);
+  }
+
+  // Nothing but pictures and collisions needs a shape.
+  void note_meshes(const urdf::Link& link) {
     for (const std::string& mesh : meshes_of(link)) {
-      if (options_.has_mesh(mesh)) continue;
-      return broken(fmt::format("the mesh \"{}\" of link `{}` is not there", mesh, link.name));
+      const auto [at, is_new] = looked_for_.insert(mesh);
+      if (!is_new || !is_missing(mesh)) continue;
+      spec_.notes.push_back(
+          fmt::format("the mesh \"{}\" of link `{}` is not there; the link has no shape of its own "
+                      "(--package NAME=DIR and ROS_PACKAGE_PATH say where packages are)",
+                      mesh, link.name));
     }
-    return std::nullopt;
+  }
+
+  // Mass, centre and inertia are left out if no body has them: only forces need them.
+  void check_inertia(Body& body) const {
+    Link inertial;
+    inertial.mass = body.link.mass;
+    inertial.com = body.link.com;
+    inertial.inertia = body.link.inertia;
+    body.inertia_fault = link_fault(inertial, options_.inertia_check);
+    if (body.inertia_fault.empty()) return;
+    if (options_.inertia_check == InertiaCheck::kRigidBody &&
+        link_fault(inertial, InertiaCheck::kPublished).empty())
+      body.inertia_fault +=
+          " (inertias: \"published\" in a program, --published in the command, keep it)";
+    body.link = without_mass(body.link);
   }
 
   // Boxes, cylinders and spheres among what is compared with other bodies, and meshes.
-  std::optional<Error> load_bodies(const urdf::Link& link, Link& body) const {
+  void load_bodies(const urdf::Link& link, Link& body) {
     // Pictures show the shapes for collisions where those for pictures are meshes, or none.
     const bool is_apart =
         !link.collision_array.empty() && !link.visual_array.empty() && meshes_of(link).empty();
@@ -240,12 +197,17 @@ class Reader {
     for (const auto& each : link.visual_array) {
       if (is_apart || link.collision_array.empty()) add(*each, LinkSolidUse::kPicture);
     }
-    if (!options_.load_mesh) return std::nullopt;
+    if (!options_.load_mesh) return;
+    const auto unused = [&](const std::string& file, std::string_view why) {
+      spec_.notes.push_back(
+          fmt::format("the mesh \"{}\" of link `{}` cannot be used: {}", file, link.name, why));
+    };
     for (const PlacedMesh& each : collision_meshes_of(link)) {
+      if (is_missing(each.file)) continue;
       auto mesh = options_.load_mesh(each.file);
       if (!mesh.ok()) {
-        return broken(fmt::format("the mesh \"{}\" of link `{}` cannot be used: {}", each.file,
-                                  link.name, mesh.error().message));
+        unused(each.file, mesh.error().message);
+        continue;
       }
       if (*mesh == nullptr) continue;
       try {
@@ -255,11 +217,9 @@ class Reader {
                  : std::make_shared<const TriangleMesh>((*mesh)->scaled(each.scale)),
              each.T_link_mesh});
       } catch (const ArgumentError& error) {
-        return broken(fmt::format("the mesh \"{}\" of link `{}` cannot be used: {}", each.file,
-                                  link.name, error.what()));
+        unused(each.file, error.what());
       }
     }
-    return std::nullopt;
   }
 
   // From the root outwards without recursion: chains may be long.
@@ -280,7 +240,7 @@ class Reader {
   }
 
   std::optional<Error> add_body(const urdf::Joint& joint, const urdf::Link& child, int parent) {
-    if (auto error = check_meshes(child)) return error;
+    note_meshes(child);
     Body body{.name = child.name,
               .joint_name = joint.name,
               .parent = parent,
@@ -288,8 +248,9 @@ class Reader {
               .axis = Vector3d(joint.axis.x, joint.axis.y, joint.axis.z),
               .link = link_of(child)};
     const std::vector<std::string> meshes = meshes_of(child);
-    if (!meshes.empty()) body.link.mesh = meshes.front();
-    if (auto error = load_bodies(child, body.link)) return error;
+    if (!meshes.empty() && !is_missing(meshes.front())) body.link.mesh = meshes.front();
+    check_inertia(body);
+    load_bodies(child, body.link);
     switch (joint.type) {
       case urdf::Joint::FIXED:
         break;
@@ -318,11 +279,10 @@ class Reader {
   }
 
   static Actuator actuator_of(const urdf::Joint& joint) {
-    constexpr double kRevolution = 6.283185307179586;
     Actuator actuator{.name = joint.name};
     if (joint.type == urdf::Joint::CONTINUOUS) {
-      actuator.lower = -kRevolution;
-      actuator.upper = kRevolution;
+      actuator.lower = -kNoLimit;
+      actuator.upper = kNoLimit;
     }
     if (!joint.limits) return actuator;
     if (joint.type != urdf::Joint::CONTINUOUS) {
@@ -386,6 +346,7 @@ class Reader {
   const urdf::ModelInterface& model_;
   const UrdfOptions& options_;
   MechanismSpec spec_;
+  std::set<std::string> looked_for_;        // meshes that were looked for
   std::vector<const urdf::Joint*> joints_;  // those that move, in the order of the bodies
 };
 
@@ -394,7 +355,8 @@ Result<std::shared_ptr<urdf::ModelInterface>> model_of(std::string_view text) {
   if (const std::string fault = xml_fault(text); !fault.empty()) return broken(fault);
   // urdfdom would hold on to links in a circle for ever.
   if (const std::string fault = structure_fault(text); !fault.empty()) return broken(fault);
-  Parsed parsed = parse(std::string(text));
+  if (const std::string fault = xacro_fault(text); !fault.empty()) return broken(fault);
+  ParsedUrdf parsed = parse_urdf(std::string(text));
   // urdfdom reports some faults and goes on without what it could not read.
   if (parsed.model == nullptr || !parsed.reason.empty()) {
     if (const std::string fault = number_fault(text); !fault.empty()) return broken(fault);

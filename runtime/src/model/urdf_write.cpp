@@ -105,6 +105,10 @@ std::string limit_text(const Mechanism& m, const Drive& drive) {
   const Actuator& a = m.actuators()[static_cast<std::size_t>(drive.actuator)];
   const double one = drive.ratio * a.lower + drive.shift,
                other = drive.ratio * a.upper + drive.shift;
+  if (is_no_limit(a.lower, a.upper))
+    return fmt::format("    <limit effort=\"{}\" velocity=\"{}\"/>\n",
+                       number(a.max_effort / std::abs(drive.ratio)),
+                       number(a.max_speed * std::abs(drive.ratio)));
   return fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>\n",
                      number(std::min(one, other)), number(std::max(one, other)),
                      number(a.max_effort / std::abs(drive.ratio)),
@@ -140,10 +144,36 @@ std::string mimic_text(const Mechanism& m, const Leaders& leaders, int joint) {
                      number(drive.shift - ratio * lead.shift));
 }
 
+bool is_continuous(const Mechanism& m, int joint, const Body& body) {
+  const Drive drive = drive_of(m, joint);
+  if (drive.actuator < 0 || body.joint != BodyJoint::kRevolute) return false;
+  const Actuator& a = m.actuators()[static_cast<std::size_t>(drive.actuator)];
+  return is_no_limit(a.lower, a.upper);
+}
+
+// What a description cannot say of a motor and of friction.
+std::string lost_text(const Link& link) {
+  std::vector<std::string> lost;
+  const double gear = std::abs(link.gear);
+  if (link.motor_inertia != 0.0)
+    lost.push_back(fmt::format("the rotor's inertia, {} kg m^2 at the joint",
+                               number(gear * gear * link.motor_inertia)));
+  const Friction& f = link.friction;
+  if (f.coulomb_plus != -f.coulomb_minus)
+    lost.push_back(
+        fmt::format("friction of {} and {} N m in the two directions: their mean stands here",
+                    number(gear * f.coulomb_plus), number(gear * f.coulomb_minus)));
+  if (f.stribeck_speed != 0.0)
+    lost.push_back(fmt::format("static friction of {} N m", number(gear * f.static_torque)));
+  if (lost.empty()) return {};
+  return fmt::format("    <!-- not in a URDF: {} -->\n", fmt::join(lost, "; "));
+}
+
 std::string joint_text(const Mechanism& m, const Leaders& leaders, std::size_t i) {
   const Body& body = m.bodies()[i];
   const int joint = m.joint_of(static_cast<int>(i));
   const char* type = body.joint == BodyJoint::kFixed      ? "fixed"
+                     : is_continuous(m, joint, body)      ? "continuous"
                      : body.joint == BodyJoint::kRevolute ? "revolute"
                                                           : "prismatic";
   const std::string& parent =
@@ -158,6 +188,7 @@ std::string joint_text(const Mechanism& m, const Leaders& leaders, std::size_t i
     const double gear = std::abs(body.link.gear);
     text += fmt::format("    <axis xyz=\"{}\"/>\n", three(body.axis));
     text += limit_text(m, drive_of(m, joint));
+    text += lost_text(body.link);
     const double damping = gear * gear * f.viscous,
                  dry = gear * 0.5 * (f.coulomb_plus - f.coulomb_minus);
     if (damping != 0.0 || dry != 0.0) {
@@ -192,8 +223,27 @@ std::string write_urdf(const Mechanism& m) {
   return text + "</robot>\n";
 }
 
+// A file of a package that is not around the URDF.
+static std::string in_packages(const PackageFolders& packages, const std::string& package,
+                               const std::string& file) {
+  namespace fs = std::filesystem;
+  const auto if_file = [](const fs::path& path) {
+    const std::string real = real_path(path.string());
+    return is_file(real) ? real : std::string();
+  };
+  if (const auto named = packages.named.find(package); named != packages.named.end())
+    return if_file(fs::path(named->second) / file);
+  for (const std::string& each : packages.folders) {
+    const fs::path folder = real_path(each);
+    if (std::string found = if_file(folder / package / file); !found.empty()) return found;
+    if (folder.filename() != package) continue;
+    if (std::string found = if_file(folder / file); !found.empty()) return found;
+  }
+  return {};
+}
+
 std::string find_mesh(const std::string& urdf_folder, const std::string& top,
-                      const std::string& name) {
+                      const std::string& name, const PackageFolders& packages) {
   namespace fs = std::filesystem;
   const fs::path limit = top.empty() ? fs::path() : fs::path(real_path(top));
   const auto exists = [&](const fs::path& path) -> std::string {
@@ -211,6 +261,9 @@ std::string find_mesh(const std::string& urdf_folder, const std::string& top,
   const std::string inside = name.substr(kPackage.size());
   const std::size_t slash = inside.find('/');
   if (slash == std::string::npos) return {};
+  if (std::string found = in_packages(packages, inside.substr(0, slash), inside.substr(slash + 1));
+      !found.empty())
+    return found;
   for (fs::path at = folder;; at = at.parent_path()) {
     if (std::string found = exists(at / inside); !found.empty()) return found;
     if (at.filename() == inside.substr(0, slash)) {

@@ -57,8 +57,11 @@ class Lengths {
         high = std::max(high, goal[i]);
       }
       const Joint& joint = robot.joint(i);
-      lower_[i] = std::isfinite(joint.lower) ? std::min(low, joint.lower) : low - kFreeRange;
-      upper_[i] = std::isfinite(joint.upper) ? std::max(high, joint.upper) : high + kFreeRange;
+      const bool has_limits = !joint.is_continuous();
+      lower_[i] =
+          has_limits && std::isfinite(joint.lower) ? std::min(low, joint.lower) : low - kFreeRange;
+      upper_[i] = has_limits && std::isfinite(joint.upper) ? std::max(high, joint.upper)
+                                                           : high + kFreeRange;
     }
   }
 

@@ -237,6 +237,7 @@ bool is_clear(ForceSearch& search, const std::vector<double>& times) {
 }  // namespace
 
 bool has_force_limits(const Robot& robot) {
+  if (!robot.spec().no_dynamics.empty()) return false;
   for (int i = 0; i < robot.n(); ++i) {
     if (std::isfinite(robot.joint(i).max_effort)) return true;
   }

@@ -170,9 +170,6 @@ InertiaCheck inertia_check_of(std::string_view word) {
                   word));
 }
 
-constexpr const char* kKeepInertias =
-    "inertias: \"published\" keeps the numbers of a source as they are";
-
 // Meshes are files below the folder of the program.
 void check_meshes(Vm& vm, const RobotSpec& spec) {
   for (std::size_t i = 0; i < spec.links.size(); ++i) {
@@ -205,18 +202,21 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
   spec.name = name;
   spec.source = "declared in the program";
   spec.convention = convention_of(convention);
-  bool has_mass = false;
+  bool has_forces = false;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const JointRow& row = joints[i];
     spec.joints.push_back(row.joint);
     spec.links.push_back(row.link);
-    has_mass = has_mass || row.link.mass != 0.0 || row.link.motor_inertia != 0.0 ||
-               !row.link.inertia.isZero(0.0) || !row.link.mesh.empty();
+    const Friction& friction = row.link.friction;
+    has_forces = has_forces || friction.viscous != 0.0 || friction.coulomb_plus != 0.0 ||
+                 friction.coulomb_minus != 0.0 || friction.static_torque != 0.0 ||
+                 row.link.mass != 0.0 || row.link.motor_inertia != 0.0 ||
+                 !row.link.inertia.isZero(0.0) || !row.link.mesh.empty();
   }
   spec.inertia_check = inertia_check_of(inertias);
   check_meshes(vm, spec);
   if (!load_meshes(vm, spec)) return Failed{};
-  if (!has_mass) spec.links.clear();
+  if (!has_forces) spec.links.clear();
   if (!read_vector3(vm, gravity, kGravity, "gravity", spec.gravity)) return Failed{};
   if (home != nullptr) spec.home = home->vector();
   Robot robot = finished(Robot(std::move(spec)), base, tool);
@@ -224,6 +224,16 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
   return add_robot(vm, with_own_pairs(std::move(robot), allow, watch));
 } catch (const ArgumentError& error) {
   return failure_of(vm, row("R0630"), error);
+}
+
+// W0747: what was assumed where a description leaves something open.
+void advise_notes(Vm& vm, const std::string& path, const RobotSpec& spec) {
+  for (const std::string& note : spec.notes) {
+    Failure advice;
+    advice.headline = {row("W0747"), {path, note}};
+    advice.mark_parameter = kMarkCallee;
+    vm.advise(advice);
+  }
 }
 
 // A robot from a file in the folder of the program.
@@ -242,13 +252,8 @@ Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::s
   options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
   options.load_mesh = [&](const std::string& mesh) { return load_link_mesh(vm, path, mesh); };
   Result<RobotSpec> spec = serial_arm_of_urdf(*text, options, tip.value_or(""));
-  if (!spec.ok()) {
-    UrdfOptions published = options;
-    published.inertia_check = InertiaCheck::kPublished;
-    const bool inertia_only = !read_urdf(*text, options).ok() && read_urdf(*text, published).ok();
-    return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), kPath,
-                      inertia_only ? kKeepInertias : "");
-  }
+  if (!spec.ok()) return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), kPath);
+  advise_notes(vm, path, *spec);
   Robot robot = finished(Robot(std::move(spec).value()), base, tool, name);
   return add_robot(vm, with_own_pairs(std::move(robot), allow, watch));
 } catch (const ArgumentError& error) {

@@ -5,6 +5,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/kinematics/manipulability.hpp"
+#include "armlet/math/angles.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
@@ -139,7 +140,8 @@ PosJ random_joints(Vm& vm, const RobotRef& r) {
   const Robot& robot = model_of(vm, r);
   Eigen::VectorXd q(robot.n());
   for (int i = 0; i < robot.n(); ++i)
-    q[i] = vm.random().uniform(robot.lower()[i], robot.upper()[i]);
+    q[i] = robot.joint(i).is_continuous() ? vm.random().uniform(-kPi, kPi)
+                                          : vm.random().uniform(robot.lower()[i], robot.upper()[i]);
   return make_posj(robot, q);
 }
 

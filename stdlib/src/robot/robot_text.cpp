@@ -153,11 +153,15 @@ std::string identifier(const std::string& name) {
 std::string robot_block(const Robot& robot) {
   const RobotSpec& spec = robot.spec();
   std::string text = fmt::format("// {}\nrobot {} {{\n", robot.source(), identifier(robot.name()));
+  if (spec.followers != nullptr)
+    text += "    // masses of links whose joints copy joints of the arm are not in this block\n";
   for (int i = 0; i < robot.n(); ++i) text += joint_text(robot.joint(i), robot.link(i));
   if (spec.convention == DhConvention::kModified) text += "    convention: \"modified\"\n";
   if (spec.inertia_check == InertiaCheck::kPublished) text += "    inertias: \"published\"\n";
-  if (!spec.T_world_base.isApprox(Eigen::Isometry3d::Identity(), 0.0)) {
-    text += fmt::format("    base: {}\n", pose_text(spec.T_world_base));
+  // A block has no frame between the base and its first row.
+  const Eigen::Isometry3d& T_world_first = robot.chain().T_world_base;
+  if (!T_world_first.isApprox(Eigen::Isometry3d::Identity(), 0.0)) {
+    text += fmt::format("    base: {}\n", pose_text(T_world_first));
   }
   if (spec.gravity != Eigen::Vector3d(0.0, 0.0, -9.81)) {
     text += fmt::format("    gravity: {}\n", vector_text(spec.gravity, "m/s^2"));
@@ -191,8 +195,8 @@ Line line_of(const Robot& robot, int i) {
           millimetres(joint.dh.d),
           millimetres(joint.dh.a),
           degrees(joint.dh.alpha),
-          value(joint.lower),
-          value(joint.upper)};
+          joint.is_continuous() ? "no limit" : value(joint.lower),
+          joint.is_continuous() ? "no limit" : value(joint.upper)};
 }
 
 }  // namespace

@@ -24,6 +24,20 @@ Error refusal(const Error& error, std::string_view does) {
   return refuse(fmt::format("programs {} files only below their own folder", does));
 }
 
+// A mesh of a package that the host granted, which need not be below the program's folder.
+Result<std::string> read_package_mesh(const HostOptions& options, const std::string& path,
+                                      double unit) {
+  const std::string folder = fs::path(path).parent_path().string();
+  const std::string name = fs::path(path).filename().string();
+  if (!is_glb_name(name) && options.convert_mesh && !mesh_format(name).empty())
+    return options.convert_mesh(folder, name, unit, options.is_cancelled);
+  if (!is_glb_name(name))
+    return Error{"converter", "this host reads GLB alone; make one of it with armlet mesh convert"};
+  const Result<Folder> opened = Folder::open(folder);
+  if (!opened.ok()) return refuse("the folder of the package cannot be opened");
+  return opened->read(name, kMostGlbBytes);
+}
+
 }  // namespace
 
 Result<fs::path> Host::write(const FileKind& kind, const std::string& name,
@@ -76,7 +90,7 @@ std::string Host::mesh_path(const std::string& file, const std::string& mesh) co
   if (folder_of_files().empty()) return {};
   const fs::path folder = (folder_of_files() / file).parent_path();
   const fs::path from = file.empty() ? folder_of_files() : folder;
-  return find_mesh(from.string(), folder_of_files().string(), mesh);
+  return find_mesh(from.string(), folder_of_files().string(), mesh, options_.packages);
 }
 
 bool Host::finds_mesh(const std::string& file, const std::string& mesh) const {
@@ -125,6 +139,8 @@ Result<std::string> Host::load_mesh(const std::string& file, const std::string& 
   const auto read_it = [&]() -> Result<std::string> {
     const std::string path = mesh_path(file, mesh);
     if (path.empty()) return refuse("there is no such file");
+    const fs::path below = fs::path(path).lexically_relative(real_path(folder_of_files().string()));
+    if (below.empty() || *below.begin() == "..") return read_package_mesh(options_, path, unit);
     return read_mesh(path, unit);
   };
   if (options_.journal == nullptr) return read_it();

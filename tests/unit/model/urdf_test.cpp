@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -9,6 +10,8 @@
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/mechanism_forward.hpp"
 #include "armlet/math/angles.hpp"
+#include "armlet/math/pose.hpp"
+#include "armlet/math/rotation.hpp"
 #include "armlet/model/catalog.hpp"
 #include "armlet/model/hands.hpp"
 #include "armlet/model/serial_arm.hpp"
@@ -77,7 +80,7 @@ TEST_CASE("a description is read with its limits, masses, friction, fixed and mi
   REQUIRE(m.actuator_count() == 3);
   CHECK(m.actuators()[0].upper == 2.5);
   CHECK(m.actuators()[0].max_effort == 40);
-  CHECK(m.actuators()[1].upper == doctest::Approx(2 * kPi));
+  CHECK(m.actuators()[1].upper == kNoLimit);
   const Body& upper = m.bodies()[static_cast<std::size_t>(m.body("upper"))];
   CHECK(upper.link.mass == 2);
   CHECK(upper.link.com.x() == 0.2);
@@ -97,13 +100,48 @@ TEST_CASE("a rounded right angle is a right angle") {
   CHECK((p - Eigen::Vector3d(0, 0, 1.0)).norm() < 1e-15);
 }
 
-TEST_CASE("an arm of two joints comes out of it, ending at the palm") {
-  const Result<RobotSpec> spec = serial_arm(*read_urdf(kArm));
+TEST_CASE("an arm whose fingers divide says where it can end, and ends at its palm by name") {
+  const Result<RobotSpec> open = serial_arm(*read_urdf(kArm));
+  REQUIRE_FALSE(open.ok());
+  CHECK(open.error().message ==
+        "`small` has several arms: they divide at the link `fore` and end at `left_finger` (3 "
+        "joints: shoulder, elbow, left), `right_finger` (3 joints: shoulder, elbow, right), `fore` "
+        "(2 joints: shoulder, elbow), where they meet; name the link at the end of the arm, tip: "
+        "\"left_finger\" in a program, --tip left_finger in the command");
+  const Result<RobotSpec> spec = serial_arm(*read_urdf(kArm), "fore");
   REQUIRE(spec.ok());
   const Robot robot(*spec);
   CHECK(robot.n() == 2);
   CHECK((forward(robot, Eigen::Vector2d::Zero()).translation() - Eigen::Vector3d(0.4, 0, 0.6))
             .norm() < 1e-14);
+}
+
+TEST_CASE("the base of an arm is the root link, and the origin of its first joint stays") {
+  const Robot robot(*serial_arm(*read_urdf(kArm), "fore"));
+  const Eigen::Vector2d q(0.3, -0.4);
+  const Eigen::Isometry3d T_world_root = pose_from_rpy({1, 2, 3}, {0.1, 0.2, 0.3});
+  const Robot moved = robot.with_base(T_world_root);
+  CHECK(difference(link_frame(robot, q, 0), Eigen::Isometry3d::Identity()) == 0.0);
+  CHECK(difference(link_frame(moved, q, 0), T_world_root) == 0.0);
+  CHECK(difference(forward(moved, q), T_world_root * forward(robot, q)) < 1e-14);
+  CHECK(robot.joint(1).is_continuous());
+  CHECK_FALSE(robot.joint(0).is_continuous());
+}
+
+TEST_CASE("a description that is written says what it loses, and keeps joints without limits") {
+  MechanismSpec spec = read_urdf(kArm)->spec();
+  Link& upper = spec.bodies[1].link;
+  REQUIRE(spec.bodies[1].name == "upper");
+  CHECK(write_urdf(Mechanism(spec)).find("not in a URDF") == std::string::npos);
+  upper.motor_inertia = 0.002;
+  upper.gear = 10.0;
+  upper.friction.coulomb_minus = 0.0;
+  const std::string text = write_urdf(Mechanism(spec));
+  CHECK(text.find("the rotor's inertia, 0.2 kg m^2 at the joint") != std::string::npos);
+  CHECK(text.find("in the two directions") != std::string::npos);
+  const Result<Mechanism> again = read_urdf(text);
+  REQUIRE(again.ok());
+  CHECK(is_no_limit(again->actuators()[1].lower, again->actuators()[1].upper));
 }
 
 TEST_CASE("every arm of the catalogue comes back from its description with the same tool pose") {
@@ -201,10 +239,6 @@ TEST_CASE("a broken description is refused with the name of what is broken") {
             .starts_with("the links `b`, `a > b` hang on one another in a circle;"));
   CHECK(refusal(R"(lower="-2" upper="2.5")", R"(lower="2.5" upper="-2")") ==
         "Actuator `shoulder` of `small` has its limits swapped: 2.5 is above -2.");
-  CHECK(refusal(R"(ixx="0.01")", R"(ixx="0.1")")
-            .find("Link `upper` of `small` has principal moments") == 0);
-  CHECK(refusal(R"(<mass value="2"/>)", R"(<mass value="-2"/>)") ==
-        "Link `upper` of `small` has mass = -2; it must be zero or more.");
   CHECK(refusal(R"(axis xyz="0 0 2")", R"(axis xyz="0 0 0")").find("Link `fore`") == 0);
   CHECK(refusal(R"(mimic joint="left")", R"(mimic joint="middle")") ==
         "joint `right` copies `middle`, which does not exist");
@@ -240,16 +274,54 @@ TEST_CASE("a number that is none is refused with the name of its link or joint")
         0);
 }
 
-TEST_CASE("a missing mesh is refused with the name of its link") {
+TEST_CASE("an inertia that no body has is left out, and only forces miss it") {
+  for (const auto& [from, to, fault] :
+       {std::array{R"(ixx="0.01")", R"(ixx="0.1")", "has principal moments"},
+        std::array{R"(ixx="0.01")", R"(ixx="-0.1")", "has an inertia with the negative"},
+        std::array{R"(<mass value="2"/>)", R"(<mass value="-2"/>)", "has mass = -2"}}) {
+    CAPTURE(std::string(to));
+    const Result<Mechanism> read = read_urdf(replaced(kArm, from, to));
+    REQUIRE(read.ok());
+    const Body& upper = read->bodies()[static_cast<std::size_t>(read->body("upper"))];
+    CHECK(upper.inertia_fault.starts_with(fault));
+    CHECK(upper.link.mass == 0.0);
+    const Result<RobotSpec> spec = serial_arm(*read, "fore");
+    REQUIRE(spec.ok());
+    CHECK(spec->no_dynamics.find("link `upper` " + std::string(fault)) != std::string::npos);
+    REQUIRE(spec->notes.size() == 1);
+    const Robot robot(*spec);
+    const Robot whole(*serial_arm(*read_urdf(kArm), "fore"));
+    const Eigen::Vector2d q(0.3, -0.4);
+    CHECK(difference(forward(robot, q), forward(whole, q)) == 0.0);
+  }
+  // No joint moves the stand.
+  const Result<RobotSpec> aside = serial_arm(
+      *read_urdf(replaced(kArm, R"(<link name="base"/>)",
+                          R"(<link name="base"><inertial><mass value="-1"/><inertia ixx="1" ixy="0"
+      ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>)")),
+      "fore");
+  REQUIRE(aside.ok());
+  CHECK(aside->no_dynamics.empty());
+  CHECK(aside->notes.size() == 1);
+}
+
+TEST_CASE("what is left of a xacro file is reported") {
+  CHECK(refusal("</robot>", "<xacro:ur_robot prefix=\"\"/></robot>").find("<xacro:ur_robot>") !=
+        std::string::npos);
+  CHECK(refusal("</robot>", "<!-- <xacro:a/> --></robot>") == "accepted");
+}
+
+TEST_CASE("a missing mesh is left out with the name of its link") {
   const std::string text = replaced(
       kArm, R"(<link name="fore"/>)",
       R"(<link name="fore"><visual><geometry><mesh filename="package://small/fore.stl"/></geometry></visual></link>)");
   CHECK(read_urdf(text).ok());
   const Result<Mechanism> missing =
       read_urdf(text, {.has_mesh = [](const std::string&) { return false; }});
-  REQUIRE_FALSE(missing.ok());
-  CHECK(missing.error().message ==
-        "the mesh \"package://small/fore.stl\" of link `fore` is not there");
+  REQUIRE(missing.ok());
+  REQUIRE(missing->spec().notes.size() == 1);
+  CHECK(missing->spec().notes[0].starts_with(
+      "the mesh \"package://small/fore.stl\" of link `fore` is not there"));
   const Result<Mechanism> there =
       read_urdf(text, {.has_mesh = [](const std::string&) { return true; }});
   REQUIRE(there.ok());
@@ -396,5 +468,13 @@ TEST_CASE("meshes are found beside the description and in its package, and not a
   CHECK(find_mesh(folder, top.string(), "package://leg/meshes/a.stl").empty());
   CHECK(find_mesh(folder, top.string(), "package://arm").empty());
   CHECK(find_mesh(folder, "", "/etc").empty());
+  const std::string arm = (top / "arm").string(), other = (top / "other").string();
+  fs::create_directories(other);
+  const std::string mesh = "package://arm/meshes/a.stl";
+  CHECK(find_mesh(other, other, mesh).empty());
+  CHECK_FALSE(find_mesh(other, other, mesh, {.named = {{"arm", arm}}}).empty());
+  CHECK_FALSE(find_mesh(other, other, mesh, {.folders = {other, top.string()}}).empty());
+  CHECK_FALSE(find_mesh(other, other, mesh, {.folders = {arm}}).empty());
+  CHECK(find_mesh(other, other, mesh, {.named = {{"leg", arm}}}).empty());
   fs::remove_all(top);
 }

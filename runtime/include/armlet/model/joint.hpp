@@ -11,6 +11,13 @@ namespace armlet {
 
 enum class JointKind { kRevolute, kPrismatic };
 
+// Limits at least this wide to both sides, in rad, stand for none: 10,000 revolutions.
+inline constexpr double kNoLimit = 2.0e4 * std::numbers::pi;
+inline constexpr bool is_no_limit(double lower, double upper) {
+  constexpr double kRounded = kNoLimit * (1.0 - 1e-12);  // read back from degrees
+  return lower <= -kRounded && upper >= kRounded;
+}
+
 // One joint, in rad and rad/s (revolute) or m and m/s (prismatic).
 //
 // A rate of 0 stands for the default: 180 deg/s or 0.5 m/s; full speed in 0.25 s; full acceleration
@@ -26,6 +33,8 @@ struct Joint {
   double max_effort = std::numeric_limits<double>::infinity();  // N m or N
 
   bool is_revolute() const { return kind == JointKind::kRevolute; }
+  // Whether it may turn on and on: a joint without limits.
+  bool is_continuous() const { return is_revolute() && is_no_limit(lower, upper); }
 };
 
 inline constexpr double kDefaultRevoluteSpeed = std::numbers::pi;  // rad/s

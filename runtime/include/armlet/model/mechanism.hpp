@@ -22,6 +22,9 @@ struct Body {
   Eigen::Isometry3d T_parent_joint = Eigen::Isometry3d::Identity();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // in the joint's frame; made a unit vector
   Link link{};
+  // Why the mass and inertia that its description gives are left out, a clause; empty: they are
+  // not.
+  std::string inertia_fault{};
 };
 
 // What drives the joints, in rad and m, N m and N. A rate or an effort of 0 is one that nobody
@@ -56,6 +59,8 @@ struct MechanismSpec {
   Eigen::MatrixXd coupling;
   Eigen::VectorXd offset;
   std::vector<Tip> tips;
+  // What was assumed where a description left something open, one clause each.
+  std::vector<std::string> notes;
   InertiaCheck inertia_check = InertiaCheck::kRigidBody;
 };
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <concepts>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,10 +31,19 @@ enum class RobotRole { kArm, kHand, kFinger };
 // Two links of an arm, 0 the base and i what joint i moves, the larger number first.
 using LinkPair = std::pair<int, int>;
 
+class Mechanism;
+
 // Everything that defines a serial arm; Robot checks it.
 //
 // base          what does not move: masses and shapes in the frame of the base.
 // allow, watch  pairs of links that are never, or always, compared with each other.
+// T_base_first  the frame before the first row, seen from the base: in a description the first
+//               joint need not be at the origin of the root link.
+// followers     the same arm as a tree, in which only the links have masses that joints carry which
+//               copy joints of the arm: a balancing cylinder. One actuator per joint of the arm.
+//               Null: there are none. It never changes; all copies of the robot share it.
+// no_dynamics   why forces cannot be computed, a sentence; empty: they can.
+// notes         what was assumed where the source of the arm left something open, one clause each.
 struct RobotSpec {
   std::string name = "robot";
   std::string source;  // where the numbers come from
@@ -45,11 +55,15 @@ struct RobotSpec {
   std::vector<LinkPair> allow, watch;
   InertiaCheck inertia_check = InertiaCheck::kRigidBody;
   Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_base_first = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();  // the tool point
   Tool tool;                                                        // the hand
   Payload payload;                                                  // what it holds
   Eigen::Vector3d gravity{0.0, 0.0, -9.81};  // acceleration in world axes, m/s^2
   Eigen::VectorXd home;                      // empty: zero, or the nearest value within the limits
+  std::shared_ptr<const Mechanism> followers;
+  std::string no_dynamics;
+  std::vector<std::string> notes;
 };
 
 // A serial arm that never changes after construction; it may be shared between threads.

@@ -14,11 +14,13 @@ namespace armlet {
 // inertias move from the Denavit-Hartenberg frames to it.
 MechanismSpec mechanism_of(const Robot& robot);
 
-// The chain of joints from the base to a link or tip as an arm in the modified convention. Links
-// that hang on the chain without belonging to it count as fixed at the zero of their joints.
+// The chain of joints from the base to a link or tip as an arm in the modified convention, its base
+// the root link. Links that hang on the chain without belonging to it move as far as their joints
+// copy joints of the chain (RobotSpec::followers); otherwise they count as fixed at the zero of
+// their joints.
 //
-// tip      name of a link or tip; empty: the end of the only chain, or the link at which a chain
-//          divides (a palm).
+// tip      name of a link or tip; empty: the end of the only chain, or of the longest of those that
+//          divide if the joints of the others copy joints, which RobotSpec::notes says.
 // returns  in rad and m; an error naming the joint or the choices if there is no such chain, a
 //          joint of it copies another joint, or it has not 1 to kMaxJoints joints.
 // source   J. Denavit and R. Hartenberg 1955: common normals of the axes; two axes within 1e-8 rad

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "armlet/core/error.hpp"
 #include "armlet/model/mechanism.hpp"
@@ -20,14 +22,17 @@ struct UrdfOptions {
 };
 
 // The links and joints of a robot description (URDF 1.0) as a mechanism, the root link as its base.
-// Mimic joints become couplings, continuous joints get limits of one revolution to either side,
+// Mimic joints become couplings, continuous joints have no limits (kNoLimit),
 // angles within 1e-5 rad of a right angle count as right ("1.5708"), an effort or a speed of 0 as
 // one that the file does not give. Damping and friction belong to the joint; URDF knows no rotor
 // and no gear.
 //
+// An inertia that no body has is left out (Body::inertia_fault), and so is a mesh that is missing
+// or cannot be read; MechanismSpec::notes says so of meshes.
+//
 // returns  an error that names the link or joint: broken XML, a link that is its own parent,
 //          missing or not connected, a joint of a kind that an arm has not, numbers that are none,
-//          swapped limits, an inertia that no body has, a missing mesh.
+//          swapped limits, elements of a xacro file.
 Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options = {});
 
 // A part of a link of a fixed scene.
@@ -65,18 +70,30 @@ struct UrdfLink {
 Result<std::vector<UrdfLink>> read_urdf_scene(std::string_view text);
 
 // The mechanism as a URDF that read_urdf and others understand; numbers read back to the same bits.
-// Tips become links of their own.
+// Tips become links of their own. A comment at a joint says what URDF cannot: the inertia of its
+// rotor, friction that differs between the directions or sticks.
 //
 // throws  ArgumentError if a joint is driven by several actuators at once, which URDF cannot say.
 std::string write_urdf(const Mechanism& mechanism);
 
+// Where packages are besides the folders around a URDF.
+//
+// named    folders of packages by name.
+// folders  which hold packages as folders of their name, or are one, as ROS_PACKAGE_PATH lists
+// them.
+struct PackageFolders {
+  std::map<std::string, std::string> named{};
+  std::vector<std::string> folders{};
+};
+
 // Finds a mesh that a URDF names: relative to the folder of the URDF, "file://" and
-// "package://name/...", where the package is a folder of that name at or above the URDF.
+// "package://name/...", where the package is a folder of that name at or above the URDF, or one of
+// `packages`.
 //
 // urdf_folder  folder of the URDF.
-// top          nothing above this folder is looked at; empty: no limit.
+// top          nothing above this folder is looked at but packages; empty: no limit.
 // returns      the path, or an empty text if there is no such file.
 std::string find_mesh(const std::string& urdf_folder, const std::string& top,
-                      const std::string& name);
+                      const std::string& name, const PackageFolders& packages = {});
 
 }  // namespace armlet

@@ -7,6 +7,7 @@
 #include "chain/batch_plan.hpp"
 #include "dynamics/checks.hpp"
 #include "dynamics/friction.hpp"
+#include "dynamics/trees/follower_forces.hpp"
 
 namespace armlet {
 namespace {
@@ -31,6 +32,22 @@ bool add_stribeck(const DynamicsPlan& plan, const MotionBatch& batch, double* ta
     }
   }
   return all_finite(tau, static_cast<Eigen::Index>(plan.n * batch.count));
+}
+
+bool add_followers(const Robot& robot, const MotionBatch& batch, double* tau) {
+  const auto count = static_cast<Eigen::Index>(batch.count);
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Map<const Rows> q(batch.q, robot.n(), count), qd(batch.qd, robot.n(), count),
+      qdd(batch.qdd, robot.n(), count);
+  Eigen::Map<Rows> all(tau, robot.n(), count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    JointVector more = JointVector::Zero(robot.n());
+    const Eigen::VectorXd rate = qd.col(k);
+    add_follower_forces(robot, q.col(k), rate, qdd.col(k), true, more);
+    add_follower_friction(robot, rate, more);
+    all.col(k) += more;
+  }
+  return all_finite(tau, static_cast<Eigen::Index>(robot.n()) * count);
 }
 
 [[noreturn]] void refuse_result(const Robot& robot, std::span<const double> tau,
@@ -63,6 +80,8 @@ void inverse_dynamics_batch(const Robot& robot, std::span<const double> q,
                            : kernels_for(set, count).inverse(batch, tau.data());
   if (plan.friction == FrictionKind::kStribeck)
     finite = add_stribeck(plan, batch, tau.data()) && finite;
+  if (has_followers(robot)) [[unlikely]]
+    finite = add_followers(robot, batch, tau.data()) && finite;
   if (!finite) [[unlikely]]
     refuse_result(robot, tau, count);
 }

@@ -7,6 +7,7 @@
 #include "dynamics/checks.hpp"
 #include "dynamics/plan_dynamics.hpp"
 #include "dynamics/spatial_arm.hpp"
+#include "dynamics/trees/follower_forces.hpp"
 #include "link_parameters.hpp"
 
 namespace armlet {
@@ -86,6 +87,7 @@ class ColumnBasis {
 }  // namespace
 
 VectorXd dynamic_parameters(const Robot& robot) {
+  refuse_followers(robot, "dynamic parameters");
   const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   VectorXd p(kLinkParameters * robot.n());
   for (int i = 0; i < robot.n(); ++i) {
@@ -101,6 +103,7 @@ MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsI
   check_joint_values("q", q, robot);
   check_joint_values("qd", qd, robot);
   check_joint_values("qdd", qdd, robot);
+  refuse_followers(robot, "regressor");
   const SpatialArm arm(robot, q);
   MatrixXd Y = MatrixXd::Zero(robot.n(), kLinkParameters * robot.n());
   Vector6d velocity = Vector6d::Zero(), acceleration = arm.base_acceleration;

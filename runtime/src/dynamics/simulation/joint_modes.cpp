@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "armlet/math/det_math.hpp"
+#include "dynamics/trees/follower_forces.hpp"
 
 namespace armlet {
 namespace {
@@ -41,7 +42,7 @@ JointModes::Range JointModes::range_of(Eigen::Index i) const {
 }
 
 bool JointModes::accelerate(const double* q, const double* qd, const double* tau, double* qdd) {
-  if (any_stands_) return accelerate_held(q, qd, tau, qdd);
+  if (any_stands_ || has_followers(*robot_)) return accelerate_held(q, qd, tau, qdd);
   const Eigen::Index n = robot_->n();
   const DynamicsInput in = input_of(*robot_, q, qd);
   if (in.plan.friction == FrictionKind::kNone) {
@@ -93,6 +94,12 @@ bool JointModes::accelerate_held(const double* q, const double* qd, const double
   JointVector b(n), accel = JointVector::Zero(n);
   kernel_for(kMassKernels, in.plan)(in, M.data());
   kernel_for(kBiasKernels, in.plan)(in, b.data());
+  if (has_followers(*robot_)) {
+    const Eigen::Map<const Eigen::VectorXd> position(q, n), rate(qd, n);
+    add_follower_inertia(*robot_, position, M);
+    add_follower_forces(*robot_, position, rate, {}, true, b);
+    add_follower_friction(*robot_, rate, b);
+  }
   for (Eigen::Index i = 0; i < n; ++i)
     b[i] = tau[i] - b[i] - ((*this)[i].stands ? 0.0 : friction(i, qd[i]));
   if (!solve_part(
@@ -182,6 +189,8 @@ bool JointModes::strike(Eigen::Index struck, const double* q, double* qd, double
   const DynamicsInput in = input_of(*robot_, q);
   JointMatrix M(n, n);
   kernel_for(kMassKernels, in.plan)(in, M.data());
+  if (has_followers(*robot_))
+    add_follower_inertia(*robot_, Eigen::Map<const Eigen::VectorXd>(q, n), M);
   std::array<bool, kMaxJoints> rests{};
   for (Eigen::Index i = 0; i < n; ++i) {
     look_at_stop(i, q[i]);

@@ -29,8 +29,22 @@ void check_result(const Mechanism& mechanism, const VectorXd& result, std::strin
   }
 }
 
-// As Link::friction describes it, at the joint.
-double friction_of(const Link& link, double qd) {
+// What the motors at the joints take for themselves.
+VectorXd motor_forces(const Mechanism& mechanism, const VectorXd& rates,
+                      const VectorXd& accelerations) {
+  VectorXd tau(mechanism.joint_count());
+  for (int j = 0; j < mechanism.joint_count(); ++j) {
+    const auto body = static_cast<std::size_t>(mechanism.moving()[static_cast<std::size_t>(j)]);
+    const Link& link = mechanism.bodies()[body].link;
+    tau[j] =
+        squared_gear(link) * link.motor_inertia * accelerations[j] + link_friction(link, rates[j]);
+  }
+  return tau;
+}
+
+}  // namespace
+
+double link_friction(const Link& link, double qd) {
   if (qd == 0.0) return 0.0;
   const Friction& f = link.friction;
   double dry = qd > 0.0 ? f.coulomb_plus : f.coulomb_minus;
@@ -40,21 +54,6 @@ double friction_of(const Link& link, double qd) {
   }
   return squared_gear(link) * f.viscous * qd + std::abs(link.gear) * dry;
 }
-
-// What the motors at the joints take for themselves.
-VectorXd motor_forces(const Mechanism& mechanism, const VectorXd& rates,
-                      const VectorXd& accelerations) {
-  VectorXd tau(mechanism.joint_count());
-  for (int j = 0; j < mechanism.joint_count(); ++j) {
-    const auto body = static_cast<std::size_t>(mechanism.moving()[static_cast<std::size_t>(j)]);
-    const Link& link = mechanism.bodies()[body].link;
-    tau[j] =
-        squared_gear(link) * link.motor_inertia * accelerations[j] + friction_of(link, rates[j]);
-  }
-  return tau;
-}
-
-}  // namespace
 
 VectorXd inverse_dynamics(const Mechanism& mechanism, const MechanismMotion& motion,
                           const Vector3d& gravity) {

@@ -10,6 +10,9 @@ namespace armlet {
 
 inline double squared_gear(const Link& link) { return link.gear * link.gear; }
 
+// As Link::friction describes it, at the joint.
+double link_friction(const Link& link, double qd);
+
 // Throws ArgumentError unless there is one finite value for each actuator.
 void check_values(std::string_view name, const Eigen::VectorXd& values, const Mechanism& mechanism);
 void check_motion(const Mechanism& mechanism, const MechanismMotion& motion,

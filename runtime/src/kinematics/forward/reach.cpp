@@ -4,6 +4,7 @@
 #include <array>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/angles.hpp"
 
 namespace armlet {
 namespace {
@@ -27,8 +28,10 @@ Eigen::VectorXd start(const Robot& robot, int k) {
   if (k == 0) return robot.home();
   Eigen::VectorXd q(robot.n());
   for (int i = 0; i < robot.n(); ++i) {
-    q[i] = robot.lower()[i] +
-           (robot.upper()[i] - robot.lower()[i]) * spread(k, kBases[static_cast<std::size_t>(i)]);
+    const double share = spread(k, kBases[static_cast<std::size_t>(i)]);
+    q[i] = robot.joint(i).is_continuous()
+               ? kPi * (2.0 * share - 1.0)
+               : robot.lower()[i] + (robot.upper()[i] - robot.lower()[i]) * share;
   }
   return q;
 }
@@ -36,7 +39,9 @@ Eigen::VectorXd start(const Robot& robot, int k) {
 // Leaves in q[i] the value that makes the function largest while the other joints stand still.
 double maximise_one(const Robot& robot, const std::function<double(JointsIn)>& function, int i,
                     Eigen::VectorXd& q) {
-  const double lower = robot.lower()[i], upper = robot.upper()[i];
+  // One revolution of a joint without limits is as good as all.
+  const bool is_free = robot.joint(i).is_continuous();
+  const double lower = is_free ? -kPi : robot.lower()[i], upper = is_free ? kPi : robot.upper()[i];
   const auto at = [&](double value) {
     q[i] = std::clamp(value, lower, upper);  // a sum may round beyond the limit
     return function(q);

@@ -61,7 +61,8 @@ GlbScene robot_scene(const Robot& robot) {
   for (int i = 0; i < n; ++i) {
     const Isometry3d T_row = dh_pose(robot.spec().convention, robot.joint(i).dh);
     const double q = robot.home()[i];
-    const Isometry3d T_before = standard ? T_link_next : T_row;
+    Isometry3d T_before = standard ? T_link_next : T_row;
+    if (i == 0) T_before = robot.spec().T_base_first * T_before;
     scene.nodes.push_back({.name = fmt::format("link {}", i + 1),
                            .parent = i,
                            .T_parent_node = T_before * moved_by(robot, i, q),

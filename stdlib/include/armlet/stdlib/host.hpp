@@ -19,7 +19,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/native.hpp"
-#include "armlet/model/robot.hpp"
+#include "armlet/model/urdf.hpp"
 #include "armlet/plot/figure.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
 #include "armlet/stdlib/mesh_converter.hpp"
@@ -124,6 +124,7 @@ struct HostOptions {
   // The folder below which the program may write files; empty: none.
   std::filesystem::path folder{};
   MeshConverter convert_mesh{};          // null: of meshes, only GLB is read
+  PackageFolders packages{};             // whose meshes descriptions may name
   std::function<bool()> is_cancelled{};  // whether the program is to stop; null: never
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.

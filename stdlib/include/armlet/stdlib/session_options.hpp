@@ -21,6 +21,7 @@ struct SessionOptions {
   std::optional<WorldText> default_world;  // when a program names an object and none is given
   std::filesystem::path folder;            // below which the program may write files; empty: none
   MeshConverter convert_mesh{};            // see HostOptions
+  PackageFolders packages{};               // see HostOptions
   bool keeps_files = true;  // otherwise what it saves can be loaded, and goes with the run
   ParseLimits parse_limits;
   bool open = false;     // see CompileOptions

@@ -15,4 +15,7 @@ std::string structure_fault(std::string_view text);
 // origin; expected finite numbers".
 std::string number_fault(std::string_view text);
 
+// The first element that a xacro file has and a description has not; empty if there is none.
+std::string xacro_fault(std::string_view text);
+
 }  // namespace armlet

@@ -188,6 +188,19 @@ std::string structure_fault(std::string_view text) {
       names);
 }
 
+std::string xacro_fault(std::string_view text) {
+  std::string fault;
+  for_each_element(text, [&](const std::vector<Tag>&, const Tag& tag) {
+    if (tag.name.starts_with("xacro:"))
+      fault = fmt::format(
+          "the element <{}> belongs to a xacro file, from which a description is made first: "
+          "xacro arm.urdf.xacro > arm.urdf",
+          tag.name);
+    return !fault.empty();
+  });
+  return fault;
+}
+
 std::string number_fault(std::string_view text) {
   std::string fault;
   for_each_element(text, [&](const std::vector<Tag>& open, const Tag& tag) {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/mechanism.hpp"
+
+// What the links add to the dynamics of an arm whose joints copy joints of it
+// (RobotSpec::followers). With the values C q + offset of the joints that carry them, all forces of
+// these are brought to the joints of the arm by C'. All functions throw ArgumentError for values
+// that are not finite.
+namespace armlet {
+
+inline bool has_followers(const Robot& robot) { return robot.spec().followers != nullptr; }
+
+// Adds the forces of a motion without friction. Rates and accelerations may be empty: zero.
+void add_follower_forces(const Robot& robot, JointsIn q, const Eigen::VectorXd& qd,
+                         const Eigen::VectorXd& qdd, bool gravity, JointVector& tau);
+
+void add_follower_friction(const Robot& robot, JointsIn qd, JointVector& tau);
+
+void add_follower_inertia(const Robot& robot, JointsIn q, JointMatrix& M);
+
+// Adds their Coriolis matrix, that of Christoffel: for velocity forces h(qd), which are quadratic,
+// column j is (h(qd + e_j) - h(qd) - h(e_j)) / 2.
+void add_follower_coriolis(const Robot& robot, JointsIn q, JointsIn qd, JointMatrix& C);
+
+// Adds the derivatives of their forces. That by q is a central difference of fourth order, right to
+// about 1e-10 of the forces; that by qd is twice the Coriolis matrix and the slope of friction,
+// without Stribeck's part.
+void add_follower_derivatives(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd,
+                              JointMatrix& by_q, JointMatrix& by_qd);
+
+double follower_potential_energy(const Robot& robot, JointsIn q);
+
+// Throws ArgumentError that names the first such link, for what is known of other arms alone.
+void refuse_followers(const Robot& robot, std::string_view what);
+
+}  // namespace armlet
