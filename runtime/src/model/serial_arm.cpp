@@ -214,6 +214,41 @@ void note_inertia(const Mechanism& m, const Body& body, bool is_moved, RobotSpec
                                    m.name(), body.name, body.inertia_fault);
 }
 
+Link named(Link link, const std::string& name) {
+  link.names = {name};
+  return link;
+}
+
+// The base and the links, each with what is fixed to it.
+//
+// T_row_axis  of each row, the frame with the joint's axis as z.
+// follows     of each body, whether its joint copies one of the arm.
+void add_links(const Mechanism& m, const std::vector<int>& chain,
+               const std::vector<Isometry3d>& T_row_axis, const std::vector<bool>& follows,
+               RobotSpec& spec) {
+  const Carried carried = carried_by(m, chain);
+  add_body(spec.base, named(m.spec().base, m.spec().base_name));
+  spec.links.resize(chain.size());
+  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
+    const Body& body = m.bodies()[i];
+    note_inertia(m, body, follows[i] || carried.row[i] >= 0, spec);
+    if (follows[i] && (!body.link.bodies.empty() || !body.link.solids.empty()))
+      spec.notes.push_back(fmt::format(
+          "the shape of link `{}` is where its joint is while the arm is at zero", body.name));
+    const Link link = named(follows[i] ? without_mass(body.link) : body.link, body.name);
+    if (carried.row[i] < 0) {
+      add_body(spec.base, moved(link, carried.T_row_body[i]));
+      continue;
+    }
+    const std::size_t k = static_cast<std::size_t>(carried.row[i]);
+    const Body& carrier = m.bodies()[static_cast<std::size_t>(chain[k])];
+    const Isometry3d T_row_carrier =
+        T_row_axis[k] * make_pose(R_with_z(carrier.axis), Vector3d::Zero()).inverse();
+    add_body(spec.links[k], moved(link, T_row_carrier * carried.T_row_body[i]));
+    if (static_cast<int>(i) == chain[k]) copy_motor(spec.links[k], body.link);
+  }
+}
+
 }  // namespace
 
 Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
@@ -252,34 +287,9 @@ Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
     rest = screw_z(normal.rest_angle, normal.rest_shift);
   }
 
-  const Carried carried = carried_by(m, legs.chain);
-  const auto named = [](Link link, const std::string& name) {
-    link.names = {name};
-    return link;
-  };
   const Followers followers = followers_of(m, legs.chain, motors);
   spec.followers = followers.mechanism;
-  add_body(spec.base, named(m.spec().base, m.spec().base_name));
-  spec.links.resize(n);
-  for (std::size_t i = 0; i < m.bodies().size(); ++i) {
-    const Body& body = m.bodies()[i];
-    const bool follows = followers.follows[i];
-    note_inertia(m, body, follows || carried.row[i] >= 0, spec);
-    if (follows && (!body.link.bodies.empty() || !body.link.solids.empty()))
-      spec.notes.push_back(fmt::format(
-          "the shape of link `{}` is where its joint is while the arm is at zero", body.name));
-    const Link link = named(follows ? without_mass(body.link) : body.link, body.name);
-    if (carried.row[i] < 0) {
-      add_body(spec.base, moved(link, carried.T_row_body[i]));
-      continue;
-    }
-    const std::size_t k = static_cast<std::size_t>(carried.row[i]);
-    const Body& carrier = m.bodies()[static_cast<std::size_t>(legs.chain[k])];
-    const Isometry3d T_row_carrier =
-        T_row_axis[k] * make_pose(R_with_z(carrier.axis), Vector3d::Zero()).inverse();
-    add_body(spec.links[k], moved(link, T_row_carrier * carried.T_row_body[i]));
-    if (static_cast<int>(i) == legs.chain[k]) copy_motor(spec.links[k], body.link);
-  }
+  add_links(m, legs.chain, T_row_axis, followers.follows, spec);
   return spec;
 }
 

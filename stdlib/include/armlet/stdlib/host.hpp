@@ -1,6 +1,5 @@
 #pragma once
-// The host of a robot program: one cell on a virtual clock, and what the vocabulary needs to know
-// about it.
+// The host of a robot program: one cell on a virtual clock, and what the vocabulary knows of it.
 
 #include <Eigen/Geometry>
 #include <filesystem>
