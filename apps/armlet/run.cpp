@@ -147,7 +147,7 @@ void draw_figures(const Session& session) {
 
 int run(const RunOptions& options) {
   const bool json = options.program.json;
-  auto text = read_file(options.file, json);
+  auto text = read_file(options.file == "-" ? "/dev/stdin" : options.file, json);
   if (!text) return kNoFile;
   Setup setup = make_setup(options.program, options.file);
   if (setup.exit != kDone) return setup.exit;

@@ -22,7 +22,8 @@ Value Evaluator::over_list(const OverListExpr& e) {
   const Values operands = evaluate_all(e.operands);
   const Values& items = operands[0].list().items;
   const auto run = [&](Values arguments) {
-    const Closure& function = operands.back().closure();
+    const bool sorts = e.verb == ListVerb::kSort;  // the direction comes behind the function
+    const Closure& function = (sorts ? operands[1] : operands.back()).closure();
     return call(*function.function, std::move(arguments), function.captures, e.span);
   };
   const auto item_at = [&](std::size_t i) -> const Value& {
@@ -54,8 +55,13 @@ Value Evaluator::over_list(const OverListExpr& e) {
     case ListVerb::kSort: {
       std::vector<std::pair<Value, Value>> keyed;
       for (std::size_t i = 0; i < count; ++i) keyed.emplace_back(run({item_at(i)}), items[i]);
-      std::ranges::stable_sort(keyed, comes_before,
-                               [](const auto& pair) -> const Value& { return pair.first; });
+      const bool descending = operands[2].truth();
+      std::ranges::stable_sort(
+          keyed,
+          [=](const Value& a, const Value& b) {
+            return descending ? comes_before(b, a) : comes_before(a, b);
+          },
+          [](const auto& pair) -> const Value& { return pair.first; });
       for (auto& [key, item] : keyed) out.items.push_back(std::move(item));
       return {std::move(out)};
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 
 #include "armlet/math/det_math.hpp"
@@ -147,6 +148,44 @@ double half_up(double x) {
   return x - down >= 0.5 ? down + 1.0 : down;
 }
 double toward_zero(double x) { return std::trunc(x); }
+
+// The remainder with the sign of b: what `%` gives has the sign of a.
+Answer<std::int64_t> modulus_int(Vm& vm, std::int64_t a, std::int64_t b) {
+  if (b == 0) return failure(vm, "R0611", "mod divides by zero", 1);
+  if (b == -1) return 0;  // the least int divided by it would overflow
+  const std::int64_t rest = a % b;
+  return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
+}
+Answer<double> modulus(Vm& vm, double a, double b) {
+  if (!std::isfinite(a)) return not_finite(vm, "the value given to mod", a, 0);
+  if (!std::isfinite(b)) return not_finite(vm, "the second value given to mod", b, 1);
+  if (b == 0.0) return failure(vm, "R0611", "mod divides by zero", 1);
+  const double rest = std::fmod(a, b);
+  if (rest == 0.0) return std::copysign(0.0, b);
+  return (rest < 0.0) != (b < 0.0) ? rest + b : rest;
+}
+
+// Digits that a double has at most, and more than the powers of ten that are exact need.
+constexpr std::int64_t kMostDigits = 15;
+
+// The double nearest to x rounded in decimal; halves that x is exactly go up, as those of whole
+// numbers do.
+double rounded(double x, int digits) {
+  const double power = std::pow(10.0, std::abs(digits));  // exact up to 10^22
+  if (digits < 0) return half_up(x / power) * power;
+  const double scaled = x * power;
+  if (!(std::abs(scaled) < 4503599627370496.0)) return x;  // 2^52: no fraction is left
+  const bool is_exact = std::fma(x, power, -scaled) == 0.0;
+  if (is_exact && scaled - std::floor(scaled) == 0.5) return (std::floor(scaled) + 1.0) / power;
+  return std::strtod(fmt::format("{:.{}f}", x, digits).c_str(), nullptr);
+}
+Answer<double> round_to(Vm& vm, double x, std::int64_t digits) {
+  if (!std::isfinite(x)) return not_finite(vm, "the value", x, 0);
+  if (digits >= -kMostDigits && digits <= kMostDigits) return rounded(x, static_cast<int>(digits));
+  return failure(vm, "R0609",
+                 fmt::format("round to {} digits: a double has at most {}", digits, kMostDigits),
+                 1);
+}
 
 Answer<std::int64_t> abs_int(Vm& vm, std::int64_t x) {
   if (x == INT64_MIN)
@@ -318,6 +357,12 @@ constexpr NativeFunction kMathFunctions[] = {
                                  "log10(1000.0)"),
     def<each<log_10>>("log10(xs: double[]) -> double[]", "Logarithm to base 10 of each element.",
                       "log10([1.0, 10.0])"),
+    def<modulus_int>("mod(a: int, b: int) -> int",
+                     "The rest of a division, with the sign of b; `a % b` has the sign of a.",
+                     "mod(-1, 4)"),
+    def<modulus>("mod(a: D, b: D) -> D",
+                 "The rest of a division, with the sign of b: an angle in one revolution.",
+                 "mod(-90deg, 360deg)"),
     def<abs_int>("abs(x: int) -> int", "Absolute value.", "abs(-3)"),
     def<real1<absolute>>("abs(x: D) -> D", "Absolute value.", "abs(-20mm)", {.real1 = absolute}),
     def<each_int<abs_int>>("abs(xs: int[]) -> int[]", "Absolute value of each element.",
@@ -340,6 +385,8 @@ constexpr NativeFunction kMathFunctions[] = {
                         "The whole number at or above each element.", "ceil([2.1])"),
     def<to_int<half_up>>("round(x: double) -> int", "The nearest whole number; halves go up.",
                          "round(2.5)"),
+    def<round_to>("round(x: double, digits: int) -> double",
+                  "x with so many digits behind the point; halves go up.", "round(2.345, 2)"),
     def<to_int<toward_zero>>("trunc(x: double) -> int", "x without its fraction.", "trunc(-2.7)"),
     def<each_to_int<half_up>>("round(xs: double[]) -> int[]",
                               "The nearest whole number to each element.", "round([1.5, 2.4])"),

@@ -171,17 +171,21 @@ Answer<double> trapezoids(Vm& vm, std::span<const double> y, std::span<const dou
 // ------------------------------------------------------------------------------------------
 
 // Of these two, equals cannot be reported apart.
-ListObj* sort_int(Vm& vm, const ListObj& xs) {
-  return sorted_list(vm, xs, [](Slot a, Slot b) { return a.i < b.i; });
+ListObj* sort_int(Vm& vm, const ListObj& xs, bool descending) {
+  const auto less = [](Slot a, Slot b) { return a.i < b.i; };
+  return sorted_list(vm, xs, InDirection(less, descending));
 }
-Answer<ListObj*> sort_real(Vm& vm, const ListObj& list) {
+Answer<ListObj*> sort_real(Vm& vm, const ListObj& list, bool descending) {
   const auto xs = list.reals();
   std::size_t bad = xs.size();
   if (!find_number(vm, xs, bad, [](double x) { return std::isnan(x); })) return Failed{};
   if (bad != xs.size()) return not_finite(vm, "a value of the list to sort", xs[bad], 0);
-  return sorted_list(vm, list, [](Slot a, Slot b) { return a.d < b.d; });
+  const auto less = [](Slot a, Slot b) { return a.d < b.d; };
+  return sorted_list(vm, list, InDirection(less, descending));
 }
-ListObj* sort_text(Vm& vm, const ListObj& xs) { return sorted_list(vm, xs, TextOrder(vm)); }
+ListObj* sort_text(Vm& vm, const ListObj& xs, bool descending) {
+  return sorted_list(vm, xs, InDirection(TextOrder(vm), descending), TextOrder::kCost);
+}
 ListObj* reverse(Vm& vm, const ListObj& xs) {
   return list_of(vm, xs.size, xs.holds_references(),
                  [&xs](Slot& to, std::size_t i) { to = xs.data[xs.size - 1 - i]; });
@@ -227,9 +231,13 @@ constexpr NativeFunction kListFunctions[] = {
     def<index_of_extreme<true, double>>("argmax(xs: D[]) -> int",
                                         "Where the largest element stands for the first time.",
                                         "argmax([3mm, 1mm])"),
-    def<sort_int>("sort(xs: int[]) -> int[]", "A new list in ascending order.", "sort([3, 1, 2])"),
-    def<sort_real>("sort(xs: D[]) -> D[]", "A new list in ascending order.", "sort([3mm, 1mm])"),
-    def<sort_text>("sort(xs: string[]) -> string[]", "A new list in the order of the letters.",
+    def<sort_int>("sort(xs: int[], descending: bool = false) -> int[]",
+                  "A new list in ascending order, or in descending order.", "sort([3, 1, 2])"),
+    def<sort_real>("sort(xs: D[], descending: bool = false) -> D[]",
+                   "A new list in ascending order, or in descending order.",
+                   "sort([3mm, 1mm], descending: true)"),
+    def<sort_text>("sort(xs: string[], descending: bool = false) -> string[]",
+                   "A new list in the order of the letters, or in the opposite one.",
                    "sort([\"b\", \"a\"])"),
     def<reverse>("reverse(xs: T[]) -> T[]", "A new list in the opposite order.",
                  "reverse([1, 2, 3])"),
@@ -251,9 +259,9 @@ constexpr NativeFunction kListFunctions[] = {
             "Whether f is true for every element; looks no further than the first that is not.",
             "[1, 2, 3].all(fn(x) => x > 0)"),
     declare(
-        "sort(xs: T[], by: fn(T) -> U) -> T[]",
-        "A new list in ascending order of what `by` gives, a number or a text; equals keep their "
-        "order.",
+        "sort(xs: T[], by: fn(T) -> U, descending: bool = false) -> T[]",
+        "A new list in ascending order of what `by` gives, a number or a text, or in descending "
+        "order; equals keep their order.",
         "[\"ccc\", \"a\", \"bb\"].sort(by: fn(s) => s.length)"),
     declare("zip(xs: T[], ys: U[]) -> Pair{first: T, second: U}[]",
             "The elements of two lists of one length side by side.",

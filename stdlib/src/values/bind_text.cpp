@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -129,6 +130,22 @@ Answer<bool> contains_text(Vm& vm, std::string_view s, std::string_view t) {
 Answer<bool> equals(Vm& vm, std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   return same(vm, a, b);
+}
+
+Answer<Obj*> repeat(Vm& vm, std::string_view s, std::int64_t times) {
+  if (times < 0)
+    return failure(vm, "R0609", fmt::format("a text cannot be repeated {} times", times), 1);
+  // Short texts are put together first, so that the work grows with what is made.
+  std::string piece(s);
+  std::int64_t each = 1;
+  for (; !s.empty() && piece.size() < kPiece && each < times; ++each) piece += s;
+  TextMaker out(vm);
+  for (std::int64_t left = s.empty() ? 0 : times; left > 0; left -= each) {
+    const std::int64_t now = std::min(left, each);
+    const auto bytes = static_cast<std::size_t>(now) * s.size();
+    if (!out.add(std::string_view(piece).substr(0, bytes))) return Failed{};
+  }
+  return out.take();
 }
 
 Answer<Obj*> substring(Vm& vm, Slot text, std::int64_t a, std::optional<std::int64_t> last) {
@@ -259,6 +276,8 @@ constexpr NativeFunction kTextFunctions[] = {
                 "Whether two texts are the same; Java's spelling of ==.", "\"a\".equals(\"a\")"),
     def<substring>("substring(s: string, a: int, b: int?) -> string",
                    "The characters from a up to but excluding b.", "\"armlet\".substring(0, 3)"),
+    def<repeat>("repeat(s: string, n: int) -> string", "The text n times, one behind the other.",
+                "\"ab\".repeat(3)"),
     def<join>("join(xs: string[], t: string) -> string", "The texts of a list with t between them.",
               "join([\"a\", \"b\"], \", \")"),
     def<parse_double>("parseDouble(s: string) -> double", "The number that a text says.",

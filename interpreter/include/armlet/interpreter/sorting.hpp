@@ -11,15 +11,22 @@
 
 namespace armlet {
 
-// Slots of texts in the order of their bytes. A comparison that takes long counts as work.
+// Slots of texts in the order of their bytes. A comparison that takes long counts as work; a short
+// one is counted with its block by who sorts.
 class TextOrder {
  public:
+  static constexpr unsigned kCost = 32;  // of a short comparison
+
   explicit TextOrder(Vm& vm) : vm_(&vm) {}
 
   [[nodiscard]] bool operator()(Slot a, Slot b) {
     const std::string_view left = text_value(a);
     const std::string_view right = text_value(b);
     const std::size_t common = std::min(left.size(), right.size());
+    if (common <= kShort) {
+      const int order = std::memcmp(left.data(), right.data(), common);
+      return order != 0 ? order < 0 : left.size() < right.size();
+    }
     int order = 0;
     const auto compare = [&](std::size_t begin, std::size_t end) {
       order = std::memcmp(left.data() + begin, right.data() + begin, end - begin);
@@ -34,6 +41,8 @@ class TextOrder {
   [[nodiscard]] bool was_stopped() const { return stopped_; }
 
  private:
+  static constexpr std::size_t kShort = 256;  // bytes
+
   Vm* vm_;
   bool stopped_ = false;
 };
@@ -46,6 +55,22 @@ template <class Less>
     return false;
   }
 }
+
+// Another order, or its opposite: equals stay equals.
+template <class Less>
+class InDirection {
+ public:
+  InDirection(Less less, bool descending) : less_(std::move(less)), descending_(descending) {}
+  template <class T>
+  [[nodiscard]] bool operator()(T a, T b) {
+    return descending_ ? less_(b, a) : less_(a, b);
+  }
+  [[nodiscard]] bool was_stopped() const { return armlet::was_stopped(less_); }
+
+ private:
+  Less less_;
+  bool descending_;
+};
 
 // Sorts by merging runs that double, equals in the order in which they stood. `room` is as long as
 // `items`. `cost`: operations for a comparison.

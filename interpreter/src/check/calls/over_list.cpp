@@ -65,9 +65,10 @@ hir::Expr* over_list(Checker& checker, const NativeFunction& function, hir::Call
   for (const hir::Expr* value : call.arguments) {
     if (value->type->is(Kind::kAny)) return checker.failed(call.span);
   }
+  if (*verb == ListVerb::kSort && !is_key(call.arguments[1]->type->result))
+    return refuse(*call.arguments[1], "a function that gives a number or a text",
+                  call.arguments[1]->type->result);
   const hir::Expr* last = call.arguments.back();
-  if (*verb == ListVerb::kSort && !is_key(last->type->result))
-    return refuse(*last, "a function that gives a number or a text", last->type->result);
   const bool searches = *verb == ListVerb::kContains || *verb == ListVerb::kIndexOf;
   if (searches && !has_deep_equality(last->type))
     return refuse(*last, "a value that == can compare", last->type);

@@ -13,7 +13,7 @@ enum class ListVerb : std::uint8_t {
   kFold,      // list, start, function
   kAny,       // list, function -> bool
   kAll,       // list, function -> bool
-  kSort,      // list, function -> int, real or text
+  kSort,      // list, function -> int, real or text, whether it descends
   kZip,       // list, list -> records of two fields
   kContains,  // list, value
   kIndexOf,   // list, value

@@ -28,7 +28,7 @@ struct ByKey {
 };
 
 template <class Less>
-Signal sorted(Vm& vm, Slot* args, Less less) {
+Signal sorted(Vm& vm, Slot* args, Less less, unsigned cost = 16) {
   const auto xs = items_value(args[0]);
   const Scratch scratch(vm, 2 * xs.size() * sizeof(std::uint32_t));
   if (!scratch.granted()) return Signal::kFail;
@@ -37,9 +37,10 @@ Signal sorted(Vm& vm, Slot* args, Less less) {
   const auto number = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) order[i] = static_cast<std::uint32_t>(i);
   };
-  ByKey<Less> by_key{items_value(args[1]), less};
+  const bool descending = args[2].i != 0;
+  InDirection by_key(ByKey<Less>{items_value(args[1]), less}, descending);
   if (!in_blocks(vm, xs.size(), 4, number) ||
-      !sort_stably(vm, std::span(order), std::span(room), by_key, 16)) {
+      !sort_stably(vm, std::span(order), std::span(room), by_key, cost)) {
     return Signal::kFail;
   }
   const bool references = static_cast<const ListObj*>(args[0].o)->holds_references();
@@ -79,7 +80,7 @@ Signal sort_by_real(Vm& vm, Slot* args) {
   return sorted(vm, args, [](Slot a, Slot b) { return a.d < b.d; });
 }
 
-Signal sort_by_text(Vm& vm, Slot* args) { return sorted(vm, args, TextOrder(vm)); }
+Signal sort_by_text(Vm& vm, Slot* args) { return sorted(vm, args, TextOrder(vm), TextOrder::kCost); }
 
 }  // namespace
 

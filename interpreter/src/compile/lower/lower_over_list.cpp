@@ -245,11 +245,14 @@ static Reg test_list(Lowering& in, const OverListExpr& e) {
 static Reg sort_list(Lowering& in, const OverListExpr& e) {
   const Type* key = e.operands[1]->type->result;
   const Reg list = held(in, e, 0);
+  const Reg descending = held(in, e, 2);
   const Reg keys = map_list(in, e, list, key);
   const Reg base = in.code.number();
   const Reg second = in.code.number();
+  const Reg third = in.code.number();
   in.code.emit(OpCode::MOVE, base, list);
   in.code.emit(OpCode::MOVE, second, keys);
+  in.code.emit(OpCode::MOVE, third, descending);
   in.code.at(e.span, &e);
   in.code.push(OpCode::CALLN, base.bits, in.tables.native(&sorter(key)), 0);
   return base;
