@@ -32,6 +32,24 @@ Answer<ListObj*> range(Vm& vm, std::int64_t first, std::int64_t last, std::int64
     to.i = first + static_cast<std::int64_t>(i) * step;
   });
 }
+// How close to an end, in steps, a value is taken for the end.
+constexpr double kEndOfRange = 1e-9;
+
+// Each value from its number: sums of steps would drift.
+Answer<ListObj*> range_of_quantities(Vm& vm, double first, double last, double step) {
+  for (const double given : {first, last, step}) {
+    if (!std::isfinite(given)) return not_finite(vm, "a value given to range", given, 0);
+  }
+  if (step == 0.0) return failure(vm, "R0609", "range with a step of 0 never ends", 2);
+  const double steps = (last - first) / step;
+  if (!(steps <= static_cast<double>(kLongestRange)))
+    return failure(vm, "R0613",
+                   fmt::format("range would have more than {} numbers", kLongestRange));
+  const double count = std::max(0.0, std::ceil(steps - kEndOfRange));
+  return numbers_of(vm, static_cast<std::size_t>(count), [=](Slot& to, std::size_t i) {
+    to.d = first + static_cast<double>(i) * step;
+  });
+}
 Answer<ListObj*> range_to(Vm& vm, std::int64_t last) { return range(vm, 0, last, 1); }
 
 Answer<ListObj*> linspace(Vm& vm, double a, double b, std::int64_t n) {
@@ -196,6 +214,10 @@ constexpr NativeFunction kListFunctions[] = {
                   "range(3)"),
     def<range>("range(a: int, b: int, step: int = 1) -> int[]",
                "The whole numbers from a up to but excluding b.", "range(2, 8, 2)"),
+    def<range_of_quantities>("range(a: D, b: D, step: D) -> D[]",
+                             "a, a + step, a + 2 step and so on, up to but excluding b; what is "
+                             "within a billionth of a step counts as b.",
+                             "range(0mm, 100mm, 20mm)"),
     def<linspace>("linspace(a: D, b: D, n: int) -> D[]", "n evenly spaced values from a to b.",
                   "linspace(0s, 2s, 5)"),
     def<filled<0>>("zeros(n: int) -> double[]", "A list of n zeros.", "zeros(3)",

@@ -195,17 +195,24 @@ hir::Stmt* check_for(Checker& checker, const ast::ForStmt& stmt) {
   return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(body));
 }
 
-hir::Stmt* check_range(Checker& checker, const ast::ForInStmt& stmt, const ast::CallExpr& range) {
+// range(0mm, 100mm, 10mm) is a list, which the library makes.
+bool counts_quantities(const std::vector<hir::Expr*>& bounds) {
+  return bounds.size() == 3 && std::ranges::any_of(bounds, [](const hir::Expr* bound) {
+           return bound->type->is(Kind::kReal);
+         });
+}
+
+hir::Stmt* check_range(Checker& checker, const ast::ForInStmt& stmt, const ast::CallExpr& range,
+                       std::vector<hir::Expr*> bounds) {
   auto* loop = checker.make<hir::RangeStmt>(hir::StmtKind::kRange, stmt.span, nullptr, nullptr,
                                             nullptr, nullptr, nullptr);
   checker.shared.mentions.add("range");
-  std::vector<hir::Expr*> bounds;
-  for (std::size_t i = 0; i < range.args.size(); ++i) {
-    bounds.push_back(checker.check_as(*range.args[i].value, {.role = Target::Role::kArgument,
-                                                             .type = checker.types.integer(),
-                                                             .name = "bound",
-                                                             .function = "range",
-                                                             .position = static_cast<int>(i) + 1}));
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    bounds[i] = checker.require(bounds[i], {.role = Target::Role::kArgument,
+                                            .type = checker.types.integer(),
+                                            .name = "bound",
+                                            .function = "range",
+                                            .position = static_cast<int>(i) + 1});
   }
   loop->first = bounds.size() > 1
                     ? bounds[0]
@@ -230,7 +237,10 @@ hir::Stmt* check_for_in(Checker& checker, const ast::ForInStmt& stmt) {
         dotted_name(checker, *call.callee) == "range" &&
         checker.names.find_function("range") == nullptr && !call.args.empty() &&
         call.args.size() <= 3) {
-      return check_range(checker, stmt, call);
+      std::vector<hir::Expr*> bounds;
+      for (const ast::Arg& arg : call.args)
+        bounds.push_back(checker.check_value(*arg.value, checker.types.integer()));
+      if (!counts_quantities(bounds)) return check_range(checker, stmt, call, std::move(bounds));
     }
   }
   const Type* wanted = stmt.type != nullptr ? checker.resolve(*stmt.type) : nullptr;
