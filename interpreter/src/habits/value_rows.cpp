@@ -53,7 +53,6 @@ constexpr auto kValues = std::to_array<Habit>({
     {"isinstance ( $ , $ )", kNoSuchThing,
      "the type of every value is known before the program runs"},
     {"@ [ - 1 ]", "{1}.last", "a list ends with xs.last"},
-    {"round ( $ , # )", "f\"{{1}:.{2}f}\"", "round gives a whole number; a format shows digits"},
     {"input ( * )", kNoSuchThing, "a program asks nobody while it runs"},
     // words and marks
     {"~=", "!=", ""},
