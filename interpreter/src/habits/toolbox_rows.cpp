@@ -216,10 +216,7 @@ constexpr auto kToolboxes = std::to_array<Habit>({
     {"solve ( $ , $ )", "{1:operand} \\ {2:operand}", ""},
     {"@ . toFixed ( # )", "f\"{{1}:.{2}f}\"", ""},
     {"@ . reduce ( $ , $ )", "{1}.fold({3}, {2})", ""},
-    {"for ( @ , @ ) in @ {", "for ({1} in {3}.keys()) { let {2} = {3}[{1}];",
-     "a map is walked by its keys"},
-    {"for ( @ , @ in @ ) {", "for ({1} in {3}.keys()) { let {2} = {3}[{1}];",
-     "a map is walked by its keys"},
+    {"for ( @ , @ ) in @ {", "for ({1}, {2} in {3}) {", ""},
 });
 
 }  // namespace

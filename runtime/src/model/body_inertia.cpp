@@ -18,6 +18,7 @@ Matrix3d point_inertia(const Vector3d& c) {
 
 Link moved(const Link& link, const Eigen::Isometry3d& T_to_from) {
   Link result;
+  result.names = link.names;
   result.mass = link.mass;
   result.com = T_to_from * link.com;
   const Matrix3d R = T_to_from.linear();

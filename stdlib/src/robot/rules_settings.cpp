@@ -71,7 +71,8 @@ void check_fraction(CheckCall& call, int parameter) {
                            format_number(constant->real, 6));
   out.why = "it is a part of what the joints can do";
   constexpr double kPercent = 100.0;
-  if (constant->real > 1.0 && constant->real <= kPercent) {
+  constexpr double kLeastPercent = 2.0;  // 1.5 is more than all rather than 1.5 %
+  if (constant->real >= kLeastPercent && constant->real <= kPercent) {
     const std::string meant = format_number(constant->real / kPercent, 6);
     out.fix = Fix{.text = fmt::format("for {} % write {}", format_number(constant->real, 6), meant),
                   .edits = {{call.span(parameter), meant}},

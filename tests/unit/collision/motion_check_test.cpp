@@ -281,7 +281,9 @@ TEST_CASE("depths are not below those of dense sampling, and are reached: random
       }
       CHECK(each.depth > deepest - 2e-5);
       const double reached = -distance_at(scene, scene.pairs[each.pair], each.t_deepest);
-      CHECK(reached <= each.depth + 1e-9);
+      // Depths of convex bodies are measured to 5e-8 m, and the joints of the search are rounded
+      // otherwise than those of the motion.
+      CHECK(reached <= each.depth + 1e-7);
       CHECK(reached > each.depth - 1e-3);
       CHECK_FALSE(each.at_least);
     }

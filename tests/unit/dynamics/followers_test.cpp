@@ -62,9 +62,9 @@ Mechanism balanced() {
 }
 
 Robot arm_of(const Mechanism& mechanism) {
-  const Result<RobotSpec> spec = serial_arm(mechanism);
+  const Result<RobotSpec> spec = serial_arm(mechanism, "l3");
   REQUIRE(spec.ok());
-  REQUIRE(spec->notes.size() == 1);
+  REQUIRE(spec->notes.empty());
   const Eigen::Isometry3d base = pose_from_rpy({0.3, -0.2, 0.7}, {0.4, 0.5, 0.6});
   return Robot(*spec).with_base(base);
 }
@@ -160,17 +160,34 @@ TEST_CASE("derivatives of the forces include the followers") {
   }
 }
 
-TEST_CASE("a joint with a motor beside the arm leaves the end open") {
+TEST_CASE("chains of the same length leave the end open, also if one copies the other") {
+  const Result<RobotSpec> open = serial_arm(balanced());
+  REQUIRE_FALSE(open.ok());
+  for (const char* part : {"`l3` (3 joints: j1, j2, j3)", "`weight` (3 joints: j1, jc, jp)",
+                           "`l1` (1 joint: j1), where they meet"})
+    CHECK(open.error().message.find(part) != std::string::npos);
+}
+
+TEST_CASE("the longest chain is the arm unless a joint beside it has a motor") {
   MechanismSpec spec = balanced().spec();
-  spec.actuators.push_back({.name = "jp", .lower = 0, .upper = 1});
-  spec.coupling.conservativeResize(5, 4);
+  spec.bodies[4].joint = BodyJoint::kFixed;
+  spec.coupling.conservativeResize(4, 3);
+  spec.offset.conservativeResize(4);
+  const Result<RobotSpec> arm = serial_arm(Mechanism(spec));
+  REQUIRE(arm.ok());
+  CHECK(arm->joints.size() == 3);
+  CHECK(arm->followers != nullptr);
+  REQUIRE(arm->notes.size() == 1);
+  CHECK(arm->notes[0].find("`l3` (3 joints: j1, j2, j3)") != std::string::npos);
+
+  spec.actuators.push_back({.name = "jc", .lower = 0, .upper = 1});
+  spec.coupling.conservativeResize(4, 4);
   spec.coupling.col(3).setZero();
-  spec.coupling.row(4).setZero();
-  spec.coupling(4, 3) = 1.0;
+  spec.coupling.row(3).setZero();
+  spec.coupling(3, 3) = 1.0;
   const Result<RobotSpec> open = serial_arm(Mechanism(spec));
   REQUIRE_FALSE(open.ok());
-  for (const char* part :
-       {"`l1`", "`l3` (3 joints: j1, j2, j3)", "`weight` (3 joints: j1, jc, jp)"})
+  for (const char* part : {"`l1`", "`l3` (3 joints: j1, j2, j3)", "`weight` (2 joints: j1, jc)"})
     CHECK(open.error().message.find(part) != std::string::npos);
   CHECK(serial_arm(Mechanism(spec), "l3").ok());
 }

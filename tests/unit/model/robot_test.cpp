@@ -229,8 +229,8 @@ TEST_CASE("a value of the geometry is shared by all copies with the same geometr
     CHECK(&copy.derived<Weight>() != &weight);  // made of all of the robot
   }
   for (const Robot& copy : {arm.with_base(make_translation({0, 0, 1e-9})),
-                            arm.with_base(make_translation({0, 0, -0.0})),
                             arm.with_tool_point(make_translation({0, 1e-9, 0})),
+                            arm.with_tool_point(make_translation({0, 0, -0.0})),
                             arm.with_tool(parallel_gripper(0.08))}) {
     CHECK(&copy.derived<Lengths>() != &lengths);
   }

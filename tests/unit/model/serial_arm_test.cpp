@@ -143,7 +143,7 @@ TEST_CASE("two joints of a chain that move together are no arm") {
   CHECK(serial_arm(Mechanism(spec)).error().message.find("`joint2`") != std::string::npos);
 }
 
-TEST_CASE("an arm ends at the palm from which its fingers divide") {
+TEST_CASE("an arm with fingers ends at the palm if the palm is named") {
   MechanismSpec spec = mechanism_of(*make_robot("panda"));
   const int palm = static_cast<int>(spec.bodies.size()) - 1;
   for (const double side : {1.0, -1.0}) {
@@ -158,7 +158,12 @@ TEST_CASE("an arm ends at the palm from which its fingers divide") {
   spec.coupling.topLeftCorner(7, 7).setIdentity();
   spec.coupling(7, 7) = spec.coupling(8, 7) = 0.5;
   spec.offset = Eigen::VectorXd::Zero(9);
-  const Result<RobotSpec> arm = serial_arm(Mechanism(spec));
+  const Mechanism mechanism(spec);
+  const std::string message = serial_arm(mechanism).error().message;
+  CHECK(message.find("`left` (8 joints") != std::string::npos);
+  CHECK(message.find("`right` (8 joints") != std::string::npos);
+  CHECK(message.find("`tool` (7 joints") != std::string::npos);
+  const Result<RobotSpec> arm = serial_arm(mechanism, "tool");
   REQUIRE(arm.ok());
   CHECK(arm->joints.size() == 7);
 }

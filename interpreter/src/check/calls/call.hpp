@@ -62,10 +62,11 @@ struct Fit {
   int matched = 0;  // values that fitted, to find the closest function
   int cost = 0;
   int generic = 0;
-  int zero_quantities = 0;  // literal zeros taken as quantities
-  bool ambient = false;     // the first parameter is the ambient value of the program
-  std::vector<int> from;    // per parameter: which argument, -1 none
-  std::vector<int> rest;    // arguments of the variadic parameter
+  int zero_quantities = 0;     // literal zeros taken as quantities
+  bool ambient = false;        // the first parameter is the ambient value of the program
+  bool asks_function = false;  // where a lambda with another number of values was given
+  std::vector<int> from;       // per parameter: which argument, -1 none
+  std::vector<int> rest;       // arguments of the variadic parameter
   Bindings bindings;
 };
 

@@ -171,6 +171,7 @@ void match_argument(Checker& checker, const Signature& signature,
       fit.problem = Problem::kType;
       fit.argument = argument;
       fit.parameter = parameter;
+      fit.asks_function = given.waits() && pattern.form == TypePattern::Form::kFunction;
     }
     return;
   }
@@ -249,7 +250,7 @@ const NativeFunction* choose(Checker& checker, std::string_view name,
                                   !arguments[0].waits() && is_ambient(*arguments[0].value->type);
         const auto closeness = [&](const Fit& f) {
           return std::tuple(!has_receiver || !f.ambient, f.matched, f.problem == Problem::kType,
-                            f.argument);
+                            f.argument, f.asks_function);
         };
         if (closest == nullptr || closeness(attempt) > closeness(closest_fit) ||
             (closeness(attempt) == closeness(closest_fit) && attempt.ambient &&

@@ -227,22 +227,26 @@ hir::Stmt* check_range(Checker& checker, const ast::ForInStmt& stmt, const ast::
   return loop;
 }
 
+// A loop over range(...) of whole numbers, which makes no list; null: it is none.
+hir::Stmt* check_counting(Checker& checker, const ast::ForInStmt& stmt) {
+  if (stmt.items->kind != ast::ExprKind::kCall) return nullptr;
+  const auto& call = stmt.items->as<ast::CallExpr>();
+  const bool plain = stmt.type == nullptr || checker.resolve(*stmt.type)->is(Kind::kInt);
+  const bool named =
+      std::ranges::any_of(call.args, [](const ast::Arg& arg) { return !arg.name.text.empty(); });
+  const bool is_range = plain && !named && stmt.index.text.empty() &&
+                        dotted_name(checker, *call.callee) == "range" &&
+                        checker.names.find_function("range") == nullptr && !call.args.empty() &&
+                        call.args.size() <= 3;
+  if (!is_range) return nullptr;
+  std::vector<hir::Expr*> bounds;
+  for (const ast::Arg& arg : call.args)
+    bounds.push_back(checker.check_value(*arg.value, checker.types.integer()));
+  return counts_quantities(bounds) ? nullptr : check_range(checker, stmt, call, std::move(bounds));
+}
+
 hir::Stmt* check_for_in(Checker& checker, const ast::ForInStmt& stmt) {
-  if (stmt.items->kind == ast::ExprKind::kCall) {
-    const auto& call = stmt.items->as<ast::CallExpr>();
-    const bool plain = stmt.type == nullptr || checker.resolve(*stmt.type)->is(Kind::kInt);
-    const bool named =
-        std::ranges::any_of(call.args, [](const ast::Arg& arg) { return !arg.name.text.empty(); });
-    if (plain && !named && stmt.index.text.empty() &&
-        dotted_name(checker, *call.callee) == "range" &&
-        checker.names.find_function("range") == nullptr && !call.args.empty() &&
-        call.args.size() <= 3) {
-      std::vector<hir::Expr*> bounds;
-      for (const ast::Arg& arg : call.args)
-        bounds.push_back(checker.check_value(*arg.value, checker.types.integer()));
-      if (!counts_quantities(bounds)) return check_range(checker, stmt, call, std::move(bounds));
-    }
-  }
+  if (hir::Stmt* counting = check_counting(checker, stmt)) return counting;
   const Type* wanted = stmt.type != nullptr ? checker.resolve(*stmt.type) : nullptr;
   hir::Expr* items =
       checker.check_value(*stmt.items, wanted != nullptr ? checker.types.list(wanted) : nullptr);

@@ -47,6 +47,20 @@ std::optional<ProgramFrame> frame_at(const FailureSite& site, std::size_t first)
   return out;
 }
 
+// static int calls = 0; in a function: the variable would keep its value between calls.
+bool is_kept_between_calls(const FailureSite& site, std::size_t modifier) {
+  if (site.text(modifier) != "static") return false;
+  std::size_t depth = 0;
+  for (std::size_t i = modifier; i-- > 0;) {
+    if (is_closer(site.type(i))) ++depth;
+    if (!is_opener(site.type(i)) || depth-- > 0) continue;
+    const bool is_class =
+        i >= 2 && (site.text(i - 2) == "class" || site.text(i - 2) == "interface");
+    return !is_class;
+  }
+  return false;
+}
+
 // public static void main(String[] args) {, and what stands directly inside of such a frame.
 Answer java_frame(const FailureSite& site) {
   std::optional<ProgramFrame> frame = frame_at(site, site.statement);
@@ -55,6 +69,10 @@ Answer java_frame(const FailureSite& site) {
   Diagnostic out =
       make_diagnostic("E0116", site.span(site.statement, last), {site.text(site.statement)});
   out.why = "a .rbt file runs from its first line; there are no classes and no main";
+  if (!frame->is_frame && is_kept_between_calls(site, frame->modifier)) {
+    out.why = "a variable of a function begins anew in each call; one of the file keeps its value";
+    return out;
+  }
   if (!frame->is_frame) {
     out.fix =
         Fix{"delete " + site.text(site.statement, last), {{out.mark.span, ""}}, Confidence::kSure};

@@ -26,7 +26,9 @@ const hir::LoopStmt* loop_around(const hir::Stmt& stmt, Span span) {
       stmt, [](const hir::Expr&) {}, look_inside);
   if (found != nullptr || stmt.kind != hir::StmtKind::kLoop) return found;
   const auto& loop = stmt.as<hir::LoopStmt>();
-  const bool waits_for_something = loop.condition != nullptr && loop.condition->constant == nullptr;
+  const bool waits_for_something = loop.condition != nullptr &&
+                                   loop.condition->constant == nullptr &&
+                                   loop.condition->kind != hir::ExprKind::kBool;
   return waits_for_something ? &loop : nullptr;
 }
 

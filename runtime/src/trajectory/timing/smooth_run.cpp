@@ -23,6 +23,8 @@ constexpr double kShareOfPosition = 0.2;
 constexpr double kShareOfTime = 0.2;
 constexpr double kShareOfChange = 0.6;
 constexpr int kPiecesOfEnd = 4;          // at least, of the ramp at each end
+constexpr double kNearBorder = 0.3;      // of the space between knots: nearer ones are dropped
+constexpr double kSameBorder = 1e-6;     // of the whole path
 constexpr double kShortestPiece = 0.05;  // of the motion, as a part of a piece of the speed
 constexpr double kChanges = 0.02;  // of the highest acceleration along the path: more is a change
 constexpr int kRounds = 4;         // how often limits that are exceeded in between are tightened
@@ -199,41 +201,37 @@ class Run {
     return with_borders(std::move(knots));
   }
 
-  std::vector<double> with_borders(std::vector<double> knots) const {
+  // Adds the borders of zones and the pieces of both ends to knots, and drops knots near them.
+  std::vector<double> with_borders(const std::vector<double>& knots) const {
+    std::vector<double> borders = {0.0, warp_.whole()};
+    for (const SpeedZone& zone : zones_) {
+      add_border(borders, warp_.inverse(zone.from), kSameBorder * warp_.whole());
+      add_border(borders, warp_.inverse(zone.to), kSameBorder * warp_.whole());
+    }
     // Each end has pieces of its own, however little time it takes: one piece over a whole ramp to
     // a low speed swings beyond that speed.
-    std::vector<double> borders;
     for (int k = 1; k <= kPiecesOfEnd; ++k) {
       const double part = static_cast<double>(k) / kPiecesOfEnd;
-      borders.push_back(part * warp_.start());
-      borders.push_back(warp_.whole() - part * warp_.end());
+      const double start = warp_.start(), end = warp_.end();
+      if (start > 0.0) add_border(borders, part * start, kNearBorder * start / kPiecesOfEnd);
+      if (end > 0.0)
+        add_border(borders, warp_.whole() - part * end, kNearBorder * end / kPiecesOfEnd);
     }
-    for (const SpeedZone& zone : zones_) {
-      borders.push_back(warp_.inverse(zone.from));
-      borders.push_back(warp_.inverse(zone.to));
+    std::vector<double> all = borders;
+    for (std::size_t k = 1; k + 1 < knots.size(); ++k) {
+      const double space = std::min(knots[k] - knots[k - 1], knots[k + 1] - knots[k]);
+      if (space > 0.0 && is_apart(borders, knots[k], kNearBorder * space)) all.push_back(knots[k]);
     }
-    std::ranges::sort(borders);
-    std::vector<double> all = {0.0};
-    std::size_t next = 0;
-    for (std::size_t k = 1; k < knots.size(); ++k) {
-      const double near = 0.3 * (knots[k] - knots[k - 1]);
-      for (; next < borders.size() && borders[next] <= knots[k] + near; ++next) {
-        if (borders[next] <= all.back() + near) {
-          // A border takes the place of a knot that is near, unless that is one itself.
-          const bool free =
-              all.size() > 1 && borders[next] > all.back() && !is_border(borders, all.back());
-          if (free) all.back() = borders[next];
-          continue;
-        }
-        if (borders[next] < knots.back() - near) all.push_back(borders[next]);
-      }
-      if (knots[k] > all.back() + near || k + 1 == knots.size()) all.push_back(knots[k]);
-    }
+    std::ranges::sort(all);
     return all;
   }
 
-  static bool is_border(const std::vector<double>& borders, double u) {
-    return std::ranges::binary_search(borders, u);
+  static bool is_apart(const std::vector<double>& borders, double u, double near) {
+    return std::ranges::none_of(borders, [&](double each) { return std::abs(each - u) <= near; });
+  }
+
+  static void add_border(std::vector<double>& borders, double u, double near) {
+    if (is_apart(borders, u, near)) borders.push_back(u);
   }
 
   // Where the motion gets pieces: at the knots of the speeds and of the path, unless a piece would

@@ -15,7 +15,7 @@ constexpr NativeFunction kLoops[] = {
     {.name = "fold", .signature = "(xs: T[], start: U, f: fn(U, T) -> U) -> U"},
     {.name = "any", .signature = "(xs: T[], f: fn(T) -> bool) -> bool"},
     {.name = "all", .signature = "(xs: T[], f: fn(T) -> bool) -> bool"},
-    {.name = "sort", .signature = "(xs: T[], by: fn(T) -> U) -> T[]"},
+    {.name = "sort", .signature = "(xs: T[], by: fn(T) -> U, descending: bool = false) -> T[]"},
     {.name = "zip", .signature = "(xs: T[], ys: U[]) -> Pair{first: T, second: U}[]"},
     {.name = "contains", .signature = "(xs: T[], x: T) -> bool"},
     {.name = "indexOf", .signature = "(xs: T[], x: T) -> int"},

@@ -109,10 +109,10 @@ std::vector<std::string> calls_in(std::string_view text) {
 // Words and methods that are no functions of the library, and names that stand for the reader's
 // own.
 const std::set<std::string> kNoFunctions = {
-    "if",     "while", "for",    "switch", "catch",    "fn",     "with",
-    "every",  "until", "wait",   "push",   "has",      "remove", "keys",
-    "q",      "qd",    "qdd",    "pick",   "path",     "error",  "print",
-    "assert", "int",   "double", "string", "revolute", "range",  "System.out.print"};
+    "if",     "while",  "for",      "switch", "catch",           "fn",    "with",   "every",
+    "until",  "wait",   "push",     "has",    "remove",          "keys",  "q",      "qd",
+    "qdd",    "pick",   "path",     "error",  "print",           "euler", "assert", "int",
+    "double", "string", "revolute", "range",  "System.out.print"};
 
 bool exists(const std::string& name) {
   const std::string method = name.substr(name.rfind('.') + 1);
@@ -120,6 +120,8 @@ bool exists(const std::string& name) {
   const auto is_known = [](const std::string& called) {
     Session session(library_engine(), at_the_table());
     static_cast<void>(session.compile(called + "()\n", "cell.rbt"));
+    Session value(library_engine(), at_the_table());  // PI
+    if (value.compile("print(" + called + ")\n", "cell.rbt")) return true;
     return std::ranges::none_of(session.problems(), [](const Problem& problem) {
       return problem.diagnostic.code == "E0201";
     });
