@@ -68,7 +68,7 @@ ast::Expr* AstBuilder::unary(RbtParser::UnaryEContext* ctx) {
   const Span span = span_of(ctx);
   const std::size_t sign = ctx->start->getType();
   // The smallest whole number: its digits alone would be too large.
-  if (sign == RbtParser::MINUS && text(span) == "-9223372036854775808") {
+  if (sign == RbtParser::MINUS && text(span_of(ctx->expr())) == "9223372036854775808") {
     return in_.arena.make<ast::IntExpr>(base(ast::ExprKind::kInt, span),
                                         std::numeric_limits<std::int64_t>::min(), false);
   }
