@@ -215,6 +215,8 @@ std::string no_name(std::string_view text) {
 
 // "Math.sin": names with points between them.
 bool is_path_of_names(std::string_view text) {
+  constexpr std::string_view kSetting = "with.";  // of the statement
+  if (text.starts_with(kSetting)) text.remove_prefix(kSetting.size());
   for (;;) {
     const std::size_t point = text.find('.');
     if (!is_name(text.substr(0, point))) return false;

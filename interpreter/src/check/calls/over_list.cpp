@@ -100,7 +100,8 @@ void note_callbacks(Checker& checker, const NativeFunction& function,
 void check_callbacks(Checker& checker) {
   for (const Postponed::Callback& callback : checker.shared.postponed.callbacks()) {
     if (!checker.shared.uses.may_pause(checker.shared.uses.of(callback.function))) {
-      if (!callback.is_read || !first_change(checker, callback.function)) continue;
+      if (!callback.is_read || !first_change(checker, callback.function, Changes::kOfLibrary))
+        continue;
       checker.messages.begin_statement();
       checker.report(make_diagnostic("E0520", callback.span,
                                      {std::string(callback.called_by), "change anything"}));

@@ -18,7 +18,7 @@ bool outlives(const hir::Variable& variable, const hir::Function& function) {
 // Looks through the text of one function.
 class Search {
  public:
-  explicit Search(const hir::Function& function) : function_(function) {}
+  Search(const hir::Function& function, Changes of) : function_(function), of_(of) {}
 
   std::optional<Change> run() {
     std::vector<const hir::Stmt*> open;
@@ -38,7 +38,7 @@ class Search {
 
  private:
   void place(const hir::Place& changed) {
-    if (found_ || !outlives(*changed.variable, function_)) return;
+    if (of_ == Changes::kOfLibrary || found_ || !outlives(*changed.variable, function_)) return;
     found_ = Change{changed.span, "`" + std::string(changed.variable->name) + "`"};
   }
 
@@ -53,6 +53,7 @@ class Search {
   }
 
   const hir::Function& function_;
+  Changes of_;
   std::optional<Change> found_{};
 };
 
@@ -70,13 +71,13 @@ void report_change(Checker& checker, Span condition, const Change& change) {
 
 }  // namespace
 
-std::optional<Change> first_change(Checker& checker, const hir::Function* function) {
+std::optional<Change> first_change(Checker& checker, const hir::Function* function, Changes of) {
   std::unordered_set<const hir::Function*> known{function};
   std::vector<const hir::Function*> open{function};
   while (!open.empty()) {
     const hir::Function* next = open.back();
     open.pop_back();
-    if (auto change = Search(*next).run()) return change;
+    if (auto change = Search(*next, of).run()) return change;
     for (const hir::Function* called : checker.shared.uses.of(next).calls)
       if (known.insert(called).second) open.push_back(called);
   }
