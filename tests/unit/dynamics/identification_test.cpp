@@ -108,7 +108,7 @@ TEST_CASE("base parameters give all forces, and none of them can be left out") {
 
 // The weight of what slides, 2 kg * 9.81 m/s^2, and its dry friction of 3 N: one column each, since
 // at rest only the weight acts.
-TEST_CASE("dry friction of a joint along gravity is told from the weight at rest") {
+TEST_CASE("dry friction of a joint along gravity is separated from its weight at rest") {
   RobotSpec spec;
   Joint joint;
   joint.kind = JointKind::kPrismatic;
