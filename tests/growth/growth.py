@@ -79,7 +79,8 @@ def compared(given, names):
             base, small, large = (costs.get((what, 4 * k + i), 0) for i in (2, 3, 4))
             if large < FEW:
                 continue
-            ratio = (large - base) / max(1, small - base)
+            # A reader that gives up at the tenth mistake takes longer for two lines than for a hundred: no base then.
+            ratio = (large - base) / (small - base) if small > base else large / max(1, small)
             shown.append(f"{what} {large / 1e6:.1f} M ({ratio:.2f})")
             if ratio > most:
                 failed += 1

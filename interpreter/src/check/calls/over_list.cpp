@@ -98,10 +98,10 @@ void note_callbacks(Checker& checker, const NativeFunction& function,
 }
 
 void check_callbacks(Checker& checker) {
+  ChangeFinder finder(checker, Changes::kOfLibrary);
   for (const Postponed::Callback& callback : checker.shared.postponed.callbacks()) {
     if (!checker.shared.uses.may_pause(checker.shared.uses.of(callback.function))) {
-      if (!callback.is_read || !first_change(checker, callback.function, Changes::kOfLibrary))
-        continue;
+      if (!callback.is_read || !finder.find(callback.function)) continue;
       checker.messages.begin_statement();
       checker.report(make_diagnostic("E0520", callback.span,
                                      {std::string(callback.called_by), "change anything"}));

@@ -1,6 +1,5 @@
 #include "check/statements/changes.hpp"
 
-#include <unordered_set>
 #include <vector>
 
 #include "check/statements/recordings.hpp"
@@ -71,24 +70,40 @@ void report_change(Checker& checker, Span condition, const Change& change) {
 
 }  // namespace
 
-std::optional<Change> first_change(Checker& checker, const hir::Function* function, Changes of) {
-  std::unordered_set<const hir::Function*> known{function};
-  std::vector<const hir::Function*> open{function};
-  while (!open.empty()) {
-    const hir::Function* next = open.back();
-    open.pop_back();
-    if (auto change = Search(*next, of).run()) return change;
-    for (const hir::Function* called : checker.shared.uses.of(next).calls)
-      if (known.insert(called).second) open.push_back(called);
+std::optional<Change> ChangeFinder::find(const hir::Function* function) {
+  if (const auto found = known_.find(function); found != known_.end()) return found->second;
+  // The functions on the way, each with the one that mentions it.
+  struct Step {
+    const hir::Function* function;
+    std::size_t from;
+  };
+  std::vector<Step> steps{{function, 0}};
+  known_[function] = std::nullopt;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    std::optional<Change> change = Search(*steps[i].function, of_).run();
+    for (const hir::Function* called : checker_.shared.uses.of(steps[i].function).calls) {
+      if (change) break;
+      const auto [known, is_new] = known_.try_emplace(called);
+      if (is_new) steps.push_back({called, i});
+      change = known->second;
+    }
+    if (!change) continue;
+    // Of the others that were met only some had been looked through: they are asked anew.
+    for (const Step& step : steps) known_.erase(step.function);
+    for (std::size_t at = i;; at = steps[at].from) {
+      known_[steps[at].function] = change;
+      if (at == 0) return change;
+    }
   }
   return std::nullopt;
 }
 
 void check_condition_changes(Checker& checker) {
+  ChangeFinder finder(checker, Changes::kAll);
   for (const auto& [function, span] : checker.shared.postponed.conditions()) {
     if (is_sample(*function)) continue;
     if (checker.shared.uses.may_pause(checker.shared.uses.of(function))) continue;
-    const auto change = first_change(checker, function);
+    const auto change = finder.find(function);
     if (!change) continue;
     checker.messages.begin_statement();
     report_change(checker, span, *change);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 
 #include "check/checker.hpp"
 
@@ -18,10 +19,21 @@ struct Change {
 // the library does is not.
 enum class Changes { kAll, kOfLibrary };
 
-// The first change that `function` makes, or a function that it mentions: a variable of the program
-// is assigned, a list or map of it is changed, or a call of the library acts.
-[[nodiscard]] std::optional<Change> first_change(Checker& checker, const hir::Function* function,
-                                                 Changes of = Changes::kAll);
+// Looks for changes in functions and in those that they mention: a variable of the program is
+// assigned, a list or map of it is changed, or a call of the library acts. Each function is looked
+// through once, however many questions lead to it.
+class ChangeFinder {
+ public:
+  ChangeFinder(Checker& checker, Changes of) : checker_(checker), of_(of) {}
+
+  // A change that `function` makes, or one that it mentions; nothing: none does.
+  [[nodiscard]] std::optional<Change> find(const hir::Function* function);
+
+ private:
+  Checker& checker_;
+  Changes of_;
+  std::unordered_map<const hir::Function*, std::optional<Change>> known_{};
+};
 
 // Refuses conditions of `until`, `wait until` and `when` that change something (E0533); after
 // everything is checked.
