@@ -19,4 +19,4 @@ install(TARGETS armlet EXPORT armlet-targets RUNTIME DESTINATION ${CMAKE_INSTALL
 # What `armlet lab --export` needs, if `./dev wasm` has made it: as it is when it is installed.
 install(FILES ${PROJECT_SOURCE_DIR}/build/wasm/laboratory.html DESTINATION ${CMAKE_INSTALL_DATADIR}/armlet COMPONENT laboratory OPTIONAL)
 install(FILES docs/armlet.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})

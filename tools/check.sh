@@ -13,6 +13,7 @@ step layers, messages, names, sizes, structure and words
 python3 tools/check_layers.py
 python3 tools/check_messages.py
 python3 tools/check_names.py
+python3 tools/check_notices.py
 python3 tools/check_sizes.py
 python3 tools/check_structure.py
 python3 tools/check_words.py

@@ -10,6 +10,7 @@
 #include "armlet/backend/trace_format.hpp"
 #include "armlet/core/similar.hpp"
 #include "console.hpp"
+#include "embedded_texts.hpp"
 
 namespace {
 
@@ -316,6 +317,8 @@ constexpr Command kCommands[] = {
 int dispatch(int argc, char** argv) {
   CLI::App app("Armlet: a small language for robot arms. Without a command: the prompt.");
   app.set_version_flag("--version", "armlet " ARMLET_VERSION);
+  bool notices = false;
+  app.add_flag("--notices", notices, "Print the software of others in it, with its licences");
   app.require_subcommand(0, 1);
   app.footer(
       "Examples:\n  armlet run examples/01_pick_and_place.rbt\n  armlet explain E0401\n  armlet "
@@ -340,6 +343,10 @@ int dispatch(int argc, char** argv) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }
   if (wanted != nullptr) return wanted->run(asked);
+  if (notices) {
+    print_out(*armlet::embedded_texts("NOTICE"));
+    return finish_output() ? kDone : kFailed;
+  }
   return prompts ? prompt(asked.prompt) : kUsage;
 }
 

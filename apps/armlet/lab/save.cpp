@@ -13,8 +13,8 @@
 
 #include "armlet/stdlib/install.hpp"
 #include "console.hpp"
+#include "embedded_texts.hpp"
 #include "inputs.hpp"
-#include "lab_demo.hpp"
 #include "laboratory.hpp"
 #include "output_file.hpp"
 #include "server/server.hpp"
@@ -279,7 +279,7 @@ int save_lab(const LabOptions& options, const RunOptions& run) {
                        kUsage);
   const std::string file = options.demo ? "demo.rbt" : run.file;
   std::optional<std::string> text =
-      options.demo ? std::string(*lab_demo("demo.rbt")) : read_file(file, run.program.json);
+      options.demo ? std::string(*embedded_texts("demo.rbt")) : read_file(file, run.program.json);
   if (!text) return kNoFile;
   if (InputScript script; script.read(run.inputs) != kDone) return kRejected;
   // What a page could not run is told as `armlet check` tells it.

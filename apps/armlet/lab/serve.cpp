@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "console.hpp"
+#include "embedded_texts.hpp"
 #include "lab/dropped_files.hpp"
-#include "lab_demo.hpp"
 #include "server/http_guard.hpp"
 #include "server/server.hpp"
 
@@ -62,7 +62,7 @@ int serve_lab(const LabOptions& options, const RunOptions& run) {
 
   const std::string file = options.demo ? "demo.rbt" : run.file;
   std::optional<std::string> text =
-      options.demo ? std::string(*lab_demo("demo.rbt")) : read_file(file, run.program.json);
+      options.demo ? std::string(*embedded_texts("demo.rbt")) : read_file(file, run.program.json);
   if (!text) return kNoFile;
   Setup setup = make_setup(run.program, file);
   if (setup.exit != kDone) return setup.exit;

@@ -1,6 +1,7 @@
 import { createHash } from "node:crypto";
 import { defineConfig, type Plugin } from "vite";
 import { leanThree } from "./lean_three.ts";
+import { comparedNotices } from "./notices.ts";
 
 // KaTeX names each font in three formats; every browser that runs this page reads the first. Letters of
 // \mathfrak, \mathscr and bold or slanted \mathsf, which lessons on robots do not write, are those of the system.
@@ -56,6 +57,7 @@ function oneFile(): Plugin {
 // What else is built, each into one script: `vite build --mode boot`, `--mode worker` and `--mode converter` (src/alone).
 const ALONE = ["boot", "worker", "converter"];
 const alone = (name: string) => ({
+  plugins: [comparedNotices(false)],
   build: {
     target: "es2022",
     emptyOutDir: false,
@@ -66,7 +68,7 @@ const alone = (name: string) => ({
 
 export default defineConfig(({ mode }) => (ALONE.includes(mode) ? alone(mode) : {
   base: "./",
-  plugins: [leanThree(), onlyWoff2(), oneFile()],
+  plugins: [leanThree(), onlyWoff2(), comparedNotices(true), oneFile()],
   build: {
     target: "es2022",
     assetsInlineLimit: 100_000_000,

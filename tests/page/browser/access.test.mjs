@@ -116,3 +116,18 @@ test("without a 3D view everything else is there", () =>
     assert.ok(await page.locator(".bar").isVisible());
     page.problems = page.problems.filter((problem) => !/WebGL/.test(problem));
   }));
+
+test("About names the software in the page and its engine, with licences", () =>
+  withLab(ONE_MOVE, async (open) => {
+    const page = await open();
+    await page.getByRole("button", { name: "Keys and help" }).click();
+    await page.getByRole("button", { name: "About", exact: true }).click();
+    const about = page.getByRole("dialog", { name: "About" });
+    for (const name of ["three 0.", "CodeMirror view", "KaTeX fonts", "DOMPurify", "marked", "uPlot", "ANTLR", "fmt", "Eigen", "CLI11", "musl", "OMPL"])
+      assert.ok((await about.innerText()).includes(name), `About does not name ${name}`);
+    await about.getByText("OFL-1.1", { exact: true }).last().click();
+    await about.getByText(/The goals of the Open Font License/).waitFor();
+    assert.deepEqual(await violations(page), []);
+    await about.getByRole("button", { name: "Close" }).click();
+    assert.equal(await about.isVisible(), false);
+  }));

@@ -62,7 +62,7 @@ export function globalKeys(intents: Intents, help: () => void): void {
 
 // Shows what of the help has the words that are searched. What was searched before is gone when it opens: browsers tell late that
 // a dialog has closed, perhaps when somebody searches in it again.
-export function helpDialog(): { dialog: HTMLDialogElement; open(): void } {
+export function helpDialog(about: () => void): { dialog: HTMLDialogElement; open(): void } {
   const rows = KEYS.map(([key, what]) => el("div", {}, el("dt", {}, key), el("dd", {}, what)));
   const none = el("p", { class: "quiet", role: "status" });
   const search: HTMLInputElement = el("input", { type: "text", "aria-label": "Search the help", placeholder: "Search", oninput: () => find() });
@@ -77,7 +77,7 @@ export function helpDialog(): { dialog: HTMLDialogElement; open(): void } {
     search,
     el("dl", {}, ...rows),
     none,
-    el("button", { onclick: () => dialog.close() }, "Close"),
+    el("div", { class: "row" }, el("button", { onclick: () => dialog.close() }, "Close"), el("button", { onclick: about }, "About")),
   );
   const open = () => {
     if (dialog.open) return;

@@ -1,4 +1,5 @@
 // The page: header, three columns, the bar of time; on a phone one column with tabs.
+import { aboutDialog } from "../about/about.ts";
 import { Editor } from "../editor/editor.ts";
 import { elementPanel } from "../elements/panel.ts";
 import { findConverter } from "../home/converter.ts";
@@ -22,7 +23,8 @@ const TITLES: Record<ColumnName, string> = { program: "Program", view: "3D view"
 
 // source, alone  see HeaderActions.
 export function buildPage(root: HTMLElement, store: Store, intents: Intents, source: string, alone: boolean): void {
-  const { dialog: help, open } = helpDialog();
+  const about = aboutDialog(() => store.state.welcome?.version ?? "");
+  const { dialog: help, open } = helpDialog(about.open);
   const top = el("header", { class: "top" });
   const editorHost = el("div", { class: "editor" });
   const below = el("div", { class: "below" });
@@ -38,7 +40,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   const bottom = el("footer", { class: "bottom", "aria-label": "Time" });
   const message = el("div", { class: "message", role: "status", "aria-live": "polite", hidden: true });
   const { tabs, choose } = phoneTabs(main);
-  root.replaceChildren(top, main, bottom, tabs, message, help);
+  root.replaceChildren(top, main, bottom, tabs, message, help, about.dialog);
 
   header(top, store, intents, { source, alone, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
   const editor = new Editor(editorHost, store, intents);
