@@ -100,8 +100,10 @@ Drive drive_of(const Mechanism& m, int joint) {
 
 // Joint limits from those of the actuator: the first joint that it drives stands for it.
 std::string limit_text(const Mechanism& m, const Drive& drive) {
-  if (drive.actuator < 0)
-    return "    <limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>\n";
+  if (drive.actuator < 0) {
+    return fmt::format("    <limit lower=\"{0}\" upper=\"{0}\" effort=\"0\" velocity=\"0\"/>\n",
+                       number(drive.shift));
+  }
   const Actuator& a = m.actuators()[static_cast<std::size_t>(drive.actuator)];
   const double one = drive.ratio * a.lower + drive.shift,
                other = drive.ratio * a.upper + drive.shift;
@@ -131,10 +133,12 @@ class Leaders {
   std::vector<int> leader_;
 };
 
+// A joint that nothing drives copies the first actuator by a factor of 0.
 std::string mimic_text(const Mechanism& m, const Leaders& leaders, int joint) {
   const Drive drive = drive_of(m, joint);
-  if (drive.actuator < 0 || leaders.of(drive.actuator) == joint) return {};
-  const int leader = leaders.of(drive.actuator);
+  if (m.actuator_count() == 0) return {};
+  const int leader = leaders.of(std::max<Eigen::Index>(drive.actuator, 0));
+  if (leader < 0 || leader == joint) return {};
   const Drive lead = drive_of(m, leader);
   const double ratio = drive.ratio / lead.ratio;
   const Body& body =

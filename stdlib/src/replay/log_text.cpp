@@ -353,6 +353,17 @@ std::string fault_of(std::string_view bytes) {
   return {};
 }
 
+// Records in another order, or one that a later one hides, would be lost in silence.
+void demand_as_written(const SessionLog& log, std::string_view bytes) {
+  const std::string ours = write(log);
+  if (ours == bytes) return;
+  const auto [there, here] = std::ranges::mismatch(bytes, ours);
+  throw ArgumentError(
+      fmt::format("byte {} of the log is not as this version writes it: its records have another "
+                  "order or form, or one of them stands twice",
+                  there - bytes.begin()));
+}
+
 }  // namespace
 
 Result<std::string> write_log(const SessionLog& log) {
@@ -366,7 +377,9 @@ Result<std::string> write_log(const SessionLog& log) {
 Result<SessionLog> read_log(std::string_view bytes) {
   if (const std::string fault = fault_of(bytes); !fault.empty()) return Error{"log", fault};
   try {
-    return Reader(bytes).read();
+    SessionLog log = Reader(bytes).read();
+    demand_as_written(log, bytes);
+    return log;
   } catch (const ArgumentError& error) {
     return Error{"log", error.what()};
   }

@@ -187,6 +187,17 @@ TEST_CASE("arms of mixed conventions and joints come back too") {
   }
 }
 
+TEST_CASE("a joint that copies another by a factor of 0 keeps its place in a written description") {
+  const Result<Mechanism> read = read_urdf(
+      replaced(kArm, R"(multiplier="0.5" offset="0.01")", R"(multiplier="0" offset="0.02")"));
+  REQUIRE(read.ok());
+  const Result<Mechanism> again = read_urdf(write_urdf(*read));
+  REQUIRE(again.ok());
+  REQUIRE(again->actuator_count() == read->actuator_count());
+  const Eigen::VectorXd q = Eigen::VectorXd::Constant(read->actuator_count(), 0.005);
+  CHECK(again->joint_values(q) == read->joint_values(q));
+}
+
 TEST_CASE("a hand comes back with its coupling") {
   Random random(43);
   for (const Mechanism& hand : {make_barrett_hand(), make_parallel_gripper()}) {
@@ -337,6 +348,12 @@ TEST_CASE("text that is no description, and text that attacks its reader, is ref
   CHECK(refusal("<html></html>") != "accepted");
   CHECK(refusal("<robot name=\"a\"><link name=\"b\">") != "accepted");
   CHECK(refusal(std::string("<robot\0name=\"a\"/>", 18)).find("zero byte") != std::string::npos);
+  CHECK(refusal("<robot name=\"a\">\n<link name=\"b\x02\"/></robot>")
+            .find("the control character U+0002, which XML does not allow (line 2)") !=
+        std::string::npos);
+  CHECK(
+      refusal("<robot name=\"a\">\n<link name=\"b&#x1f;\"/></robot>").find("&#x1f; is a control") !=
+      std::string::npos);
   CHECK(refusal("<?xml version=\"1.0\"?><!DOCTYPE lolz [<!ENTITY lol \"lol\">]><robot name=\"a\"/>")
             .find("document type") != std::string::npos);
   std::string deep, quoted;

@@ -1,5 +1,6 @@
 // What hosts do to a run, its log, and the run once more.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <thread>
 
 #include "armlet/core/error.hpp"
+#include "armlet/core/hash.hpp"
 #include "armlet/interpreter/host/globals.hpp"
 #include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/stdlib/session.hpp"
@@ -236,6 +238,21 @@ TEST_CASE("values of all kinds come through a log") {
   CHECK(through_file(log).entries.back().inputs == log.entries.back().inputs);
   log.entries.back().inputs.push_back({{}, SetGlobal{"x", Value(Value::Host{})}});
   CHECK(write_log(log).error().message.find("belongs to the host") != std::string::npos);
+}
+
+TEST_CASE("a log with its records in another order is refused, with its right sum too") {
+  ReplayedRun run;
+  REQUIRE(run->compile("print(1)", "p.rbt"));
+  const std::string bytes = write_log(run->log()).value();
+  const std::size_t begin = bytes.find("robot "), end = bytes.find("default-world ");
+  REQUIRE(begin < end);
+  const std::size_t sum = bytes.rfind("sum 16\n");
+  std::string other = bytes.substr(0, begin) + bytes.substr(end, sum - end);
+  other += bytes.substr(begin, end - begin);
+  Fnv1a hash;
+  hash.add_bytes(other);
+  other += fmt::format("sum 16\n{:016x}\n", hash.value());
+  CHECK(read_log(other).error().message.find("as this version writes it") != std::string::npos);
 }
 
 TEST_CASE("a log that was cut short or changed is refusal_in_replay wherever that is") {

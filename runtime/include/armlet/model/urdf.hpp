@@ -69,9 +69,10 @@ struct UrdfLink {
 // returns  an error as read_urdf, and for a joint that turns or slides.
 Result<std::vector<UrdfLink>> read_urdf_scene(std::string_view text);
 
-// The mechanism as a URDF that read_urdf and others understand; numbers read back to the same bits.
-// Tips become links of their own. A comment at a joint says what URDF cannot: the inertia of its
-// rotor, friction that differs between the directions or sticks.
+// The mechanism as a URDF that read_urdf and others understand; numbers read back to the same bits
+// but for rotations, of which URDF gives the angles. Tips become links of their own. A comment at a
+// joint says what URDF cannot: the inertia of its rotor, friction that differs between the
+// directions or sticks.
 //
 // throws  ArgumentError if a joint is driven by several actuators at once, which URDF cannot say.
 std::string write_urdf(const Mechanism& mechanism);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace armlet {
 namespace {
@@ -28,6 +29,24 @@ bool starts_name(char c) {
 }
 bool continues_name(char c) {
   return starts_name(c) || (c >= '0' && c <= '9') || c == '-' || c == '.';
+}
+
+// Control characters that XML 1.0 (2.2) leaves out.
+bool is_forbidden(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x20 && kBlank.find(c) == std::string_view::npos;
+}
+
+// Whether an entity, without its & and ;, stands for such a character: "#1", "#x1F".
+bool names_forbidden(std::string_view entity) {
+  if (!entity.starts_with('#')) return false;
+  const bool is_hex = entity.substr(1).starts_with('x');
+  entity.remove_prefix(is_hex ? 2 : 1);
+  unsigned code = 0;
+  const auto [end, error] =
+      std::from_chars(entity.data(), entity.data() + entity.size(), code, is_hex ? 16 : 10);
+  return error == std::errc() && end == entity.data() + entity.size() && code < 0x20 &&
+         is_forbidden(static_cast<char>(code));
 }
 
 // Walks through the text once, from tag to tag, and counts.
@@ -87,6 +106,10 @@ class Walk {
       const std::size_t length = inside.find_first_of(";&<>\"' \t\r\n");
       if (length == 0 || length >= inside.size() || inside[length] != ';')
         return refuse("a & begins no entity; a & itself is written &amp;");
+      if (names_forbidden(inside.substr(0, length))) {
+        return refuse(fmt::format("&{}; is a control character, which XML does not allow",
+                                  inside.substr(0, length)));
+      }
       ++entities_;
       at_ += 1 + length;
     }
@@ -225,6 +248,12 @@ std::string xml_fault(std::string_view text) {
   if (text.find_first_not_of(kBlank) == std::string_view::npos) return "the file is empty";
   if (text.find('\0') != std::string_view::npos)
     return "the file holds a zero byte, so it is no text";
+  const auto control = std::ranges::find_if(text, is_forbidden);
+  if (control != text.end()) {
+    return fmt::format(
+        "it holds the control character U+{:04X}, which XML does not allow (line {})",
+        static_cast<unsigned>(*control), 1 + std::count(text.begin(), control, '\n'));
+  }
   return Walk(text).fault();
 }
 

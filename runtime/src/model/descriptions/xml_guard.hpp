@@ -9,11 +9,11 @@ namespace armlet {
 // all attributes of an element for each of them. Empty if it may; whether its tags match, the
 // parser says.
 //
-// Refused are texts that are empty or hold a zero byte, declare entities, have tags, comments or
-// entities that XML does not know, or exceed a limit: 16 MB; 100,000 elements, nested 100 deep, of
-// 100 attributes; names of 200 bytes and values of 10,000; 10,000 comments, instructions and
-// sections of plain text; 100,000 entities; text of 1,000,000 bytes. The message names the limit
-// and what was given, and the line. Takes time in proportion to the text.
+// Refused are texts that are empty or hold a control character, declare entities, have tags,
+// comments or entities that XML does not know, or exceed a limit: 16 MB; 100,000 elements, nested
+// 100 deep, of 100 attributes; names of 200 bytes and values of 10,000; 10,000 comments,
+// instructions and sections of plain text; 100,000 entities; text of 1,000,000 bytes. The message
+// names the limit and what was given, and the line. Takes time in proportion to the text.
 std::string xml_fault(std::string_view text);
 
 // Where a piece of XML that begins at `at` ends, after its last letters; at the end of the text if
