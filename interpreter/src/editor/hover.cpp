@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "armlet/interpreter/unit.hpp"
+#include "check/blocks/number_dims.hpp"
 #include "editor/cursor.hpp"
 #include "editor/facts.hpp"
 #include "editor/places.hpp"
@@ -151,6 +153,32 @@ std::optional<Hover> text_hover(const Facts& facts, const Token& token, std::siz
   return out.text.empty() ? std::nullopt : std::optional(out);
 }
 
+// A number with a unit: what it measures, and how much that is in SI units.
+std::optional<Hover> quantity_hover(const Facts& facts, const Token& token) {
+  const std::string_view text = facts.text_of(token);
+  const auto quantity = is_number(token.type) ? parse_quantity(text) : std::nullopt;
+  if (!quantity || quantity->dim.is_none()) return std::nullopt;
+  return Hover{.span = {token.begin, token.end, 0},
+               .text = dimension_name(quantity->dim),
+               .help = fmt::format("{} = {} {}", text, bare_number_text(quantity->si),
+                                   si_unit(quantity->dim))};
+}
+
+// The key of a map that is read or set: what is kept under it.
+std::optional<Hover> key_hover(const Facts& facts, const Token& token, std::size_t index) {
+  if (token.type != sign::kText || index < 2 || facts.text_of(facts.tokens[index - 1]) != "[")
+    return std::nullopt;
+  const auto& spans = facts.values.spans;  // outer ones first
+  const auto found = std::find_if(spans.rbegin(), spans.rend(), [&](const TypedSpan& each) {
+    return each.span.begin < token.begin && token.end < each.span.end &&
+           each.span.end == facts.tokens[index + 1].end;
+  });
+  if (found == spans.rend() || found->type->is(Kind::kAny)) return std::nullopt;
+  return Hover{.span = {token.begin, token.end, 0},
+               .text = fmt::format("{}: {}", facts.compiled->sources->slice(found->span),
+                                   type_name(found->type))};
+}
+
 std::optional<Hover> native_hover(const Facts& facts, const Learnt::NativeUse& use) {
   Hover out{.span = use.name};
   if (use.parameter < 0) {
@@ -204,6 +232,8 @@ std::optional<Hover> name_hover(const Facts& facts, std::uint32_t at) {
     const Token& token = facts.tokens[i];
     if (token.begin > at || at > token.end || token.type == kEndOfText) continue;
     if (auto out = text_hover(facts, token, i, at)) return out;
+    if (auto out = quantity_hover(facts, token)) return out;
+    if (auto out = key_hover(facts, token, i)) return out;
     if (const Symbol* symbol = symbol_called(facts, token, i))
       return symbol_hover(facts, {token.begin, token.end, 0}, *symbol);
     if (auto out = type_hover(facts, token, i)) return out;

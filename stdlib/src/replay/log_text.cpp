@@ -357,7 +357,7 @@ std::string fault_of(std::string_view bytes) {
 void demand_as_written(const SessionLog& log, std::string_view bytes) {
   const std::string ours = write(log);
   if (ours == bytes) return;
-  const auto [there, here] = std::ranges::mismatch(bytes, ours);
+  const auto [there, here] = std::mismatch(bytes.begin(), bytes.end(), ours.begin(), ours.end());
   throw ArgumentError(
       fmt::format("byte {} of the log is not as this version writes it: its records have another "
                   "order or form, or one of them stands twice",

@@ -184,6 +184,12 @@ TEST_CASE("what stands at such a position is explained") {
   CHECK(at("try { arm.home() } catch (e) { if (e.kind == \"Collision\") { print(1) } }\n",
            "Collision")
             .starts_with("kind \"Collision\""));
+  CHECK(at("let x = 250mm/s\n", "250") == "speed\n250mm/s = 0.25 m/s");
+  CHECK(at("let x = 180deg\n", "180") == "angle\n180deg = 3.14159265358979 rad");
+  CHECK(at("let ages = {\"cup\": 3s}\nprint(ages[\"cup\"])\n", "\"cup\"]") ==
+        "ages[\"cup\"]: time\n");
+  CHECK(at("switch (state) {\n    case State.Done: print(1)\n}\n", "Done").find("State") !=
+        std::string::npos);
 }
 
 TEST_CASE("where a value has to stand no words of statements and no types are offered") {
