@@ -27,13 +27,13 @@ Answer<Eigen::VectorXd> parameters_of_links(Vm& vm, const RobotRef& r) {
   return dynamic_parameters(loaded_of(vm, r));
 }
 
-// Of a joint, an upper bound of the operations that the search for its parameters takes.
+// Of a link, an upper bound of the operations that the search for its parameters takes.
 constexpr double kWork = 4e5;
 
 Answer<RecordObj*> base_of_links(Vm& vm, const RobotRef& r) try {
   const Robot& robot = loaded_of(vm, r);
-  const double joints = robot.n();
-  if (!charge_steps(vm, static_cast<std::uint64_t>(kWork / 50.0 * joints * joints * joints)))
+  const double links = static_cast<double>(dynamic_parameters(robot).size()) / kLinkParameters;
+  if (!charge_steps(vm, static_cast<std::uint64_t>(kWork / 50.0 * links * links * links)))
     return Failed{};
   const BaseParameters base = base_parameters(robot);
   const Eigen::VectorXd values = base.grouping * dynamic_parameters(robot);
@@ -72,7 +72,8 @@ constexpr NativeFunction kIdentificationFunctions[] = {
         "14 values of each link, one link after the other: mass and mass times centre of mass (x, "
         "y, z), inertia about the origin of the link's frame (xx, xy, xz, yy, yz, zz), and at the "
         "joint the inertia of the motor, viscous friction and Coulomb friction forwards and "
-        "backwards. The payload and what the hand holds count to the last link.",
+        "backwards. The payload and what the hand holds count to the last link. Behind them stand those "
+        "of links beside the arm whose joints copy its joints.",
         "dynamicParameters().length"),
     def<base_of_links>(
         "baseParameters(r: robot) -> BaseParameters",

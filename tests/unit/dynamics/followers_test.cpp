@@ -139,7 +139,32 @@ TEST_CASE("the equation of motion of an arm with followers is that of the tree")
                            {batch.data(), 3});
     CHECK(batch.isApprox(tau, 1e-12));
   }
-  CHECK_THROWS_AS(dynamic_parameters(robot), ArgumentError);
+}
+
+TEST_CASE("the regressor of an arm with followers gives its forces, and its base parameters too") {
+  Random random(44);
+  const Robot robot = arm_of(balanced());
+  // Three links of the arm; the cylinder, the piston and the weight beside it.
+  const Eigen::VectorXd p = dynamic_parameters(robot);
+  REQUIRE(p.size() == 6 * kLinkParameters);
+  const BaseParameters base = base_parameters(robot);
+  const Eigen::VectorXd p_base = base.grouping * p;
+  CHECK(static_cast<Eigen::Index>(base.columns.size()) < p.size());
+  // Some of them belong to the links beside the arm: the arm alone does not explain the forces.
+  CHECK(base.columns.back() >= 3 * kLinkParameters);
+  for (int k = 0; k < 100; ++k) {
+    const Eigen::VectorXd q = random3(random, 3.0), qdd = random3(random, 4.0);
+    const Eigen::VectorXd qd = k % 4 == 0 ? Eigen::VectorXd::Zero(3) : random3(random, 2.0);
+    const JointVector tau = inverse_dynamics(robot, q, qd, qdd);
+    const Eigen::MatrixXd Y = dynamics_regressor(robot, q, qd, qdd);
+    CHECK((Y * p - tau).norm() < 1e-10 * tau.norm());
+    CHECK((Y(Eigen::all, base.columns) * p_base - tau).norm() < 1e-8 * tau.norm());
+    const Eigen::VectorXd any = Eigen::VectorXd::NullaryExpr(
+        p.size(), [&](Eigen::Index) { return random.uniform(-1.0, 1.0); });
+    const Eigen::VectorXd forces = Y * any;
+    CHECK((Y(Eigen::all, base.columns) * (base.grouping * any) - forces).norm() <
+          1e-7 * (1.0 + forces.norm()));
+  }
 }
 
 TEST_CASE("derivatives of the forces include the followers") {

@@ -17,13 +17,15 @@ namespace armlet {
 //   G^2 J                         of the rotor, at the joint, kg m^2
 //   G^2 B, |G| Tc+, |G| Tc-       viscous and Coulomb friction, at the joint
 //
-// the first ten in the link's DH frame.
+// the first ten in the link's DH frame. Behind those of the links stand, in the same order, those of
+// each link with a mass or friction whose joint copies joints of the arm (RobotSpec::followers), in
+// its own frame and at its own joint: 14 (n + followers) in all.
 inline constexpr int kLinkParameters = 14;
 
-// p, 14 n values. A payload counts to the last link.
+// p, 14 values for each link. A payload counts to the last link.
 Eigen::VectorXd dynamic_parameters(const Robot& robot);
 
-// Y, n x 14 n. It depends on the geometry and on gravity alone. The columns of Tc+ and Tc- are 1
+// Y, n x p.size(). It depends on the geometry and on gravity alone. The columns of Tc+ and Tc- are 1
 // while the joint moves in their direction, otherwise 0.
 //
 // throws  ArgumentError unless the arguments have n finite elements and the result is finite.
@@ -36,7 +38,7 @@ Eigen::MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, 
 //   Y p = Y_b (grouping p),  Y_b the columns `columns` of Y.
 //
 // columns   of Y that do not depend on each other: each that is no combination of those before it.
-// grouping  columns.size() x 14 n: 1 at the parameter of its column, and what others add to it.
+// grouping  columns.size() x p.size(): 1 at the parameter of its column, and what others add to it.
 struct BaseParameters {
   std::vector<int> columns;
   Eigen::MatrixXd grouping;

@@ -87,7 +87,6 @@ class ColumnBasis {
 }  // namespace
 
 VectorXd dynamic_parameters(const Robot& robot) {
-  refuse_followers(robot, "dynamic parameters");
   const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   VectorXd p(kLinkParameters * robot.n());
   for (int i = 0; i < robot.n(); ++i) {
@@ -96,6 +95,10 @@ VectorXd dynamic_parameters(const Robot& robot) {
         link.motor_inertia, link.friction.viscous, link.friction.coulomb_plus,
         link.friction.coulomb_minus;
   }
+  if (!has_followers(robot)) return p;
+  const VectorXd more = follower_parameters(robot);
+  p.conservativeResize(p.size() + more.size());
+  p.tail(more.size()) = more;
   return p;
 }
 
@@ -103,7 +106,6 @@ MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsI
   check_joint_values("q", q, robot);
   check_joint_values("qd", qd, robot);
   check_joint_values("qdd", qdd, robot);
-  refuse_followers(robot, "regressor");
   const SpatialArm arm(robot, q);
   MatrixXd Y = MatrixXd::Zero(robot.n(), kLinkParameters * robot.n());
   Vector6d velocity = Vector6d::Zero(), acceleration = arm.base_acceleration;
@@ -124,12 +126,19 @@ MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsI
     Y(i, first + kMassParameters + 1) = qd[i];
     if (qd[i] != 0.0) Y(i, first + kMassParameters + (qd[i] > 0.0 ? 2 : 3)) = 1.0;
   }
+  if (has_followers(robot)) {
+    const MatrixXd more = follower_regressor(robot, q, qd, qdd);
+    Y.conservativeResize(Eigen::NoChange, Y.cols() + more.cols());
+    Y.rightCols(more.cols()) = more;
+  }
   check_finite("regressor", Y);
   return Y;
 }
 
 BaseParameters base_parameters(const Robot& robot) {
-  const Index n = robot.n(), parameters = kLinkParameters * n, motions = 3 * kLinkParameters;
+  const Index n = robot.n(), parameters = dynamic_parameters(robot).size();
+  const Index links = parameters / kLinkParameters;  // and those beside the arm
+  const Index motions = 3 * kLinkParameters * ((links + n - 1) / n);
   RandomMotions random(robot);
   MatrixXd W(motions * n, parameters);
   for (Index k = 0; k < motions; ++k) W.middleRows(k * n, n) = random.next();

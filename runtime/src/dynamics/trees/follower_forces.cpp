@@ -1,8 +1,8 @@
 #include "follower_forces.hpp"
 
-#include <fmt/format.h>
+#include <vector>
 
-#include "armlet/core/error.hpp"
+#include "armlet/dynamics/identification.hpp"
 #include "armlet/dynamics/mechanism_dynamics.hpp"
 #include "spatial_tree.hpp"
 
@@ -97,15 +97,42 @@ double follower_potential_energy(const Robot& robot, JointsIn q) {
          mass * robot.gravity().dot(robot.T_world_base().translation());
 }
 
-void refuse_followers(const Robot& robot, std::string_view what) {
-  if (!has_followers(robot)) return;
-  for (const Body& body : robot.spec().followers->bodies()) {
-    if (body.link.mass == 0.0) continue;
-    throw ArgumentError(fmt::format(
-        "The {} of robot `{}` cannot be given: link `{}` has a mass and moves with joints of the "
-        "arm without belonging to it. Forces, inertia and energy include it.",
-        what, robot.name(), body.name));
+namespace {
+
+// Of the bodies of the tree those that have a parameter: the links of the arm have none in it.
+std::vector<int> bodies_with_parameters(const VectorXd& all) {
+  std::vector<int> bodies;
+  for (Eigen::Index first = 0; first < all.size(); first += kLinkParameters) {
+    if (!all.segment<kLinkParameters>(first).isZero(0.0))
+      bodies.push_back(static_cast<int>(first / kLinkParameters));
   }
+  return bodies;
+}
+
+}  // namespace
+
+VectorXd follower_parameters(const Robot& robot) {
+  const VectorXd all = dynamic_parameters(*robot.spec().followers);
+  const std::vector<int> bodies = bodies_with_parameters(all);
+  VectorXd p(kLinkParameters * static_cast<Eigen::Index>(bodies.size()));
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    p.segment<kLinkParameters>(kLinkParameters * static_cast<Eigen::Index>(k)) =
+        all.segment<kLinkParameters>(kLinkParameters * bodies[k]);
+  }
+  return p;
+}
+
+MatrixXd follower_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd) {
+  const Mechanism& m = *robot.spec().followers;
+  const std::vector<int> bodies = bodies_with_parameters(dynamic_parameters(m));
+  const MatrixXd all =
+      dynamics_regressor(m, {.q = q, .qd = qd, .qdd = qdd}, gravity_in_base(robot));
+  MatrixXd Y(all.rows(), kLinkParameters * static_cast<Eigen::Index>(bodies.size()));
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    Y.middleCols<kLinkParameters>(kLinkParameters * static_cast<Eigen::Index>(k)) =
+        all.middleCols<kLinkParameters>(kLinkParameters * bodies[k]);
+  }
+  return Y;
 }
 
 }  // namespace armlet

@@ -31,7 +31,9 @@ void add_follower_derivatives(const Robot& robot, JointsIn q, JointsIn qd, Joint
 
 double follower_potential_energy(const Robot& robot, JointsIn q);
 
-// Throws ArgumentError that names the first such link, for what is known of other arms alone.
-void refuse_followers(const Robot& robot, std::string_view what);
+// The parameters of those links that have some, kLinkParameters each, and the columns that give
+// their forces at the joints of the arm.
+Eigen::VectorXd follower_parameters(const Robot& robot);
+Eigen::MatrixXd follower_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd);
 
 }  // namespace armlet
