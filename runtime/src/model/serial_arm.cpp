@@ -170,6 +170,26 @@ Legs legs_of(const Walk& walk) {
   return legs;
 }
 
+// Why a body of the chain cannot belong to an arm, and where an arm without it ends.
+Error coupled(const Mechanism& m, int body) {
+  const Body& at = m.bodies()[static_cast<std::size_t>(body)];
+  const Eigen::RowVectorXd row = m.spec().coupling.row(m.joint_of(body));
+  std::string drives;
+  for (Eigen::Index a = 0; a < row.size(); ++a) {
+    if (row[a] == 0.0) continue;
+    drives += fmt::format("{}`{}`", drives.empty() ? "" : " and ",
+                          m.actuators()[static_cast<std::size_t>(a)].name);
+  }
+  const std::string& before =
+      at.parent >= 0 ? m.bodies()[static_cast<std::size_t>(at.parent)].name : m.spec().base_name;
+  return Error{
+      "coupled",
+      fmt::format(
+          "joint `{}` of `{}` copies {}, so it cannot belong to an arm whose joints move on "
+          "their own; tip: \"{}\" ends the arm before it",
+          at.joint_name, m.name(), drives.empty() ? "another joint" : drives, before)};
+}
+
 // The joints of the arm, and the actuator of each.
 Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs,
                               std::vector<Eigen::Index>* motors) {
@@ -190,12 +210,7 @@ Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs,
     const Body& body = m.bodies()[static_cast<std::size_t>(i)];
     const auto actuator = own_actuator(m, m.joint_of(i));
     if (!actuator || std::ranges::find(used, *actuator) != used.end()) {
-      return Error{
-          "coupled",
-          fmt::format(
-              "joint `{}` of `{}` copies another joint, so it cannot belong to an arm whose "
-              "joints move on their own",
-              body.joint_name, m.name())};
+      return coupled(m, i);
     }
     used.push_back(*actuator);
     spec.joints.push_back(joint_of(m, body, *actuator));

@@ -59,8 +59,12 @@ void check_joint(const RobotSpec& spec, std::size_t i) {
 std::string inertia_fault(const Eigen::Matrix3d& inertia, InertiaCheck check) {
   const double scale = inertia.cwiseAbs().maxCoeff();
   const double tolerance = 1e-9 * scale;
-  if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > tolerance) {
-    return "has an inertia that is not symmetric";
+  Eigen::Index i = 0, j = 0;
+  if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff(&i, &j) > tolerance) {
+    return fmt::format(
+        "has an inertia that is not symmetric: its element [{}, {}] is {} and [{}, {}] "
+        "is {}",
+        i, j, format_number(inertia(i, j), 6), j, i, format_number(inertia(j, i), 6));
   }
   const Eigen::Vector3d moments =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();

@@ -85,7 +85,9 @@ TEST_CASE("what is wrong with a link is said with its number") {
   CHECK(message_after([](RobotSpec& s) { s.links[1].com.x() = NAN; }) ==
         "Link 2 of robot `arm` has a centre of mass or an inertia that is not finite.");
   CHECK(message_after([](RobotSpec& s) { s.links[1].inertia(0, 1) = 0.1; }) ==
-        "Link 2 of robot `arm` has an inertia that is not symmetric.");
+        "Link 2 of robot `arm` has an inertia that is not symmetric: its element [1, 0] is 0 and "
+        "[0, 1] "
+        "is 0.1.");
   CHECK(message_after([](RobotSpec& s) {
           s.links[0].inertia = Eigen::Vector3d(1, -1, 1).asDiagonal();
         }) == "Link 1 of robot `arm` has an inertia with the negative principal moment -1 kg m^2.");
