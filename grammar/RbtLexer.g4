@@ -107,10 +107,21 @@ fragment UNIT
   ;
 
 // ---------------------------------------------------------------- text and names
-FSTRING : 'f' '"' (~["\\\r\n] | '\\' ~[\r\n])* '"' ;
-STRING : '"' (~["\\\r\n] | '\\' ~[\r\n])* '"' | '\'' (~['\\\r\n] | '\\' ~[\r\n])* '\'' ;
-BADSTR : 'f'? '"' (~["\\\r\n] | '\\' ~[\r\n])* | '\'' (~['\\\r\n] | '\\' ~[\r\n])* ;
+// Between three quotes a text spans lines. Such a text that is never closed holds the rest of the program.
+FSTRING : 'f' '"' (~["\\\r\n] | '\\' ~[\r\n])* '"' | 'f' '"""' LONG_PART* '"""' ;
+STRING
+  : '"' (~["\\\r\n] | '\\' ~[\r\n])* '"'
+  | '\'' (~['\\\r\n] | '\\' ~[\r\n])* '\''
+  | '"""' LONG_PART* '"""'
+  ;
+BADSTR
+  : 'f'? '"' (~["\\\r\n] | '\\' ~[\r\n])*
+  | '\'' (~['\\\r\n] | '\\' ~[\r\n])*
+  | 'f'? '"""' LONG_PART*
+  ;
 ID : LETTER (LETTER | [0-9])* ;
+
+fragment LONG_PART : ('"' '"'?)? (~["\\] | '\\' .) ;
 
 fragment LETTER : [a-zA-Z_\u00C0-\u00D6\u00D8-\u00F6\u00F8-\u024F\u0370-\u03FF] ;
 

@@ -38,6 +38,9 @@ def check_pipe():
     done = piped("var a = 1\na = 2; moveJ(posJ(10deg, 20deg, 50mm, 0deg), time: 1s); a = [1, 2][5]\nprint(a)\nprint(now())\n")
     check("an error leaves names and clock as they were", done.stdout == "1\n0 s\n" and "R06" in done.stderr, done)
 
+    done = piped('let s = """\n  a\n    b\n  """\nprint(s)\n')
+    check("a text over several lines is one entry", done.stdout == "a\n  b\n" and done.stderr == "", done)
+
     done = piped("let p = poseOf(cube)\n")
     check("a thing of the world is explained", 'write object("cube")' in done.stderr, done)
 

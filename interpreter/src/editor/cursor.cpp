@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/places.hpp"
+#include "syntax/tokens/quotes.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 
@@ -94,14 +95,15 @@ class Around {
       ++before_;
       return;
     }
-    const std::size_t quote = text.find_first_of("\"'");
-    const auto begin = token.begin + static_cast<std::uint32_t>(quote) + 1;
-    if (out_.at < begin) return;
+    const Quotes quotes = quotes_of(text);
+    const auto begin = token.begin + static_cast<std::uint32_t>(quotes.opening);
+    const auto end = is_closed ? token.end - static_cast<std::uint32_t>(quotes.closing) : out_.at;
+    if (out_.at < begin || out_.at > end) return;
     const std::size_t braces = braces_of(text.substr(0, out_.at - token.begin));
     if (text.starts_with('f') && braces != std::string_view::npos)
       return find_word_in_braces(token, text, braces + 1);
     out_.quoted = token;
-    out_.word = {begin, is_closed ? token.end - 1 : out_.at, 0};
+    out_.word = {begin, end, 0};
   }
 
   // f"{left.na|}": bytes, as the text is one token.

@@ -13,6 +13,7 @@
 #include "format_value.hpp"
 #include "reference/language_words.hpp"
 #include "reference/written_call.hpp"
+#include "syntax/tokens/quotes.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 
@@ -135,7 +136,7 @@ std::optional<Hover> text_hover(const Facts& facts, const Token& token, std::siz
                                 std::uint32_t at) {
   const std::string_view text = facts.text_of(token);
   if (token.type != sign::kText || text.size() < 2) return std::nullopt;
-  const std::string_view name = text.substr(1, text.size() - 2);
+  const std::string_view name = inside_quotes(text);
   Hover out{.span = {token.begin, token.end, 0}};
   if (is_kind_place(facts, index)) {
     const CatalogEntry* entry = facts.registry->messages().of_kind(name);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "armlet/interpreter/unit.hpp"
+#include "syntax/tokens/quotes.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 
@@ -223,8 +224,7 @@ class PlaceItems {
   }
   // A text without its quotes.
   [[nodiscard]] std::string_view inside(std::size_t token) const {
-    const std::string_view whole = text(token);
-    return whole.size() < 2 ? std::string_view() : whole.substr(1, whole.size() - 2);
+    return inside_quotes(text(token));
   }
 
   // Keys that the program writes for the map of that name.

@@ -14,6 +14,7 @@
 #include "syntax/token_feed.hpp"
 #include "syntax/tokens/lex.hpp"
 #include "syntax/tokens/line_ends.hpp"
+#include "syntax/tokens/quotes.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 #include "syntax/tree/ast_copy.hpp"
 
@@ -427,11 +428,22 @@ Mended parse_and_mend(const Source& source, Arena& arena, DiagnosticSink& sink,
   return Front(source, arena, sink, limits, nullptr, cancelled).mended_program(before);
 }
 
+namespace {
+
+// Whether a text over several lines is not closed yet: it is the last token.
+bool holds_open_text(const Source& source, const Tokens& tokens) {
+  if (tokens.size() < 2 || tokens[tokens.size() - 2].type != RbtLexer::BADSTR) return false;
+  const Token& last = tokens[tokens.size() - 2];
+  return quotes_of(source.slice({last.begin, last.end, source.id()})).spans_lines;
+}
+
+}  // namespace
+
 bool is_complete(const Source& source, const ParseLimits& limits) {
   DiagnosticSink sink;
   if (!check_text(source, sink, limits)) return true;
   const Lexed lexed = lex(source, program_range(source), sink, limits);
-  return !lexed.ok || could_end_here(lexed.tokens);
+  return !holds_open_text(source, lexed.tokens) && (!lexed.ok || could_end_here(lexed.tokens));
 }
 
 bool goes_on(const Source& source, std::uint32_t byte, const ParseLimits& limits) {

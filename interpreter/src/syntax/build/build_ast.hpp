@@ -177,7 +177,7 @@ class AstBuilder {
   ast::Expr* formatted(Span span);
   ast::FormatPiece format_piece(Span piece);
   ast::FormatSpec format_spec(Span span);
-  std::string_view decoded(Span span);
+  std::string_view decoded(Span literal);
   std::size_t decode_escape(Span span, std::size_t at, std::string& out);
 
   // A node whose other parts are still empty.

@@ -149,7 +149,7 @@ ast::Stmt* AstBuilder::import_decl(RbtParser::ImportDeclContext* ctx) {
   out->is_file = ctx->STRING() != nullptr;
   if (out->is_file) {
     out->path_span = token_span(ctx->STRING()->getSymbol());
-    out->path = decoded({out->path_span.begin + 1, out->path_span.end - 1, out->path_span.source});
+    out->path = decoded(out->path_span);
   } else {
     out->path_span = span_of(ctx->typeName());
     std::string path;  // without the blanks and comments that may stand between its names
@@ -164,7 +164,7 @@ ast::Stmt* AstBuilder::import_decl(RbtParser::ImportDeclContext* ctx) {
 ast::Stmt* AstBuilder::test_decl(RbtParser::TestDeclContext* ctx) {
   auto* out = fresh<ast::TestStmt>(ast::StmtKind::kTest, span_of(ctx));
   out->name_span = token_span(ctx->STRING()->getSymbol());
-  out->name = decoded({out->name_span.begin + 1, out->name_span.end - 1, out->name_span.source});
+  out->name = decoded(out->name_span);
   out->body = body_block(ctx->block(), {.at_top = false});
   return out;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "syntax/build/build_ast.hpp"
+#include "syntax/build/text_lines.hpp"
+#include "syntax/tokens/quotes.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -35,7 +37,7 @@ std::size_t find_mark(std::string_view text, char mark) {
     const char c = text[i];
     if (quote != 0) {
       if (c == quote) quote = 0;
-    } else if (c == '\'') {
+    } else if (c == '\'' || c == '"') {
       quote = c;
     } else if (c == '(' || c == '[' || c == '{') {
       ++depth;
@@ -56,7 +58,7 @@ std::size_t find_closing(std::string_view text, std::size_t at) {
     const char c = text[at];
     if (quote != 0) {
       if (c == quote) quote = 0;
-    } else if (c == '\'') {
+    } else if (c == '\'' || c == '"') {
       quote = c;
     } else if (c == '{') {
       ++depth;
@@ -81,8 +83,7 @@ ast::Expr* AstBuilder::literal(RbtParser::LiteralContext* ctx) {
     case RbtParser::FSTRING:
       return formatted(span);
     case RbtParser::STRING:
-      return in_.arena.make<ast::TextExpr>(base(ast::ExprKind::kText, span),
-                                           decoded({span.begin + 1, span.end - 1, span.source}));
+      return in_.arena.make<ast::TextExpr>(base(ast::ExprKind::kText, span), decoded(span));
   }
   return in_.arena.make<ast::BoolExpr>(base(ast::ExprKind::kBool, span),
                                        ctx->start->getType() == RbtParser::TRUE);
@@ -127,16 +128,36 @@ ast::Expr* AstBuilder::quantity(Span span) {
                                            read->dim, read->number, in_.arena.copy(read->unit));
 }
 
-// The text of `span` with its escapes decoded.
-std::string_view AstBuilder::decoded(Span span) {
-  const std::string_view raw = text(span);
-  if (raw.find('\\') == std::string_view::npos) return raw;
+namespace {
+
+Span span_inside_quotes(std::string_view written, Span span) {
+  const Quotes quotes = quotes_of(written);
+  return {span.begin + static_cast<std::uint32_t>(quotes.opening),
+          span.end - static_cast<std::uint32_t>(quotes.closing), span.source};
+}
+
+// The lines of what stands between the quotes of `written`; a text of one line is as it stands.
+TextLines lines_between_quotes(std::string_view written, std::string_view raw) {
+  return quotes_of(written).spans_lines ? lines_of_text(raw) : TextLines{.end = raw.size()};
+}
+
+}  // namespace
+
+// What a literal says: without quotes and common indentation, and with its escapes decoded.
+std::string_view AstBuilder::decoded(Span literal) {
+  const Span inner = span_inside_quotes(text(literal), literal);
+  const std::string_view raw = text(inner);
+  if (raw.find_first_of("\\\r\n") == std::string_view::npos) return raw;
+  const TextLines lines = lines_between_quotes(text(literal), raw);
   std::string out;
-  for (std::size_t at = 0; at < raw.size();) {
-    if (raw[at] != '\\') {
-      out += raw[at++];
+  for (std::size_t at = lines.begin; at < lines.end;) {
+    if (const std::size_t line_break = line_break_at(raw, at); line_break > 0) {
+      out += '\n';
+      at = lines.line_start(raw, at + line_break);
+    } else if (raw[at] == '\\') {
+      at = decode_escape(inner, at, out);
     } else {
-      at = decode_escape(span, at, out);
+      out += raw[at++];
     }
   }
   return in_.arena.copy(out);
@@ -176,8 +197,9 @@ std::size_t AstBuilder::decode_escape(Span span, std::size_t at, std::string& ou
 }
 
 ast::Expr* AstBuilder::formatted(Span span) {
-  const Span inner{span.begin + 2, span.end - 1, span.source};
+  const Span inner = span_inside_quotes(text(span), span);
   const std::string_view raw = text(inner);
+  const TextLines lines = lines_between_quotes(text(span), raw);
   std::vector<std::string_view> texts;
   std::vector<ast::FormatPiece> pieces;
   std::string run;
@@ -185,9 +207,12 @@ ast::Expr* AstBuilder::formatted(Span span) {
     return Span{inner.begin + static_cast<std::uint32_t>(from),
                 inner.begin + static_cast<std::uint32_t>(to), inner.source};
   };
-  for (std::size_t at = 0; at < raw.size();) {
+  for (std::size_t at = lines.begin; at < lines.end;) {
     const char c = raw[at];
-    if (c == '\\') {
+    if (const std::size_t line_break = line_break_at(raw, at); line_break > 0) {
+      run += '\n';
+      at = lines.line_start(raw, at + line_break);
+    } else if (c == '\\') {
       at = decode_escape(inner, at, run);
     } else if ((c == '{' || c == '}') && at + 1 < raw.size() && raw[at + 1] == c) {
       run += c;

@@ -1,11 +1,14 @@
 #include "syntax/mistakes/lexical_errors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 
 #include "armlet/interpreter/unit.hpp"
 #include "diagnostic/backticks.hpp"
+#include "syntax/tokens/quotes.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -172,11 +175,55 @@ std::string other_number(std::string_view digits, std::string_view word, std::st
 
 }  // namespace
 
+namespace {
+
+constexpr std::string_view kLinesBetween =
+    "a text over several lines stands between \"\"\" and \"\"\"";
+
+// """ without another """: the text holds the rest of the program.
+Diagnostic unclosed_lines(const Source& source, Span text) {
+  const std::string_view body = source.slice(text);
+  const auto opening = static_cast<std::uint32_t>(quotes_of(body).opening);
+  Diagnostic out = make_diagnostic("E0101", {text.begin, text.begin + opening, text.source});
+  out.mark.label = "the text opens here";
+  out.why = kLinesBetween;
+  const std::string_view line = body.substr(0, body.find_first_of("\r\n"));
+  std::size_t keep = line.find_last_not_of(" \t);,]\"");
+  keep = keep == std::string_view::npos || keep < opening ? line.size() : keep + 1;
+  if (keep <= opening) {
+    out.fix = Fix{"end it with \"\"\" behind its last line", {}, {}};
+    return out;
+  }
+  std::size_t behind = keep;  // one or two quotes at its end were meant to close it
+  while (behind < line.size() && line[behind] == '"') ++behind;
+  const Span written{text.begin + static_cast<std::uint32_t>(keep),
+                     text.begin + static_cast<std::uint32_t>(behind), text.source};
+  out.fix =
+      fix(fmt::format("if it ends on this line, write {}{}", line.substr(0, keep), kThreeQuotes),
+          {{written, std::string(kThreeQuotes)}}, Confidence::kMaybe);
+  return out;
+}
+
+// The last of three single quotes.
+bool is_third_quote(const Source& source, Span text) {
+  return source.text().substr(0, text.begin).ends_with("''");
+}
+
+}  // namespace
+
 Diagnostic unclosed_text(const Source& source, Span text) {
+  if (quotes_of(source.slice(text)).spans_lines) return unclosed_lines(source, text);
   Diagnostic out = make_diagnostic("E0101", text);
   out.mark.label = "the quote opens here";
   const std::string_view body = source.slice(text);
   const char quote = body.find('"') <= 1 ? '"' : '\'';
+  if (quote == '\'' && is_third_quote(source, text)) {
+    const Span mark{text.begin - 2, text.begin + 1, text.source};
+    out.why = kLinesBetween;
+    out.fix =
+        fix("write \"\"\" for \'\'\'", {{mark, std::string(kThreeQuotes)}}, Confidence::kMaybe);
+    return out;
+  }
   if (quote == '\'' && ends_value(source.text().substr(0, text.begin))) {
     const Span mark{text.begin, text.begin + 1, text.source};
     out.why = "a quote opens a text; it does not transpose a matrix";

@@ -71,6 +71,11 @@ std::string brief(const std::string& text) {
 
 TEST_CASE("pieces that are no tokens are reported, one to a line") {
   CHECK(brief("let a = 'x\n") == "E0101 `'x` add a closing quote: let a = 'x'");
+  CHECK(brief("let a = 1\nlet b = \"\"\"x\nlet c = 2x\n") ==
+        "E0101 `\"\"\"` if it ends on this line, write \"\"\"x\"\"\"");
+  CHECK(brief("let b = \"\"\"x\"\nprint(b)\n") ==
+        "E0101 `\"\"\"` if it ends on this line, write \"\"\"x\"\"\"");
+  CHECK(brief("let b = \"\"\"\nx\n") == "E0101 `\"\"\"` end it with \"\"\" behind its last line");
   CHECK(brief("let a = 2x") == "E0103 `2x` to multiply, write 2 * x");
   CHECK(brief("let a = 5MM") == "E0103 `5MM` did you mean 5mm?");
   CHECK(brief("insertObj(\u201Ccube\u201D)") == "E0104 `\u201Ccube\u201D` write \"cube\"");

@@ -51,6 +51,10 @@ function token(stream: StringStream, state: Inside, kinds: Map<string, string>, 
     state.until = "*/";
     return ending(stream, state);
   }
+  if (stream.match(/^f?"""/)) {
+    state.until = '"""';
+    return ending(stream, state);
+  }
   if (stream.match(/^f?"/)) {
     state.until = '"';
     return ending(stream, state);
@@ -74,7 +78,7 @@ function token(stream: StringStream, state: Inside, kinds: Map<string, string>, 
   return null;
 }
 
-// Reads up to the end of a text or comment; texts end with their line.
+// Reads up to the end of a text or comment; texts end with their line, except between three quotes.
 function ending(stream: StringStream, state: Inside): string {
   const comment = state.until === "*/";
   while (!stream.eol()) {
@@ -85,6 +89,6 @@ function ending(stream: StringStream, state: Inside): string {
     }
     stream.next();
   }
-  if (!comment) state.until = "";
+  if (state.until.length === 1) state.until = "";
   return comment ? "comment" : "string";
 }
