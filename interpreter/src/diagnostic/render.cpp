@@ -20,6 +20,8 @@ constexpr std::size_t kLongLine = 160;
 constexpr std::size_t kShownPart = 120;
 constexpr std::size_t kShownBefore = 40;
 constexpr std::string_view kCut = "...";
+// Columns of a headline; a longer one is cut, and the whole of it stands below the text.
+constexpr std::size_t kLongHeadline = 120;
 
 // A mark on one line; offsets are bytes within the line.
 struct LineMark {
@@ -61,6 +63,19 @@ Window window_around(std::string_view line, std::size_t mark) {
   return {lang::character_start(line, begin), lang::character_start(line, begin + kShownPart)};
 }
 
+// The beginning of a text that is wider than `width` columns, up to the end of a word; the whole
+// text if it has no word that ends there.
+std::string cut_at_a_word(const std::string& text, std::size_t width) {
+  const DisplayLine line = display_line(text);
+  if (line.columns.back() <= static_cast<int>(width)) return text;
+  const int most = static_cast<int>(width - kCut.size() - 1);
+  for (std::size_t end = text.size() - 1; end > 0; --end) {
+    if (text[end] == ' ' && text[end - 1] != ' ' && line.columns[end] <= most)
+      return text.substr(0, end);
+  }
+  return text;
+}
+
 class TextRenderer {
  public:
   TextRenderer(const Diagnostic& diagnostic, const SourceSet& sources, RenderOptions options)
@@ -98,8 +113,12 @@ class TextRenderer {
 
   void headline() {
     const std::string_view severity = diagnostic_.severity == Severity::kError ? "error" : "advice";
-    out_ += painted(main_color(), fmt::format("{} {}", severity, diagnostic_.code));
-    out_ += painted(kBold, ": " + printable(diagnostic_.message));
+    const std::string start = fmt::format("{} {}", severity, diagnostic_.code);
+    const std::string whole = printable(diagnostic_.message);
+    const std::string shown = cut_at_a_word(whole, kLongHeadline - start.size() - 2);
+    is_cut_ = shown.size() < whole.size();
+    out_ += painted(main_color(), start);
+    out_ += painted(kBold, ": " + (is_cut_ ? shown + ' ' + std::string(kCut) : shown));
     end_line();
   }
 
@@ -238,12 +257,13 @@ class TextRenderer {
 
   void notes(bool has_text) {
     const bool any =
-        tells_something(diagnostic_.when) || !diagnostic_.why.empty() || diagnostic_.fix;
+        is_cut_ || tells_something(diagnostic_.when) || !diagnostic_.why.empty() || diagnostic_.fix;
     if (!any) return;
     if (has_text) {
       gutter("");
       end_line();
     }
+    if (is_cut_) note("all:", diagnostic_.message);
     if (tells_something(diagnostic_.when)) note("when:", when_text(*diagnostic_.when));
     if (!diagnostic_.why.empty()) note("why:", diagnostic_.why);
     if (diagnostic_.fix) note("fix:", diagnostic_.fix->text);
@@ -254,6 +274,7 @@ class TextRenderer {
   RenderOptions options_;
   std::string out_;
   std::size_t width_ = 1;
+  bool is_cut_ = false;  // the headline; the whole of it stands below
 };
 
 }  // namespace

@@ -190,6 +190,23 @@ TEST_CASE("habits of other languages are named on their line, with a fix that wo
   }
 }
 
+TEST_CASE("the first line of every message about a mistake fits on a line") {
+  constexpr std::size_t kColumns = 120;
+  int seen = 0;
+  for (const char* file :
+       {"mistakes.txt", "fixes.txt", "habits.txt", "more_habits.txt", "toolbox_habits.txt"}) {
+    for (const Mistake& mistake : mistakes(file)) {
+      for (const Problem& problem : problems_of(mistake.text)) {
+        const std::string text = render_text(problem.diagnostic, *problem.sources);
+        CAPTURE(text);
+        CHECK(text.find('\n') <= kColumns);
+        ++seen;
+      }
+    }
+  }
+  CHECK(seen > 300);
+}
+
 TEST_CASE("the edits of a fix make the program right") {
   const std::vector<Mistake> all = mistakes("fixes.txt");
   CHECK(all.size() >= 20);

@@ -3,7 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
+
+#include "armlet/interpreter/messages/catalog.hpp"
 
 namespace armlet {
 namespace {
@@ -32,6 +35,70 @@ TEST_CASE("a message without notes ends with its marks") {
         "  |\n"
         "1 | wait(2)\n"
         "  |      ^ plain number\n");
+}
+
+namespace {
+
+// The headline of a text, and the message that is below `all:`, on one line; empty if there is
+// none.
+struct FirstLine {
+  std::string first;
+  std::string whole;
+};
+
+FirstLine first_line_of(const std::string& message) {
+  SourceSet sources;
+  Diagnostic out = about(sources.add("a.rbt", "wait(2)\n"), "2");
+  out.message = message;
+  const std::string text = render_text(out, sources);
+  const std::string note = "= all:  ";
+  const std::size_t at = text.find(note);
+  return {text.substr(0, text.find('\n')),
+          at == std::string::npos
+              ? ""
+              : text.substr(at + note.size(), text.find('\n', at) - at - note.size())};
+}
+
+constexpr std::size_t kColumns = 120;
+
+}  // namespace
+
+TEST_CASE("a headline that is too long is cut behind a word, and stands below as a whole") {
+  const std::string start = "error E0401: ";
+  std::mt19937 random(4711);
+  for (int round = 0; round < 200; ++round) {
+    std::string message = "a";
+    while (message.size() < 60 + random() % 200)
+      message += ' ' + std::string(1 + random() % 12, static_cast<char>('a' + random() % 26));
+    const FirstLine said = first_line_of(message);
+    CAPTURE(message);
+    CHECK(said.first.size() <= kColumns);
+    const bool is_short = start.size() + message.size() <= kColumns;
+    CHECK(said.whole == (is_short ? "" : message));
+    if (is_short) {
+      CHECK(said.first == start + message);
+    } else {
+      REQUIRE(said.first.ends_with(" ..."));
+      const std::string kept =
+          said.first.substr(start.size(), said.first.size() - start.size() - 4);
+      CHECK(message.starts_with(kept + ' '));
+    }
+  }
+  const std::string one_word(200, 'x');
+  CHECK(first_line_of(one_word).first == start + one_word);
+}
+
+TEST_CASE("no headline of the catalogue is longer than a line, whatever stands in it") {
+  const std::string part = "`a.long(call, of: something) + that`";
+  for (const CatalogEntry& row : catalog()) {
+    std::string message(row.headline);
+    for (std::size_t at = message.find("{}"); at != std::string::npos; at = message.find("{}", at))
+      message.replace(at, 2, part);
+    CAPTURE(row.code);
+    const FirstLine said = first_line_of(message);
+    CHECK(said.first.size() <= kColumns);
+    CHECK((said.whole == message) == said.first.ends_with(" ..."));
+  }
 }
 
 TEST_CASE("tabs become spaces and the mark stays under its text") {
