@@ -266,7 +266,7 @@ std::optional<hir::Step> check_place_step(Checker& checker, const ast::Expr& at,
     checker.report(make_diagnostic("E0328", whole));
     return std::nullopt;
   }
-  step.index = index_value(checker, *index.items[0].first);
+  step.index = index_value(checker, *index.items[0].first, {.object = index.object->span});
   step.type = type->element;
   return step;
 }

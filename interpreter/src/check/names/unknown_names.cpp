@@ -116,6 +116,7 @@ hir::Expr* unknown_method(Checker& checker, const ast::CallExpr& call,
 hir::Expr* foreign_call(Checker& checker, const ast::CallExpr& call, std::string_view name) {
   constexpr std::array<std::string_view, 7> kLengths = {"len",    "size",   "count", "length",
                                                         "sizeof", "strlen", "numel"};
+  const bool counts_bytes = name == "sizeof";
   if (hir::Expr* told = foreign_empty_map(checker, name, call.args.size(), call.span)) return told;
   if (std::ranges::find(kLengths, name) == kLengths.end() || call.args.size() != 1) {
     return nullptr;
@@ -125,6 +126,10 @@ hir::Expr* foreign_call(Checker& checker, const ast::CallExpr& call, std::string
   Diagnostic diagnostic = make_diagnostic("E0201", call.callee->span, {std::string(name)});
   diagnostic.fix = Fix{
       .text = "write " + better, .edits = {{call.span, better}}, .confidence = Confidence::kSure};
+  if (counts_bytes) {
+    diagnostic.why = "sizeof counts bytes; .length is how many values there are";
+    diagnostic.fix->edits.clear();
+  }
   checker.report(std::move(diagnostic));
   return checker.failed(call.span);
 }
@@ -142,13 +147,21 @@ hir::Expr* not_a_function(Checker& checker, const ast::CallExpr& call, std::stri
   if (has_parts && has_indexes && !are_named) {
     const Span first = call.args[0].value->span;
     const Span last = call.args[call.args.size() - 1].value->span;
-    diagnostic.why = type->is(Kind::kMap) ? "keys stand in square brackets"
-                                          : "indexes stand in square brackets and count from 0";
-    diagnostic.fix =
-        Fix{.text = "write " + std::string(name) + '[' + checker.text_of(cover(first, last)) + ']',
-            .edits = {{{call.callee->span.end, first.begin, first.source}, "["},
-                      {{last.end, call.span.end, last.source}, "]"}},
-            .confidence = Confidence::kSure};
+    const std::string meant = std::string(name) + '[' + checker.text_of(cover(first, last)) + ']';
+    // Languages with round brackets count from 1: only a 0 shows that this one does not.
+    const bool counts_from_zero = std::ranges::any_of(
+        call.args, [&](const ast::Arg& arg) { return checker.text_of(arg.value->span) == "0"; });
+    if (type->is(Kind::kMap) || counts_from_zero) {
+      diagnostic.why = type->is(Kind::kMap) ? "keys stand in square brackets"
+                                            : "indexes stand in square brackets and count from 0";
+      diagnostic.fix = Fix{.text = "write " + meant,
+                           .edits = {{{call.callee->span.end, first.begin, first.source}, "["},
+                                     {{last.end, call.span.end, last.source}, "]"}},
+                           .confidence = Confidence::kSure};
+    } else {
+      diagnostic.why = "indexes stand in square brackets and count from 0";
+      diagnostic.fix = Fix{"write " + meant + ", or one less where you counted from 1"};
+    }
   }
   checker.report(std::move(diagnostic));
   return checker.failed(call.span);

@@ -64,9 +64,12 @@ std::optional<SizeFact> size_of_part(const Constants& constants, const hir::Part
   return matrix ? SizeFact(*r, *c) : SizeFact(*r * *c);
 }
 
-hir::PartEnds check_ends(Checker& checker, const ast::IndexItem& item) {
+Indexed rows_of(const ast::IndexExpr& index) { return {index.object->span, "rows"}; }
+Indexed columns_of(const ast::IndexExpr& index) { return {index.object->span, "cols"}; }
+
+hir::PartEnds check_ends(Checker& checker, const ast::IndexItem& item, const Indexed& of) {
   const auto end = [&](const ast::Expr* written) {
-    return written != nullptr ? index_value(checker, *written) : nullptr;
+    return written != nullptr ? index_value(checker, *written, of) : nullptr;
   };
   hir::Expr* first = end(item.first);
   return {first, item.is_range ? end(item.last) : nullptr, item.is_range};
@@ -159,8 +162,8 @@ hir::Expr* check_matrix(Checker& checker, const ast::MatrixExpr& matrix) {
 
 hir::Expr* check_matrix_index(Checker& checker, const ast::IndexExpr& index, hir::Expr* matrix) {
   if (!has_two_places(checker, index)) return checker.failed(index.span);
-  const hir::PartEnds rows = check_ends(checker, index.items[0]);
-  const hir::PartEnds cols = check_ends(checker, index.items[1]);
+  const hir::PartEnds rows = check_ends(checker, index.items[0], rows_of(index));
+  const hir::PartEnds cols = check_ends(checker, index.items[1], columns_of(index));
   if (!rows.is_range && !cols.is_range) {
     return checker.make<hir::ElementExpr>(ExprKind::kElement, checker.types.real(), index.span,
                                           matrix, rows.first, cols.first);
@@ -180,8 +183,8 @@ std::optional<hir::Step> matrix_step(Checker& checker, const ast::IndexExpr& ind
   }
   hir::Step step{};
   step.span = index.span;
-  step.index = index_value(checker, *index.items[0].first);
-  step.column = index_value(checker, *index.items[1].first);
+  step.index = index_value(checker, *index.items[0].first, rows_of(index));
+  step.column = index_value(checker, *index.items[1].first, columns_of(index));
   step.type = checker.types.real();
   return step;
 }
@@ -257,8 +260,9 @@ hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
   if (!list && !has_two_places(checker, target)) return nullptr;
   auto* store = checker.make<hir::StorePartStmt>(hir::StmtKind::kStorePart, assign.span, *place,
                                                  hir::PartEnds{}, hir::PartEnds{}, nullptr);
-  store->rows = check_ends(checker, target.items[0]);
-  if (!list) store->cols = check_ends(checker, target.items[1]);
+  store->rows = check_ends(checker, target.items[0],
+                           list ? Indexed{.object = target.object->span} : rows_of(target));
+  if (!list) store->cols = check_ends(checker, target.items[1], columns_of(target));
   const Type* type = list ? place->type : part_type(checker, store->rows, store->cols);
   const Target wanted{.type = type, .name = place->variable->name};
   std::vector<hir::Stmt*> before;

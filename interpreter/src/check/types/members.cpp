@@ -1,6 +1,7 @@
 #include "check/types/members.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "check/blocks/named_rows.hpp"
 #include "check/calls/intrinsics.hpp"
@@ -225,8 +226,40 @@ hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::N
   return checker.failed(field.span);
 }
 
-hir::Expr* index_value(Checker& checker, const ast::Expr& expr) {
-  return checker.check_as(expr, {.type = checker.types.integer(), .name = "index"});
+namespace {
+
+// A name, or names behind points: written twice it is asked twice for the same.
+bool is_written_path(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) {
+    return c == '.' || c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  });
+}
+
+void refuse_below_zero(Checker& checker, const ast::Expr& written, std::int64_t value,
+                       const Indexed& of) {
+  Diagnostic diagnostic = make_diagnostic("E0340", written.span, {std::to_string(value)});
+  const std::string object = checker.text_of(of.object);
+  if (is_written_path(object)) {
+    const std::string from_end = std::to_string(value).substr(1);  // without its sign
+    const std::string meant = object + '.' + std::string(of.size) + " - " + from_end;
+    diagnostic.fix = Fix{.text = "counted from the end it is " + meant,
+                         .edits = {{written.span, meant}},
+                         .confidence = Confidence::kMaybe};
+  } else {
+    diagnostic.fix = Fix{.text = "count from the end with ." + std::string(of.size)};
+  }
+  checker.report(std::move(diagnostic));
+}
+
+}  // namespace
+
+hir::Expr* index_value(Checker& checker, const ast::Expr& expr, const Indexed& of) {
+  hir::Expr* value = checker.check_as(expr, {.type = checker.types.integer(), .name = "index"});
+  if (of.object.empty() || value->type->is(Kind::kAny)) return value;
+  const auto constant = checker.shared.constants.of(*value);
+  if (constant && constant->kind == Constant::Kind::kInt && constant->integer < 0)
+    refuse_below_zero(checker, expr, constant->integer, of);
+  return value;
 }
 
 hir::Expr* check_index(Checker& checker, const ast::IndexExpr& index) {
@@ -245,13 +278,14 @@ hir::Expr* check_index(Checker& checker, const ast::IndexExpr& index) {
   if (type->is(Kind::kMap)) return entry_of(checker, index, object);
   const bool is_text = type->is(Kind::kText);
   if (type->is(Kind::kList) || is_text) {
+    const Indexed of{.object = index.object->span};
     if (item.is_range) {
-      hir::Expr* first = item.first != nullptr ? index_value(checker, *item.first) : nullptr;
-      hir::Expr* last = item.last != nullptr ? index_value(checker, *item.last) : nullptr;
+      hir::Expr* first = item.first != nullptr ? index_value(checker, *item.first, of) : nullptr;
+      hir::Expr* last = item.last != nullptr ? index_value(checker, *item.last, of) : nullptr;
       return checker.make<hir::SliceExpr>(hir::ExprKind::kSlice, type, index.span, object, first,
                                           last);
     }
-    hir::Expr* place = index_value(checker, *item.first);
+    hir::Expr* place = index_value(checker, *item.first, of);
     if (is_text)
       return checker.make<hir::CharacterExpr>(hir::ExprKind::kCharacter, type, index.span, object,
                                               place);

@@ -10,7 +10,14 @@ hir::Expr* check_member(Checker& checker, const ast::MemberExpr& member,
 hir::Expr* field_of(Checker& checker, hir::Expr* object, const ast::MemberExpr& member);
 hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::Name& field);
 hir::Expr* check_index(Checker& checker, const ast::IndexExpr& index);
-hir::Expr* index_value(Checker& checker, const ast::Expr& expr);
+// What is indexed, as far as a message about an index needs it: where it is written, and the name
+// of the number of its values.
+struct Indexed {
+  Span object{};
+  std::string_view size = "length";
+};
+// The value of an index; one that the text shows to be below 0 is refused (E0340).
+hir::Expr* index_value(Checker& checker, const ast::Expr& expr, const Indexed& of = {});
 // For editors: the name of field `field` of a struct stands at `name`.
 void note_field_use(Checker& checker, const Type& record, std::size_t field, Span name);
 // "System.out" for a chain of names that are no variables; empty otherwise.
