@@ -324,7 +324,13 @@ ast::Stmt* AstBuilder::try_stmt(RbtParser::TryStmtContext* ctx) {
   std::vector<ast::CatchClause> catches;
   for (RbtParser::CatchClauseContext* one : ctx->catchClause()) {
     ast::CatchClause made{};
-    if (one->param() != nullptr) made.name = name(one->param()->name());
+    if (RbtParser::ParamContext* error = one->param()) {
+      made.name = name(error->name());
+      made.head = span_of(error);
+      const antlr4::ParserRuleContext* type = error->type();
+      if (error->anyType() != nullptr) type = error->anyType();
+      if (type != nullptr) made.type = {text(span_of(type)), span_of(type)};
+    }
     made.body = body_block(one->block(), inside);
     catches.push_back(made);
   }

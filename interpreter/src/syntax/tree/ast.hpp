@@ -138,6 +138,8 @@ struct SwitchStmt : Stmt {
 };
 struct CatchClause {
   Name name;  // text empty: catch without a name
+  Name type;  // as it is written; empty: none
+  Span head;  // between the parentheses
   Block* body;
 };
 struct TryStmt : Stmt {

@@ -85,7 +85,9 @@ class Copier {
        &BlockItem::span);
   }
   void fix(SwitchCase& one) { of(one, &SwitchCase::values, &SwitchCase::body, &SwitchCase::span); }
-  void fix(CatchClause& clause) { of(clause, &CatchClause::name, &CatchClause::body); }
+  void fix(CatchClause& clause) {
+    of(clause, &CatchClause::name, &CatchClause::type, &CatchClause::head, &CatchClause::body);
+  }
   void fix(FormatPiece& piece) {
     fix(piece.value);
     of(piece.format, &FormatSpec::unit, &FormatSpec::span);
