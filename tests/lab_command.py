@@ -93,6 +93,27 @@ def check_played(folder):
     check(plain.returncode == 0, f"armlet run of a laboratory: {plain.stderr}")
 
 
+def check_variables(folder):
+    """Lambdas of rows read variables as they are when they are asked; lambdas inside of them copy them then."""
+    program = """var parts = 0
+fn count() -> int => parts
+fn addTen() { parts += 10 }
+lab l {
+    plot a(fn() => parts)
+    plot b(fn() => count())
+    text c(fn() => f"{[1].map(fn(x) => x + parts)}")
+    button more("More", fn() { addTen() })
+}
+every (1s) { parts += 1 }
+wait(5s)
+"""
+    shown = '{"t": 4.5, "show": "a"}\n{"t": 4.5, "show": "b"}\n{"t": 4.5, "show": "c"}\n'
+    ran = lab(folder, program, shown, "--quiet")
+    check(ran.stdout == "a = 5\nb = 5\nc = [6]\n", ran.stdout + ran.stderr)
+    ran = lab(folder, program, '{"t": 2.5, "press": "more"}\n' + shown, "--quiet")
+    check(ran.stdout == "a = 15\nb = 15\nc = [16]\n", ran.stdout + ran.stderr)
+
+
 def check_figures(folder):
     """Each figure with a `lab` block has inputs beside it, which say in comments what they show."""
     played = 0
@@ -117,4 +138,5 @@ def check_figures(folder):
 with tempfile.TemporaryDirectory() as name:
     check_refused(Path(name))
     check_played(Path(name))
+    check_variables(Path(name))
     check_figures(Path(name))

@@ -30,6 +30,10 @@ class Surroundings {
   [[nodiscard]] Span start_of_fold() const { return start_of_fold_; }
   Span set_start_of_fold(Span start) { return std::exchange(start_of_fold_, start); }
 
+  // Whether it is an argument of a row of a block with names, which is asked again and again: its
+  // lambda reads variables as they are then. set_in_row gives what held.
+  bool set_in_row(bool in_row) { return std::exchange(in_row_, in_row); }
+
   // Of a lambda's parameter without a type.
   [[nodiscard]] const std::string& likely_type() const { return likely_type_; }
   std::string set_likely_type(std::string type) {
@@ -40,6 +44,7 @@ class Surroundings {
   std::string_view name_;
   Span value_{};
   bool classic_ = false;
+  bool in_row_ = false;
   Span start_of_fold_{};
   std::string likely_type_ = "double";
 };

@@ -104,6 +104,7 @@ class NamedRows {
     }
     Use used;
     Use& use_before = checker_.scopes.collect_in(used);
+    const bool in_row = checker_.surroundings.set_in_row(true);
     std::vector<Argument> arguments = arguments_of(checker_, item.args, makers[0]->name);
     arguments.push_back({.name = "name",
                          .name_span = item.constructor.span,
@@ -112,6 +113,7 @@ class NamedRows {
                              checker_.arena.copy(item.constructor.text))});
     hir::Expr* row = call_native(checker_, item.name.text, makers, item.name.span, item.span,
                                  std::move(arguments));
+    checker_.surroundings.set_in_row(in_row);
     checker_.scopes.collect_in(use_before);
     use_before.add(used);
     declare(item, dotted, row, std::move(used));

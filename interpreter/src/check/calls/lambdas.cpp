@@ -24,8 +24,8 @@ hir::Variable* captured(Checker& checker, Local& local, FunctionContext& owner,
     return local.variable;
   }
   hir::Variable* outer = captured(checker, local, owner, *here.outer);
-  const bool shares =
-      here.kind == FunctionContext::Kind::kCondition || here.kind == FunctionContext::Kind::kTask;
+  const bool shares = here.kind == FunctionContext::Kind::kCondition ||
+                      here.kind == FunctionContext::Kind::kTask || here.in_row;
   if (shares && (outer->storage == hir::Storage::kGlobal || here.outer == &checker.scopes.main())) {
     checker.shared.top_level.make_global(*outer);
     return outer;
@@ -98,6 +98,7 @@ hir::Expr* check_lambda(Checker& checker, const ast::LambdaExpr& lambda, const T
                     expected->parameters.size() == lambda.params.size();
   FunctionContext context;
   context.kind = FunctionContext::Kind::kLambda;
+  context.in_row = checker.surroundings.set_in_row(false);
   context.outer = &checker.scopes.here();
   context.function = checker.shared.instances.make_function(
       "lambda on " + line_name(checker, lambda.span), lambda.span);
@@ -110,7 +111,10 @@ hir::Expr* check_lambda(Checker& checker, const ast::LambdaExpr& lambda, const T
   if (context.result_is_declared) context.function->result = context.result;
   const auto parameters =
       lambda_parameters(checker, lambda, fits ? expected : nullptr, context.function);
-  if (!parameters) return checker.failed(lambda.span);
+  if (!parameters) {
+    checker.surroundings.set_in_row(context.in_row);
+    return checker.failed(lambda.span);
+  }
   context.function->parameters = checker.seq(*parameters);
 
   const Scopes::Position outside =
@@ -130,6 +134,7 @@ hir::Expr* check_lambda(Checker& checker, const ast::LambdaExpr& lambda, const T
   }
   finish_result(checker, context, context.function->name,
                 {lambda.span.end - 1, lambda.span.end, lambda.span.source});
+  checker.surroundings.set_in_row(context.in_row);
   close_block(checker);
   checker.scopes.come_back(outside);
   if (context.result->is(Kind::kAny)) return checker.failed(lambda.span);

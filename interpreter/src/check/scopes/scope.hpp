@@ -74,6 +74,7 @@ struct FunctionContext {
     kCondition,
     kTask
   } kind = Kind::kProgram;
+  bool in_row = false;  // kLambda: of a row that is asked again and again
   hir::Function* function = nullptr;
   FunctionContext* outer = nullptr;     // lambdas and conditions: where they are written
   FunctionDecl* declaration = nullptr;  // kNamed
