@@ -9,6 +9,7 @@
 #include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
 #include "robot/grips.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/time_left.hpp"
 #include "values/give.hpp"
 
@@ -332,7 +333,8 @@ constexpr NativeFunction kSimulationFunctions[] = {
         "time = 1ms, from: posJ?, speeds: double[]?, method: string = \"rk4\", step: time?, "
         "restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
         "Simulation",
-        kSimulateHelp, "robots.puma560().simulate(fn(t, q, qd) => zeros(6), during: 100ms).t.last"),
+        kSimulateHelp, "robots.puma560().simulate(fn(t, q, qd) => zeros(6), during: 100ms).t.last",
+        {.check = check_method<6>}),
     def<simulate<JointList>>(
         "simulate(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
         "time = 1ms, from: double[], speeds: double[]?, method: string = \"rk4\", step: time?, "
@@ -340,13 +342,14 @@ constexpr NativeFunction kSimulationFunctions[] = {
         "Simulation",
         "The same from joint values in rad and m.",
         "robots.scara().simulate(fn(t, q, qd) => zeros(4), during: 100ms, from: [0.0, 0.5, 0.1, "
-        "0.0]).t.last"),
+        "0.0]).t.last",
+        {.check = check_method<6>}),
     def<torque_j>(
         "torqueJ(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
         "time = 1ms, method: string = \"rk4\", step: time?, restitution: double = 0.0, maxTorques: "
         "double[]?, maxTorqueRates: double[]?) -> TorqueRun",
         kTorqueHelp, "robots.puma560().torqueJ(fn(t, q, qd) => zeros(6), during: 100ms)",
-        {.pauses = true}),
+        {.check = check_method<4>, .pauses = true}),
 };
 
 }  // namespace

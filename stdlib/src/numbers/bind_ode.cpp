@@ -16,6 +16,7 @@
 #include "robot/rules.hpp"
 #include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/setting_words.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -405,11 +406,6 @@ Answer<RecordObj*> event(Vm& vm, Slot g, std::string_view direction, bool stop) 
   return Failed{};
 }
 
-template <int kParameter>
-void check_method(CheckCall& call) {
-  check_words(call, kParameter, ode_method_names());
-}
-
 constexpr NativeFunction kOdeFunctions[] = {
     def<ode>(
         "ode(f: fn(double, double[]) -> double[], y0: double[], t0: time, t1: time, step: time, "
@@ -471,12 +467,14 @@ constexpr NativeFunction kOdeFunctions[] = {
         "through zero twice within one step is not seen.",
         "ode(fn(t, y) => [y[1], -9.81], [1.0, 0.0], 0s, 1s, step: 10ms, when: [event(fn(t, y) => "
         "y[0], "
-        "stop: true)]).t.last"),
+        "stop: true)]).t.last",
+        {.check = check_word<1, kDirections>}),
     def<event>(
         "event(g: fn(time, S) -> D, direction: string = \"both\", stop: bool = false) -> "
         "OdeEvent<S>{g: fn(time, S) -> double, direction: string, stop: bool}",
         "The same for a state with units: g takes the struct, and gives a quantity or a number.",
-        "event(fn(t, y) => y[0], direction: \"falling\").stop"),
+        "event(fn(t, y) => y[0], direction: \"falling\").stop",
+        {.check = check_word<1, kDirections>}),
 };
 
 }  // namespace

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+
+#include "session/setting_words.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 enum EventField { kFunction, kDirection, kStop };
 enum CrossingField { kTime, kEvent, kState };
 enum SolutionField { kTimes, kStates, kEvents };
-constexpr std::array<std::string_view, 3> kDirections = {"both", "rising", "falling"};
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "armlet/plot/svg.hpp"
 #include "plot/plots.hpp"
 #include "robot/rules_settings.hpp"
+#include "session/setting_words.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -179,7 +180,6 @@ Answer<void> scatter_matrix(Vm& vm, const MatrixObj& points, OptionalText title,
   return {};
 }
 
-constexpr std::string_view kPictureEndings[] = {".svg", ".txt"};
 constexpr FileKind kPicture{"a picture", kPictureEndings};
 
 std::size_t points_of(const Figure& figure) {
@@ -225,7 +225,7 @@ Answer<void> save_plot(Vm& vm, std::string_view file, OptionalText title) {
   return {};
 }
 
-constexpr std::string_view kLogarithmicAxes[] = {"x", "y", "xy", "yx"};
+constexpr CallOptions kWithAxis{.check = check_word<3, kAxisSides>};
 
 constexpr NativeFunction kPlotFunctions[] = {
     def<figure>("figure(title: string, log: string?)",
@@ -238,19 +238,21 @@ constexpr NativeFunction kPlotFunctions[] = {
         "plot(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
         "Draws a line through the points (x, y); label: its name in the legend, axis: \"left\" or "
         "\"right\", with a unit of its own. Units come from the types.",
-        "plot([0s, 1s, 2s], [0deg, 30deg, 90deg], label: \"joint 1\")"),
+        "plot([0s, 1s, 2s], [0deg, 30deg, 90deg], label: \"joint 1\")", kWithAxis),
     def<plot_values<SeriesKind::kPoints>>(
         "scatter(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
         "Draws points; lengths over lengths are drawn to one scale.",
-        "scatter([100mm, 200mm], [0mm, 50mm])"),
+        "scatter([100mm, 200mm], [0mm, 50mm])", kWithAxis),
     def<plot_values<SeriesKind::kBars>>(
         "bars(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
-        "Draws a bar from zero to y at each x.", "bars([1.0, 2.0, 3.0], [4.0, 2.0, 5.0])"),
+        "Draws a bar from zero to y at each x.", "bars([1.0, 2.0, 3.0], [4.0, 2.0, 5.0])",
+        kWithAxis),
     def<named_bars>(
         "bars(names: string[], y: E[], label: string?, axis: string?, yUnit: string?)",
         "Draws a bar for each name, which stands below it. Further bars of the figure stand beside "
         "those of the same name.",
-        "bars([\"base\", \"shoulder\", \"elbow\"], [12Nm, 31Nm, 8Nm], label: \"no load\")"),
+        "bars([\"base\", \"shoulder\", \"elbow\"], [12Nm, 31Nm, 8Nm], label: \"no load\")",
+        kWithAxis),
     def<scatter_lists>("scatter3(points: D[][], title: string?, pointsUnit: string?)",
                        "A figure of points [x, y, z] in space; the colour shows the height.",
                        "scatter3([[100mm, 0mm, 50mm], [0mm, 100mm, 80mm]], title: \"reach\")"),

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "plot/plots.hpp"
+#include "robot/rules_settings.hpp"
+#include "session/setting_words.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {
@@ -78,17 +80,19 @@ Answer<void> plot_lists(Vm& vm, std::span<const double> x, std::span<const Slot>
 constexpr NativeFunction kPlotLinesFunctions[] = {
     def<plot_numbered>("plot(y: D[], label: string?, axis: string?, yUnit: string?)",
                        "Draws the values of a list over their numbers 0, 1, 2, ...",
-                       "plot([2mm, 3mm, 5mm])"),
+                       "plot([2mm, 3mm, 5mm])", {.check = check_word<2, kAxisSides>}),
     def<plot_matrix>(
         "plot(x: D[], y: matrix, label: string[]?, axis: string?, xUnit: string?, yUnit: string?)",
         "Draws a line for each column of a matrix, whose rows belong to x; label: their names; "
         "yUnit: "
         "what the numbers are in SI, such as \"rad\".",
-        "plot([0s, 1s, 2s], [0, 0; 0.5, 1; 1, 4], label: [\"a\", \"b\"], yUnit: \"rad\")"),
+        "plot([0s, 1s, 2s], [0, 0; 0.5, 1; 1, 4], label: [\"a\", \"b\"], yUnit: \"rad\")",
+        {.check = check_word<3, kAxisSides>}),
     def<plot_lists>(
         "plot(x: D[], y: E[][], label: string[]?, axis: string?, xUnit: string?, yUnit: string?)",
         "Draws a line for each list of a list; label: their names.",
-        "plot([0s, 1s, 2s], [[0deg, 30deg, 90deg], [0deg, 60deg, 180deg]], label: [\"a\", \"b\"])"),
+        "plot([0s, 1s, 2s], [[0deg, 30deg, 90deg], [0deg, 60deg, 180deg]], label: [\"a\", \"b\"])",
+        {.check = check_word<3, kAxisSides>}),
 };
 
 }  // namespace

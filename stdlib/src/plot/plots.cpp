@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armlet/interpreter/work.hpp"
+#include "session/setting_words.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -106,8 +107,8 @@ Answer<std::vector<Figure>*> panels_of(Vm& vm, Figure& figure,
 }
 
 Answer<bool> is_right(Vm& vm, OptionalText side, int parameter) {
-  if (!side || *side == "left") return false;
-  if (*side == "right") return true;
+  if (!side || *side == kAxisSides[0]) return false;
+  if (*side == kAxisSides[1]) return true;
   return failure(vm, "R0626", fmt::format("there is no axis \"{}\"", *side), parameter,
                  "the axes are \"left\" and \"right\"");
 }

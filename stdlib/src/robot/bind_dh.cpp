@@ -13,7 +13,9 @@
 #include "motion/moves.hpp"
 #include "robot/models.hpp"
 #include "robot/rules.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/setting_words.hpp"
 #include "values/give.hpp"
 #include "values/values.hpp"
 
@@ -124,7 +126,7 @@ constexpr std::string_view kInverse =
     "is given: the platform's name of ikine.";
 constexpr std::string_view kInversePosition =
     "Joint values near q0 that bring the tool point to p.";
-constexpr CallOptions kOfTable{.check = check_dh_table};
+constexpr CallOptions kOfTable{.check = check_all_of<check_word<3, kConventions>, check_dh_table>};
 constexpr CallOptions kNearList{.check = check_joint_list<1>};
 
 constexpr NativeFunction kDhFunctions[] = {

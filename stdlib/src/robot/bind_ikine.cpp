@@ -8,7 +8,9 @@
 #include "motion/move_failures.hpp"
 #include "motion/moves.hpp"
 #include "robot/rules.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/setting_words.hpp"
 #include "values/give.hpp"
 
 namespace armlet::bind {
@@ -186,20 +188,23 @@ constexpr NativeFunction kIkineFunctions[] = {
         "the ones nearest to the middle of the joints' ranges (\"midRange\") or farthest from "
         "singularities (\"manipulability\").",
         "ikine(here(), posture: \"midRange\")",
-        {.explain = explained_by<explain_ikine<const PosJ*, Word>>}),
+        {.check = check_all_of<check_word<kAxes, kMaskAxes>, check_word<kPosture, kPostures>>,
+         .explain = explained_by<explain_ikine<const PosJ*, Word>>}),
     def<ikine<const PosJ*, Joints>>(
         "ikine(r: robot, p: posC, near: posJ?, mask: int[]?, axes: string = \"world\", posture: "
         "posJ) -> posJ",
         "Of all joint values that bring the tool point to p the ones nearest to a posture, every "
         "joint counted by its range.",
         "ikine(here(), posture: home())",
-        {.explain = explained_by<explain_ikine<const PosJ*, Joints>>}),
+        {.check = check_word<kAxes, kMaskAxes>,
+         .explain = explained_by<explain_ikine<const PosJ*, Joints>>}),
     def<ikine<JointList, Word>>(
         "ikine(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", posture: "
         "string?) -> posJ",
         "Joint values that bring the tool point to p, near joint values in rad and m.",
         "ikine(here(), near: [0.0, 0.5, 0.1, 0.0])",
-        {.check = check_joint_list<kNear>,
+        {.check = check_all_of<check_joint_list<kNear>, check_word<kAxes, kMaskAxes>,
+                               check_word<kPosture, kPostures>>,
          .explain = explained_by<explain_ikine<JointList, Word>>}),
     def<ikine<JointList, Joints>>(
         "ikine(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", posture: "
@@ -207,7 +212,7 @@ constexpr NativeFunction kIkineFunctions[] = {
         "Joint values that bring the tool point to p, near joint values in rad and m and near a "
         "posture.",
         "ikine(here(), near: [0.0, 0.5, 0.1, 0.0], posture: home())",
-        {.check = check_joint_list<kNear>,
+        {.check = check_all_of<check_joint_list<kNear>, check_word<kAxes, kMaskAxes>>,
          .explain = explained_by<explain_ikine<JointList, Joints>>}),
     def<ikine_all>(
         "ikineAll(r: robot, p: posC, limits: bool = true) -> posJ[]",

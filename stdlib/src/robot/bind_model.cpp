@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "armlet/model/catalog.hpp"
@@ -14,7 +15,9 @@
 #include "robot/models.hpp"
 #include "robot/own_pairs.hpp"
 #include "robot/rules.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/setting_words.hpp"
 #include "values/values.hpp"
 #include "world/meshes.hpp"
 
@@ -153,8 +156,8 @@ Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
 }
 
 DhConvention convention_of(std::string_view word) {
-  if (word == "standard") return DhConvention::kStandard;
-  if (word == "modified") return DhConvention::kModified;
+  const auto* known = std::ranges::find(kConventions, word);
+  if (known != kConventions.end()) return static_cast<DhConvention>(known - kConventions.begin());
   throw ArgumentError(
       fmt::format("The convention is \"standard\" or \"modified\", not \"{}\".", word));
 }
@@ -162,8 +165,8 @@ DhConvention convention_of(std::string_view word) {
 namespace {
 
 InertiaCheck inertia_check_of(std::string_view word) {
-  if (word == "rigid") return InertiaCheck::kRigidBody;
-  if (word == "published") return InertiaCheck::kPublished;
+  const auto* known = std::ranges::find(kInertiaWords, word);
+  if (known != kInertiaWords.end()) return static_cast<InertiaCheck>(known - kInertiaWords.begin());
   throw ArgumentError(
       fmt::format("Inertias are \"rigid\" (of bodies that can exist) or \"published\" (kept as "
                   "they are), not \"{}\".",
@@ -312,14 +315,17 @@ constexpr NativeFunction kModelFunctions[] = {
         "A robot made of joints; tcp: the tool point seen from the flange, if the hand does not "
         "say it; inertias: \"published\" keeps numbers that no rigid body has; allow, watch: pairs "
         "of links that are never, or always, compared with each other, [[\"base\", \"link 3\"]].",
-        "robot arm { joint revolute(a: 300mm) }", {.check = check_robot_block}),
+        "robot arm { joint revolute(a: 300mm) }",
+        {.check = check_all_of<check_word<5, kConventions>, check_word<8, kInertiaWords>,
+                               check_robot_block>}),
     def<robot_from_urdf>(
         "urdf(path: string, tip: string?, inertias: string = \"rigid\", base: posC?, tool: tool?, "
         "name: string?, allow: string[][]?, watch: string[][]?) -> robot",
         "A robot from a description in the program's folder; tip: the link at its end, where the "
         "file has several arms; allow, watch: pairs of links, by name, that are never, or always, "
         "compared with each other.",
-        "urdf(\"arm.urdf\", tip: \"tool0\")", {.check = note_read_robot}),
+        "urdf(\"arm.urdf\", tip: \"tool0\")",
+        {.check = check_all_of<check_word<2, kInertiaWords>, note_read_robot>}),
     def<default_robot>("robot()() -> robot", "The robot that the host supplies.", "joints()",
                        {.check = check_default_robot}),
 };

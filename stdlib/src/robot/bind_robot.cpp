@@ -13,6 +13,7 @@
 #include "robot/rules.hpp"
 #include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/setting_words.hpp"
 #include "values/eigen_results.hpp"
 #include "values/give.hpp"
 #include "values/values.hpp"
@@ -155,8 +156,6 @@ constexpr std::string_view kJacobianRate =
 constexpr std::string_view kJacobianDot =
     "The acceleration of the tool point that the joint speeds qd cause while they do not change: "
     "the rate of the Jacobian times qd, three values in m/s^2 and three in rad/s^2, in the world.";
-
-constexpr std::string_view kJacobianFrames[] = {"world", "base", "tool"};
 
 constexpr NativeFunction kRobotFunctions[] = {
     def<joints>("joints(r: robot) -> posJ", "The joint values now.", "joints()",

@@ -14,6 +14,7 @@
 #include "armlet/math/twist.hpp"
 #include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/setting_words.hpp"
 #include "values/eigen_results.hpp"
 #include "values/values.hpp"
 
@@ -22,9 +23,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::array<std::string_view, 12> kSequences = {"XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ",
-                                                         "XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"};
-
 template <std::size_t kSequence>
 Answer<PosC> from_euler(Vm& vm, double a, double b, double c) {
   int parameter = 0;
@@ -32,11 +30,12 @@ Answer<PosC> from_euler(Vm& vm, double a, double b, double c) {
     if (!std::isfinite(angle)) return not_finite(vm, "an angle", angle, parameter);
     ++parameter;
   }
-  return PosC{make_pose(R_from_euler(kSequences[kSequence], {a, b, c}), Vector3d::Zero()), true};
+  return PosC{make_pose(R_from_euler(kEulerSequences[kSequence], {a, b, c}), Vector3d::Zero()),
+              true};
 }
 
 Answer<void> require_sequence(Vm& vm, std::string_view name) {
-  if (std::ranges::find(kSequences, name) != kSequences.end()) return {};
+  if (std::ranges::find(kEulerSequences, name) != kEulerSequences.end()) return {};
   return failure(
       vm, "R0609", fmt::format("\"{}\" is not a sequence of Euler angles", name), 1,
       "a sequence is three of the axes X, Y and Z of which no two neighbours are the same",
@@ -131,11 +130,11 @@ constexpr NativeFunction kRotationFunctions[] = {
         "180 "
         "deg where the first and third axis are the same, otherwise in -90 to 90 deg; where the "
         "angles are not unique the first is 0.",
-        "eulerZYZ(10deg, 20deg, 30deg).euler(\"ZYX\")", {.check = check_word<1, kSequences>}),
+        "eulerZYZ(10deg, 20deg, 30deg).euler(\"ZYX\")", {.check = check_word<1, kEulerSequences>}),
     def<singular>("posC.singular(p: posC, sequence: string) -> bool",
                   "Whether the Euler angles of this sequence are not unique: the first and third "
                   "axis coincide.",
-                  "rotY(90deg).singular(\"ZYX\")", {.check = check_word<1, kSequences>}),
+                  "rotY(90deg).singular(\"ZYX\")", {.check = check_word<1, kEulerSequences>}),
     def<quaternion>("posC.quat(p: posC) -> double[]",
                     "The orientation as a unit quaternion w, x, y, z with w >= 0.",
                     "rotZ(90deg).quat"),

@@ -39,10 +39,25 @@ std::string count_of(int count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-void set_position_fact(CheckCall& call, int count) {
+void set_position_fact(CheckCall& call, int count, std::vector<PositionFact::Item> items) {
   auto fact = std::make_shared<PositionFact>();
   fact->count = count;
+  fact->items = std::move(items);
   call.set_result_fact(std::move(fact));
+}
+
+// The values of posJ(30deg, x, 50mm), as far as the text shows them.
+std::vector<PositionFact::Item> written_values(const CheckCall& call, int count) {
+  std::vector<PositionFact::Item> out;
+  for (int i = 0; i < count; ++i) {
+    const auto constant = call.item_constant(0, i);
+    const Type* type = call.item_type(0, i);
+    PositionFact::Item& item = out.emplace_back();
+    item.written = call.item_span(0, i);
+    if (constant) item.value = constant->real;
+    if (type != nullptr && type->is_quantity()) item.turns = type->dim == dims::kAngle;
+  }
+  return out;
 }
 
 // E0302 for a posJ with `count` values; the spans of its items are asked for one by one.
@@ -140,7 +155,7 @@ void check_posj_values(CheckCall& call) {
   const int count = call.item_count(0);
   const auto robot = ambient_robot(call);
   const bool fits = robot != nullptr && static_cast<int>(robot->turns.size()) == count;
-  if (robot == nullptr || fits) set_position_fact(call, count);
+  if (robot == nullptr || fits) set_position_fact(call, count, written_values(call, count));
   for (int i = 0; i < count; ++i) {
     const Type* type = call.item_type(0, i);
     if (type == nullptr || type->is(Kind::kAny)) continue;
@@ -178,7 +193,17 @@ void check_posj_list(CheckCall& call) {
     return report_count(call, *robot, count, call.span(0),
                         [&](int i) { return call.origin(0, i); });
   }
-  set_position_fact(call, count);
+  // A list in a variable of its own may be changed; the run says where its value was given (R0602).
+  std::vector<PositionFact::Item> items;
+  const Span used = call.span(0);
+  for (int i = 0; i < count; ++i) {
+    const Span origin = call.origin(0, i);
+    const bool in_place =
+        origin.source == used.source && origin.begin >= used.begin && origin.end <= used.end;
+    items.push_back({.written = origin});
+    if (in_place) items.back().value = constant->items[static_cast<std::size_t>(i)].real;
+  }
+  set_position_fact(call, count, std::move(items));
   const Type* type = call.type(0);
   const bool plain = type != nullptr && type->is(Kind::kList) && !type->element->is_quantity();
   if (plain) advise_degrees(call, 0, constant->items, robot.get());
@@ -190,7 +215,10 @@ void check_posj_list(CheckCall& call) {
 void set_robot_fact(CheckCall& call, const Robot& robot, std::string name) {
   auto fact = std::make_shared<RobotFact>();
   fact->name = std::move(name);
-  for (int i = 0; i < robot.n(); ++i) fact->turns.push_back(robot.is_revolute(i));
+  for (int i = 0; i < robot.n(); ++i) {
+    fact->turns.push_back(robot.is_revolute(i));
+    fact->limits.push_back(std::array{robot.lower()[i], robot.upper()[i]});
+  }
   call.set_result_fact(std::move(fact));
 }
 
@@ -244,12 +272,17 @@ void check_robot_block(CheckCall& call) {
     if (joint == nullptr) return;
     check_limits(call, *joint, i);
     fact->turns.push_back(joint->turns);
+    fact->limits.push_back(joint->limits);
   }
   if (fact->turns.empty()) {
     Diagnostic d = make_diagnostic(row("E0508"), call.callee_span(), {fact->name});
     d.fix = Fix{.text = "give it joints, such as joint revolute(a: 300mm)"};
     return call.report(std::move(d));
   }
+  constexpr int kHome = 6;
+  const auto home =
+      call.given(kHome) ? std::dynamic_pointer_cast<const PositionFact>(call.fact(kHome)) : nullptr;
+  if (home != nullptr) check_joint_values(call, *fact, *home, call.span(kHome));
   call.set_result_fact(std::move(fact));
 }
 
@@ -310,6 +343,8 @@ void check_joint_target(CheckCall& call, int parameter) {
   if (robot == nullptr || position == nullptr) return;
   if (position->count != static_cast<int>(robot->turns.size())) {
     report_count(call, *robot, position->count, call.span(parameter), [&](int) { return Span{}; });
+  } else {
+    check_joint_limits(call, parameter);
   }
 }
 

@@ -19,6 +19,9 @@ namespace armlet::bind {
 struct RobotFact : Fact {
   std::string name;
   std::vector<bool> turns;  // one per joint: true turns, false slides
+  // One per joint, lower and upper, SI; those that the text does not show are empty, and so is the
+  // list if it shows none.
+  std::vector<std::optional<std::array<double, 2>>> limits;
 };
 // Of one whose joints stand in a file that is read in the run: its name in the cell.
 struct ReadRobotFact : Fact {
@@ -29,9 +32,15 @@ struct JointFact : Fact {
   std::optional<std::array<double, 2>> limits;  // where the text shows both
   Span written;                                 // of the limits
 };
-// How many values a posJ holds.
+// How many values a posJ holds, and those that the text shows (SI).
 struct PositionFact : Fact {
+  struct Item {
+    std::optional<double> value;
+    std::optional<bool> turns;  // an angle, not a length; empty for a plain number
+    Span written;
+  };
   int count = 0;
+  std::vector<Item> items;  // empty if the text shows none
 };
 
 // posJ(90deg, ...), posJ(list) and new posJ(list): E0302, E0401, E0404, W0702.
@@ -57,6 +66,12 @@ void check_dh_table(CheckCall& call);
 void check_ready_robot(CheckCall& call);
 void check_default_robot(CheckCall& call);
 void set_robot_fact(CheckCall& call, const Robot& robot, std::string name);
+
+// E0534: joint values that the text shows, beyond limits that it shows too.
+void check_joint_values(CheckCall& call, const RobotFact& robot, const PositionFact& position,
+                        Span used);
+// Of the parameter of a call whose first one is the robot: a posJ, or a list of them.
+void check_joint_limits(CheckCall& call, int parameter);
 
 // Moves. The parameters stand in the order of the signatures they are used in.
 void check_move_joints(CheckCall& call);       // (r, target: posJ, ..., traj: string)

@@ -112,6 +112,12 @@ void check_dh_table(CheckCall& call) {
   const auto name = call.constant(kName);
   fact->name = name ? name->text : "this robot";
   for (const char c : *kinds) fact->turns.push_back(c == 'R');
+  const auto limits = call.given(kLimits) ? call.constant(kLimits) : std::nullopt;
+  for (std::size_t i = 0; is_list(limits) && i < limits->items.size(); ++i) {
+    const auto& pair = limits->items[i].items;
+    fact->limits.emplace_back();
+    if (pair.size() == 2) fact->limits.back() = {pair[0].real, pair[1].real};
+  }
   call.set_result_fact(std::move(fact));
 }
 

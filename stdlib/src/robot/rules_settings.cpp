@@ -8,6 +8,7 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/core/similar.hpp"
+#include "armlet/math/ode.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -37,20 +38,27 @@ Diagnostic refused(const CheckCall& call, int parameter, std::string accepted, s
 
 }  // namespace
 
+std::optional<Fix> meant_word(std::string_view written, const std::vector<std::string_view>& words,
+                              Span span) {
+  const auto meant = most_similar(written, words);
+  if (!meant) return std::nullopt;
+  return Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
+             .edits = {{span, fmt::format("\"{}\"", *meant)}},
+             .confidence = Confidence::kMaybe};
+}
+
 void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words) {
   const auto constant = written(call, parameter);
   if (!constant || constant->kind != Constant::Kind::kText ||
       std::ranges::find(words, constant->text) != words.end())
     return;
   Diagnostic out = refused(call, parameter, choice(words), '"' + constant->text + '"');
-  const std::vector<std::string_view> all(words.begin(), words.end());
-  const Span span = call.span(parameter);
-  if (const auto meant = most_similar(constant->text, all)) {
-    out.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
-                  .edits = {{span, fmt::format("\"{}\"", *meant)}},
-                  .confidence = Confidence::kMaybe};
-  }
+  out.fix = meant_word(constant->text, {words.begin(), words.end()}, call.span(parameter));
   call.report(std::move(out));
+}
+
+void check_method_word(CheckCall& call, int parameter) {
+  check_words(call, parameter, ode_method_names());
 }
 
 void check_endings(CheckCall& call, int parameter, std::span<const std::string_view> endings) {

@@ -3,19 +3,32 @@
 //
 // The same limits are checked in the run, for values that are computed.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "armlet/interpreter/native.hpp"
 
 namespace armlet::bind {
+
+// The word that a misspelt one comes closest to, as a fix; nothing if none is near.
+[[nodiscard]] std::optional<Fix> meant_word(std::string_view written,
+                                            const std::vector<std::string_view>& words, Span span);
 
 // A text that is one of some words.
 void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words);
 template <int kParameter, const auto& kWords>
 void check_word(CheckCall& call) {
   check_words(call, kParameter, kWords);
+}
+
+// A method of integration.
+void check_method_word(CheckCall& call, int parameter);
+template <int kParameter>
+void check_method(CheckCall& call) {
+  check_method_word(call, kParameter);
 }
 
 // The name of a file that ends with one of some endings: ".svg".

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "armlet/core/format.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
 #include "session/setting_choices.hpp"
 #include "session/settings.hpp"
@@ -153,9 +154,13 @@ template <const auto& kSetting>
 void check_choice(CheckCall& call) {
   const auto constant = call.constant(0);
   if (!constant || kSetting.called(constant->text) != nullptr) return;
-  call.report(make_diagnostic(
+  Diagnostic d = make_diagnostic(
       "E0513", call.span(0),
-      {std::string(kSetting.setting), kSetting.names(), '"' + constant->text + '"'}));
+      {std::string(kSetting.setting), kSetting.names(), '"' + constant->text + '"'});
+  std::vector<std::string_view> known;
+  for (const auto& [name, unused] : kSetting.choices) known.push_back(name);
+  d.fix = meant_word(constant->text, known, call.span(0));
+  call.report(std::move(d));
 }
 void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }
 void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"); }

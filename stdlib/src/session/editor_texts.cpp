@@ -4,6 +4,7 @@
 
 #include "robot/rules.hpp"
 #include "session/setting_choices.hpp"
+#include "session/setting_words.hpp"
 
 namespace armlet {
 
@@ -16,6 +17,8 @@ std::function<std::vector<std::string>(const NativeFunction&, std::string_view)>
                                   function.check == &bind::check_trajectory<false>;
     if (parameter == "traj" || (makes_trajectory && parameter == "name")) return planners;
     if (function.name.starts_with("with.")) return bind::choices_of_setting(parameter);
+    if (const auto words = bind::words_of_parameter(parameter); !words.empty())
+      return std::vector<std::string>(words.begin(), words.end());
     if (names_object && world != nullptr) return world->things;
     return std::vector<std::string>();
   };

@@ -10,6 +10,7 @@
 #include "armlet/trajectory/accelerations.hpp"
 #include "numbers/ode_program.hpp"
 #include "numbers/ode_steps.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
 #include "trajectory/trajectories.hpp"
 
@@ -149,7 +150,8 @@ constexpr NativeFunction kAccelerationFunctions[] = {
         "all speeds. From knot to knot all steps are equal, and none is longer than step; without "
         "split they are so over the whole motion, whatever its knots.",
         "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).integrate(step: "
-        "10ms).t.last"),
+        "10ms).t.last",
+        {.check = check_method<2>}),
 };
 
 }  // namespace

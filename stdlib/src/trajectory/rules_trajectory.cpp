@@ -26,6 +26,7 @@ void check_arc(CheckCall& call) {
 void check_spline(CheckCall& call) {
   check_time_and_speed(call, 2, 4);
   check_planner(call, 3);
+  check_joint_limits(call, 1);
 }
 
 template <bool kRobotFirst>
@@ -38,9 +39,13 @@ void check_trajectory(CheckCall& call) {
   check_time_and_speed(call, kTime, kSpeed);
   refuse_both(call, kTime, kDurations, "`time` and `durations` cannot both be given");
   refuse_both(call, kDurations, kSpeed, "`durations` and `speed` cannot both be given");
+  if constexpr (kRobotFirst) check_joint_limits(call, kName + 1);
 }
 
-void check_plan(CheckCall& call) { check_time_and_speed(call, 2, 3); }
+void check_plan(CheckCall& call) {
+  check_time_and_speed(call, 2, 3);
+  check_joint_limits(call, 1);
+}
 
 template void check_trajectory<true>(CheckCall& call);
 template void check_trajectory<false>(CheckCall& call);

@@ -7,7 +7,9 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/setting_words.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {
@@ -94,7 +96,6 @@ std::string header_of(const std::string& name, std::size_t width) {
   return out;
 }
 
-constexpr std::string_view kTableEndings[] = {".csv"};
 constexpr FileKind kTable{"a table", kTableEndings};
 
 // A text on its way to a file: counted as work and against the heap limit while it grows.
@@ -173,7 +174,8 @@ constexpr NativeFunction kTableFunctions[] = {
         "names of "
         "the columns, then one line for each row. A list, a posJ and a posC become several "
         "columns.",
-        "record run every (10ms) { q: joints() }; run.save(\"run.csv\")"),
+        "record run every (10ms) { q: joints() }; run.save(\"run.csv\")",
+        {.check = check_ending<1, kTableEndings>}),
 };
 
 }  // namespace

@@ -1,0 +1,31 @@
+#pragma once
+// The words of settings that take one of a few: "standard" or "modified". The checks before the
+// run, those in the run and the editor read them here.
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace armlet::bind {
+
+// In the order of DhConvention.
+inline constexpr std::array<std::string_view, 2> kConventions = {"standard", "modified"};
+// In the order of InertiaCheck.
+inline constexpr std::array<std::string_view, 2> kInertiaWords = {"rigid", "published"};
+inline constexpr std::array<std::string_view, 3> kJacobianFrames = {"world", "base", "tool"};
+inline constexpr std::array<std::string_view, 2> kMaskAxes = {"world", "tool"};
+inline constexpr std::array<std::string_view, 2> kPostures = {"midRange", "manipulability"};
+inline constexpr std::array<std::string_view, 12> kEulerSequences = {
+    "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ", "XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"};
+// In the order of CrossingDirection.
+inline constexpr std::array<std::string_view, 3> kDirections = {"both", "rising", "falling"};
+inline constexpr std::array<std::string_view, 2> kAxisSides = {"left", "right"};
+inline constexpr std::array<std::string_view, 4> kLogarithmicAxes = {"x", "y", "xy", "yx"};
+
+inline constexpr std::array<std::string_view, 2> kPictureEndings = {".svg", ".txt"};
+inline constexpr std::array<std::string_view, 1> kTableEndings = {".csv"};
+
+// The words of the parameter of that name; none if it takes any text.
+[[nodiscard]] std::span<const std::string_view> words_of_parameter(std::string_view parameter);
+
+}  // namespace armlet::bind
