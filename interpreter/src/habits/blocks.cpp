@@ -67,6 +67,11 @@ bool is_indented(const Open& open) { return open.row->end == ":"; }
 class OpenBlocks {
  public:
   [[nodiscard]] bool empty() const { return open_.empty(); }
+  // The innermost block that ends with its indentation; null if there is none.
+  [[nodiscard]] Open* innermost_indented() {
+    const auto found = std::find_if(open_.rbegin(), open_.rend(), is_indented);
+    return found != open_.rend() ? &*found : nullptr;
+  }
   [[nodiscard]] Open& innermost() { return open_.back(); }
 
   void push(Open open) {
@@ -196,9 +201,11 @@ class Reader {
   }
 
   void end_by_indentation(const Numbered& line) {
-    while (!open_.empty() && is_indented(open_.innermost())) {
-      Open& open = open_.innermost();
+    while (Open* const indented = open_.innermost_indented()) {
+      Open& open = *indented;
       if (line.indent() > open.indent) return;
+      // What its word should end inside of it was no block.
+      while (&open_.innermost() != &open) open_.pop();
       const bool is_end =
           line.indent() == open.indent && line.last == 1 && lower_case(line.line.piece(0)) == "end";
       const bool goes_on =

@@ -16,6 +16,7 @@ namespace armlet::lang {
 struct Explanation {
   Diagnostic message;
   bool of_value = false;  // of a part of a statement
+  bool names_it = false;  // the marked word stands in the row of the habit
 };
 
 // Explanations of the line that a message marks, the best first: of its whole statement, then of

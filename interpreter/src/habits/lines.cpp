@@ -105,6 +105,19 @@ std::vector<Segment> segments_of(const Line& line) {
   return out;
 }
 
+// Whether a shape has a word as an element of its own.
+bool shape_has_word(std::string_view shape, std::string_view word) {
+  while (!shape.empty()) {
+    const std::size_t blank = std::min(shape.find(' '), shape.size());
+    std::string_view element = shape.substr(0, blank);
+    while (element.size() > 1 && std::string_view("~^").find(element[0]) != std::string_view::npos)
+      element.remove_prefix(1);
+    if (element == word) return true;
+    shape.remove_prefix(std::min(blank + 1, shape.size()));
+  }
+  return false;
+}
+
 // An explanation is made from what fits in a line that begins at byte `base` of a source.
 class Explainer {
  public:
@@ -116,7 +129,7 @@ class Explainer {
     std::size_t last = line_.pieces.size();
     while (last > 0 && line_.piece(last - 1) == ";") --last;
     if (last == 0) return out;
-    for (const Fitting& found : whole_statement(line_, 0, last)) add(out, found, found);
+    for (const Fitting& found : whole_statement(line_, 0, last)) add(out, found, found, true);
     const std::uint32_t column = mark.begin - base_;
     for (const Segment segment : segments_of(line_)) {
       const std::uint32_t begin = line_.pieces[segment.first].begin;
@@ -124,10 +137,13 @@ class Explainer {
       if (column > end || mark.end - base_ < begin) continue;
       if (segment.first > 0 || segment.last < last) {
         for (const Fitting& found : whole_statement(line_, segment.first, segment.last))
-          add(out, found, found);
+          add(out, found, found, true);
       }
     }
     values(out, last);
+    const std::string_view marked = source_.slice(mark);
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i].names_it = shape_has_word(habits_of_[i]->shape, marked);
     return out;
   }
 
@@ -147,14 +163,21 @@ class Explainer {
       if (!found) return;
       std::string here(line.text);
       here.replace(found->begin, found->end - found->begin, found->here);
-      add(out, *found, {found->habit, 0, end, std::move(here), found->is_sample});
+      const Fitting changed{found->habit, 0, end, std::move(here), found->is_sample};
+      add(out, *found, changed, true);
+      // p->x is p.x, which is no position to be written otherwise.
+      const bool goes_on = with_values_here(changed.here) != changed.here;
+      if (goes_on && !changed.is_sample && found->habit->here != kNoSuchThing)
+        add(out, *found, changed, false);
     }
   }
 
   // shown    what the message says is written otherwise here.
-  // changed  what the edits change; `here` is rewritten until nothing fits any more.
-  void add(std::vector<Explanation>& out, const Fitting& shown, const Fitting& changed) const {
+  // changed  what the edits change; with `all`, `here` is rewritten until nothing fits any more.
+  void add(std::vector<Explanation>& out, const Fitting& shown, const Fitting& changed,
+           bool all) const {
     const Habit& habit = *shown.habit;
+    habits_of_.push_back(&habit);
     const bool is_statement = &shown == &changed;
     const Span mark = span(shown.begin, shown.end);
     const std::string found(line_.text.substr(shown.begin, shown.end - shown.begin));
@@ -177,7 +200,10 @@ class Explainer {
     message.why = habit.why;
     const std::string text(line_.text.substr(changed.begin, changed.end - changed.begin));
     message.fix = Fix{here.empty() ? "delete " + shortened(found) : "write " + here,
-                      edits(changed, text, is_statement ? here : with_values_here(changed.here)),
+                      edits(changed, text,
+                            is_statement ? here
+                            : all        ? with_values_here(changed.here)
+                                         : changed.here),
                       Confidence::kMaybe};
     out.push_back({std::move(message), !is_statement});
   }
@@ -205,6 +231,7 @@ class Explainer {
   const Source& source_;
   std::uint32_t base_;
   Line line_;
+  mutable std::vector<const Habit*> habits_of_;  // of the explanations
 };
 
 }  // namespace

@@ -137,9 +137,9 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"static const @ @ = $", "final {1:type} {2} = {3}", ""},
     {"const unsigned int @ = $", "final int {1} = {2}", ""},
     {"const static @ @ = $", "final {1:type} {2} = {3}", ""},
-    {"| static @ @ = $", "{1:type} {2} = {3}", "a variable outside of functions lasts"},
+    {"| static @ @ = $", "{1:type} {2} = {3}", "a variable outside of functions keeps its value"},
     {"static @ @ = $", "?{1:type} {2} = {3}",
-     "a variable outside of functions lasts; one inside begins anew with every call"},
+     "a variable outside of functions keeps its value; one inside begins anew with every call"},
     {"extern @ @", "", kNoImports},
     {"printf ( * )", "print({1:print})", ""},
     {"printf ( * )", "System.out.print({1:text})", ""},
@@ -310,7 +310,6 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"@ . wait_move ( * )", "", kEnded},
     {"@ . clear_pose_targets ( )", "", "a move keeps no goal"},
     // Others
-    {"local function @", "fn {1}", ""},
     {"dim @ as @", "var {1}: {2:type}", ""},
 });
 

@@ -128,9 +128,12 @@ void explain_habits(std::vector<Diagnostic>& diagnostics, const SourceSet& sourc
     const std::optional<Fix>& fix = diagnostics[i].fix;
     const bool is_sure = fix && fix->confidence == Confidence::kSure;
     // A fix that repairs its line is not exchanged for that of a part; a sure one not for none, and
-    // that of a name that the program or the library has for no other.
-    const bool is_named = is_sure && diagnostics[i].code == "E0201";
+    // that of a name that the program or the library has for no other. A name of another language
+    // is no misspelt one.
+    const bool is_unknown = diagnostics[i].code == "E0201";
+    const bool is_named = is_sure && is_unknown;
     const auto is_less = [&](const Explanation& one) {
+      if (is_unknown && !is_sure && one.names_it) return false;
       return one.of_value || is_named || (is_sure && !one.message.fix);
     };
     if (std::ranges::any_of(given, is_less) && repairs_its_line(diagnostics[i], sources, trials))

@@ -9,14 +9,18 @@
 #include <regex>
 #include <set>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "habits/pattern.hpp"
 #include "habits/rows.hpp"
 #include "library.hpp"
 #include "messages/foreign_names.hpp"
+#include "messages/library_messages.hpp"
 
 using namespace armlet;
 
@@ -109,10 +113,10 @@ std::vector<std::string> calls_in(std::string_view text) {
 // Words and methods that are no functions of the library, and names that stand for the reader's
 // own.
 const std::set<std::string> kNoFunctions = {
-    "if",     "while",  "for",      "switch", "catch",           "fn",    "with",   "every",
-    "until",  "wait",   "push",     "has",    "remove",          "keys",  "q",      "qd",
-    "qdd",    "pick",   "path",     "error",  "print",           "euler", "assert", "int",
-    "double", "string", "revolute", "range",  "System.out.print"};
+    "if",     "while",  "for",      "switch", "catch",  "fn",    "with",   "every",
+    "until",  "wait",   "push",     "has",    "remove", "keys",  "q",      "qd",
+    "qdd",    "pick",   "path",     "error",  "print",  "euler", "assert", "int",
+    "double", "string", "revolute", "tell",   "get",    "put",   "range",  "System.out.print"};
 
 bool exists(const std::string& name) {
   const std::string method = name.substr(name.rfind('.') + 1);
@@ -137,7 +141,76 @@ void check_calls(std::string_view shape, std::string_view text) {
   }
 }
 
+bool offers_a_fix(std::string_view here) {
+  return here != lang::kNoSuchThing && !here.starts_with(lang::kOnlyShown);
+}
+
+// Where statements of a line begin or end: at its ends, and beside semicolons and braces.
+std::vector<std::size_t> ends_of_statements(const lang::Line& line) {
+  std::vector<std::size_t> out = {0};
+  for (std::size_t i = 0; i < line.pieces.size(); ++i) {
+    const std::string_view piece = line.piece(i);
+    if (piece != ";" && piece != "{" && piece != "}") continue;
+    out.push_back(i);
+    out.push_back(i + 1);
+  }
+  out.push_back(line.pieces.size());
+  return out;
+}
+
+bool is_statement(const lang::Line& line, std::string_view shape) {
+  const std::vector<std::size_t> ends = ends_of_statements(line);
+  for (const std::size_t first : ends) {
+    for (const std::size_t last : ends) {
+      lang::Patience patience = lang::kPatience;
+      if (first < last && lang::match_all(line, first, last, shape, patience)) return true;
+    }
+  }
+  return false;
+}
+
+bool is_value(const lang::Line& line, std::string_view shape) {
+  lang::Patience patience = lang::kPatience;
+  return lang::match_inside(line, 0, line.pieces.size(), shape, patience).has_value();
+}
+
+// The shapes among `rows` that offer a fix and that no line has.
+template <class Rows, class HasShape>
+std::string shapes_without_a_line(const Rows& rows, const std::vector<std::string>& lines,
+                                  HasShape has_shape) {
+  std::string out;
+  for (const auto& row : rows) {
+    if (!offers_a_fix(row.here)) continue;
+    const bool is_there = std::ranges::any_of(
+        lines, [&](const std::string& line) { return has_shape(lang::Line(line), row.shape); });
+    if (!is_there) out += '\n' + std::string(row.shape);
+  }
+  return out;
+}
+
+std::vector<std::string> lines_of(const std::vector<Meaning>& all) {
+  std::vector<std::string> out;
+  for (const Meaning& meaning : all) {
+    std::istringstream text(meaning.text);
+    for (std::string line; std::getline(text, line);) out.push_back(line);
+  }
+  return out;
+}
+
 }  // namespace
+
+TEST_CASE("every habit of another language that has a fix has a line that says what it means") {
+  const std::vector<std::string> lines = lines_of(meanings());
+  CHECK(shapes_without_a_line(lang::statement_habits(), lines, is_statement) == "");
+  CHECK(shapes_without_a_line(lang::value_habits(), lines, is_value) == "");
+  const auto is_either = [](const lang::Line& line, std::string_view shape) {
+    return is_value(line, shape) || is_statement(line, shape);
+  };
+  CHECK(shapes_without_a_line(lang::toolbox_habits(), lines, is_either) == "");
+  CHECK(shapes_without_a_line(lang::block_habits(), lines, is_statement) == "");
+  CHECK(shapes_without_a_line(lang::middle_habits(), lines, is_statement) == "");
+  CHECK(shapes_without_a_line(lang::end_habits(), lines, is_statement) == "");
+}
 
 TEST_CASE("a line of another language gives after its fixes what it gives there, or has no fix") {
   const std::vector<Meaning> all = meanings();
@@ -157,6 +230,16 @@ TEST_CASE("a line of another language gives after its fixes what it gives there,
   }
 }
 
+TEST_CASE("what the pages of messages name in their sentences exists") {
+  MessageTables tables;
+  tables.add(bind::kLibraryMessages);
+  for (const CatalogEntry* row : tables.all()) {
+    const std::size_t programs = std::min(row->page.find("\nWrong:"), row->page.find("\nRight:"));
+    check_calls(row->code, row->headline);
+    check_calls(row->code, row->page.substr(0, programs));
+  }
+}
+
 TEST_CASE("what the rows of foreign habits name exists") {
   for (const auto rows : {lang::statement_habits(), lang::value_habits(), lang::toolbox_habits()}) {
     for (const lang::Habit& row : rows) {
@@ -165,6 +248,9 @@ TEST_CASE("what the rows of foreign habits name exists") {
     }
   }
   for (const lang::BlockHabit& row : lang::block_habits()) check_calls(row.shape, row.here);
+  for (const auto rows : {lang::middle_habits(), lang::end_habits()}) {
+    for (const lang::Habit& row : rows) check_calls(row.shape, row.here);
+  }
   for (const ForeignName& row : bind::kForeignNames) {
     check_calls(row.foreign, row.note);
     const bool is_function = !row.here.empty() && row.kind == ForeignKind::kName;
