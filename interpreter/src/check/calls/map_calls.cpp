@@ -105,7 +105,7 @@ hir::Expr* get_call(Checker& checker, hir::Expr* map, const ast::CallExpr& call)
   if (call.args.size() == 1) {
     const Span name = call.callee->as<ast::MemberExpr>().member.span;
     Diagnostic missing = make_diagnostic("E0312", name, {"get", "2 values", "1"});
-    missing.why = "`otherwise` is missing: what is given where the map has no such key";
+    missing.why = "`otherwise:` is missing, the value for a key that the map does not have";
     checker.report(std::move(missing));
     return checker.failed(call.span);
   }

@@ -57,7 +57,8 @@ void advise_summed_steps(Checker& checker, const ast::ForStmt& loop) {
   const std::string step = checker.text_of(parts->step->value->span);
   if (!type.is_quantity() && !(type.is_double() && has_fraction(step))) return;
   Diagnostic out = make_diagnostic("W0754", parts->step->span, {std::string(parts->name->text)});
-  out.why = "each step is rounded, so the loop may run once more or end beside its end";
+  out.why =
+      "each step is rounded a little, so the loop may run once too often or miss its last value";
   const bool with_end = parts->test->op == ast::BinaryOp::kLessEq;
   const std::string end =
       checker.text_of(parts->test->right->span) + (with_end ? " + " + step + " / 2" : "");

@@ -37,7 +37,8 @@ Answer declared_loop_name(const FailureSite& site) {
                          type == RbtLexer::FINAL || is_primitive_type(type) || is_name(type);
     if (!is_word) return std::nullopt;
   }
-  Diagnostic out = misfit(site, *open + 1, "the name of a loop stands alone");
+  Diagnostic out =
+      misfit(site, *open + 1, "a loop declares its variable by itself, without var or let");
   const Span words{site.span(*open + 1).begin, site.span(site.at - 1).begin,
                    site.span(site.at).source};
   const std::size_t close = site.closer(*open);
@@ -56,7 +57,7 @@ Answer range_with_colon(const FailureSite& site) {
       site.at + 1 >= close)
     return std::nullopt;
   Diagnostic out =
-      misfit(site, site.at, "the numbers of a loop are those of range(a, b), without b");
+      misfit(site, site.at, "range(a, b) gives the numbers of a loop, without b itself");
   for (std::size_t i = site.at + 1; i < close; ++i) {
     if (site.type(i) == RbtLexer::COLON) return out;
   }
@@ -74,7 +75,7 @@ Answer test_without_quotes(const FailureSite& site) {
   if (site.type(site.statement) != RbtLexer::TEST || !is_name(site.type(name)) ||
       site.type(name + 1) != RbtLexer::LBRACE || site.at < name)
     return std::nullopt;
-  Diagnostic out = misfit(site, name, "the name of a test is a text");
+  Diagnostic out = misfit(site, name, "the name of a test stands in quotes");
   const std::string meant = '"' + site.text(name) + '"';
   out.fix = Fix{"write test " + meant, {{site.span(name), meant}}, Confidence::kSure};
   return out;
@@ -178,7 +179,7 @@ Answer block_without_name(const FailureSite& site) {
       site.type(site.at) != RbtLexer::LBRACE)
     return std::nullopt;
   const std::string text = site.text(word);
-  Diagnostic out = misfit(site, site.at, "a block has a name behind its first word");
+  Diagnostic out = misfit(site, site.at, "such a block has a name");
   out.fix = Fix{"write " + text + " NAME { ... }", {}, Confidence::kMaybe};
   return out;
 }
