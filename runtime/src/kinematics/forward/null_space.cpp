@@ -84,6 +84,27 @@ VectorXd kept_in_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool
   return moved || !within_limits(robot, q, 0.0) ? VectorXd() : q;
 }
 
+// The step as far as the first limit; the joint that reaches it is held there.
+VectorXd stepped(const Robot& robot, const VectorXd& q, const VectorXd& step,
+                 std::vector<bool>& held) {
+  double share = 1.0;
+  Eigen::Index first = -1;
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    if (step[i] == 0.0) continue;
+    const double limit = step[i] > 0.0 ? robot.upper()[i] : robot.lower()[i];
+    const double to_limit = (limit - q[i]) / step[i];
+    if (!(to_limit < share)) continue;
+    share = std::max(to_limit, 0.0);
+    first = i;
+  }
+  VectorXd next = q + share * step;
+  if (first >= 0) {
+    next[first] = step[first] > 0.0 ? robot.upper()[first] : robot.lower()[first];
+    held[static_cast<std::size_t>(first)] = true;
+  }
+  return next;
+}
+
 }  // namespace
 
 MatrixXd null_space_projector(const Robot& robot, JointsIn q, const TaskRows& rows) {
@@ -126,8 +147,8 @@ VectorXd improve_posture(const Robot& robot, JointsIn q_start, const PostureGoal
     }
     const double largest = direction.cwiseAbs().maxCoeff();
     if (largest < 1e-9) break;
-    const VectorXd next =
-        kept_in_place(robot, T_world_tool, q + direction * (length / largest), held, rows);
+    const VectorXd tried = stepped(robot, q, direction * (length / largest), held);
+    const VectorXd next = kept_in_place(robot, T_world_tool, tried, held, rows);
     const double next_value = next.size() > 0 ? posture_value(robot, next, goal) : -INFINITY;
     if (next_value > value) {
       q = next;

@@ -6,6 +6,7 @@
 
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/angles.hpp"
+#include "ik_minimax.hpp"
 #include "kinematics/self_motion/self_motion.hpp"
 
 namespace armlet {
@@ -338,6 +339,10 @@ bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
   for (int slide = 0; slide < kSlides && most > kLastSlide; ++slide) {
     const JointDirections idle = idle_directions(robot, goal, q, singular);
     several = several || idle.cols() > 1;
+    if (idle.cols() > 1 && idle.cols() <= kMostIdle) {
+      slide_minimax(robot, goal, options, q, singular);
+      return true;
+    }
     bool nearer = false, promising = false;
     // Towards the seed first, then each by itself.
     for (Eigen::Index k = idle.cols() == 1 ? 1 : 0; k <= idle.cols() && !nearer; ++k) {

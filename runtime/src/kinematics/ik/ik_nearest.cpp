@@ -12,6 +12,8 @@ constexpr std::size_t kSlid = 4;      // of the solutions that the iterations fo
 constexpr std::size_t kSlidOne = 16;  // of which each can go one way only
 constexpr int kCurveStarts = 24;      // within the change of the nearest solution
 constexpr double kNoNearer = 1e-6;    // rad or m
+constexpr int kWideStarts = 192;    // the same, where solutions are connected in several directions
+constexpr double kPromising = 0.5;  // rad or m; what is farther than that is not slid
 
 // What several joints share of the solutions that the iterations found, divided anew; sorts them.
 void divide_shares(const Robot& robot, const IkGoal& goal, const IkOptions& options,
@@ -53,6 +55,31 @@ void search_curves(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   if (nearer) solutions.insert(solutions.begin(), to_vector(q, robot.n()));
 }
 
+// The same where solutions are surfaces: what lies within the change of the nearest one is tried
+// from many starts, each of which slides as far as it can.
+void search_surfaces(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                     std::vector<Eigen::VectorXd>& solutions) {
+  IkSolver solver(robot, goal);
+  JointArray q = to_array(solutions.front());
+  double change = change_of(q, options.seed);
+  for (int start = 1; start <= kWideStarts; ++start) {
+    JointArray found = start_within(robot, options, change, start);
+    const bool met = options.respect_limits ? solver.solve_in_box(found, options.iterations)
+                                            : solver.solve_free(found, options.iterations);
+    if (!met || change_of(found, options.seed) > change + kPromising) continue;
+    slide_nearer(robot, goal, options, found);
+    if (change_of(found, options.seed) >= change - kNoNearer) continue;
+    q = found;
+    change = change_of(found, options.seed);
+  }
+  solutions.insert(solutions.begin(), to_vector(q, robot.n()));
+}
+
+// Whether the solutions of an arm with more joints than the goal counts are surfaces.
+bool has_surfaces(const Robot& robot, const IkGoal& goal) {
+  return robot.n() > 6 && (goal.weights.array() != 0.0).count() + 2 <= robot.n();
+}
+
 }  // namespace
 
 JointArray start_within(const Robot& robot, const IkOptions& options, double change, int index) {
@@ -81,6 +108,7 @@ void bring_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
     solutions[k] = to_vector(q, robot.n());
   }
   sort_by_nearness(robot, options.seed, solutions);
+  if (has_surfaces(robot, goal)) search_surfaces(robot, goal, options, solutions);
   if (!curves.empty()) search_curves(robot, goal, options, curves, solutions);
 }
 

@@ -1,12 +1,17 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "armlet/kinematics/null_space.hpp"
 #include "ik_search.hpp"
+#include "ik_wished.hpp"
 
 namespace armlet {
 namespace {
 
-constexpr int kCandidates = 16;  // solutions that are compared
+constexpr int kCandidates = 16;   // solutions that are compared
+constexpr int kStarts = 192;      // of an arm with joints to spare, around the wished posture
+constexpr double kBetter = 1e-9;  // of a value: less is rounding
 
 struct Candidate {
   Eigen::VectorXd q;
@@ -52,6 +57,69 @@ Eigen::VectorXd improved_posture(const Robot& robot, const Eigen::VectorXd& q,
   return q;
 }
 
+// The joint values that a posture other than the farthest from singularities asks for; nothing
+// without finite limits.
+std::optional<WishedJoints> wished_by(const Robot& robot, const PostureGoal& goal) {
+  if (goal.posture == Posture::kManipulability) return std::nullopt;
+  if (!robot.lower().allFinite() || !robot.upper().allFinite()) return std::nullopt;
+  const bool given = goal.posture == Posture::kNearGiven;
+  const Eigen::VectorXd middle = 0.5 * (robot.lower() + robot.upper());
+  return WishedJoints{given ? goal.q_given : middle, robot.upper() - robot.lower()};
+}
+
+// A start for the iterations: no joint is farther from the wished value than it is in a posture of
+// this cost whose other joints are all where they are wished.
+JointArray start_around(const Robot& robot, const WishedJoints& wished, double cost, int index) {
+  JointArray q{};
+  const double far = std::sqrt(2.0 * cost);
+  for (int i = 0; i < robot.n(); ++i) {
+    const double reach = far * wished.range[i];
+    const double low = std::clamp(wished.q[i] - reach, robot.lower()[i], robot.upper()[i]);
+    const double high = std::clamp(wished.q[i] + reach, robot.lower()[i], robot.upper()[i]);
+    q[static_cast<std::size_t>(i)] = low + (high - low) * halton_share(i, index);
+  }
+  return q;
+}
+
+// Of the solutions of an arm with joints to spare the one of least cost that starts around the
+// wished values lead to: each better one makes the room smaller in which others can lie.
+void search_around(const Robot& robot, const IkGoal& goal, const IkOptions& options,
+                   const WishedJoints& wished, IkResult& result) {
+  IkSolver solver(robot, goal);
+  JointArray best = to_array(result.q);
+  double cost = wished.cost(best);
+  const double before = cost;
+  for (int start = 1; start <= kStarts; ++start) {
+    JointArray found = start_around(robot, wished, cost, start);
+    if (!solver.solve_in_box(found, options.iterations)) continue;
+    Eigen::VectorXd q = improved_posture(robot, to_vector(found, robot.n()), *options.posture);
+    found = to_array(clamp_to_limits(robot, q));
+    slide_to_wished(robot, solver, wished, found);
+    if (!(wished.cost(found) < cost) || !goal.is_met(solver.error_of(found))) continue;
+    best = found;
+    cost = wished.cost(found);
+  }
+  if (!(cost < before * (1.0 - kBetter))) return;
+  const IkError error = solver.error_of(best);
+  result.q = to_vector(best, robot.n());
+  result.posture = posture_value(robot, result.q, *options.posture);
+  result.position_error = error.position;
+  result.rotation_error = error.rotation;
+  result.margins = limit_margins(robot, result.q);
+  result.branch = -1;
+  result.solver = IkResult().solver;
+}
+
+// A solution of an arm with joints to spare, moved as far as the posture gets better.
+Eigen::VectorXd moved(const Robot& robot, IkSolver& solver, const PostureGoal& goal,
+                      const std::optional<WishedJoints>& wished, const TaskRows& rows,
+                      const Eigen::VectorXd& q) {
+  if (!wished) return improve_posture(robot, q, goal, rows);
+  JointArray at = to_array(q);
+  slide_to_wished(robot, solver, *wished, at);
+  return to_vector(at, robot.n());
+}
+
 }  // namespace
 
 void take_best_posture(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
@@ -61,26 +129,28 @@ void take_best_posture(const Robot& robot, const Eigen::Isometry3d& T_world_tool
   const auto counting = std::count(rows.counts.begin(), rows.counts.end(), true);
   const bool spare = robot.n() > counting && options.respect_limits;
   IkSolver solver(robot, goal);
+  const std::optional<WishedJoints> wished = spare ? wished_by(robot, wish) : std::nullopt;
   bool any = false;
   for (Candidate& candidate : candidates_for(robot, T_world_tool, goal, options, result)) {
     Eigen::VectorXd q = candidate.q;
     if (options.respect_limits) q = improved_posture(robot, q, wish);
-    if (spare) q = improve_posture(robot, clamp_to_limits(robot, q), wish, rows);
+    if (spare) q = moved(robot, solver, wish, wished, rows, clamp_to_limits(robot, q));
     const IkError error = solver.error_of(to_array(q));
     if (!goal.is_met(error)) continue;
     const double value = posture_value(robot, q, wish);
     // Later candidates have to be better by more than rounding.
-    if (any && value <= result.posture + 1e-9 * std::abs(result.posture)) continue;
+    if (any && value <= result.posture + kBetter * std::abs(result.posture)) continue;
     any = true;
     result.posture = value;
     result.position_error = error.position;
     result.rotation_error = error.rotation;
     result.margins = limit_margins(robot, q);
-    const bool moved = spare && largest_change(q, candidate.q) > 1e-9;
-    result.branch = moved ? -1 : candidate.branch;
+    const bool is_moved = spare && largest_change(q, candidate.q) > 1e-9;
+    result.branch = is_moved ? -1 : candidate.branch;
     if (result.branch >= 0) result.solver = to_text(closed_form(robot).kind());
     result.q = std::move(q);
   }
+  if (wished && any) search_around(robot, goal, options, *wished, result);
 }
 
 }  // namespace armlet

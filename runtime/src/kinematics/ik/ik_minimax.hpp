@@ -1,0 +1,22 @@
+// The smallest largest joint change among solutions that are connected in several directions.
+#pragma once
+
+#include "kinematics/self_motion/self_motion.hpp"
+
+namespace armlet {
+
+// How many directions at once slide_minimax can follow.
+inline constexpr Eigen::Index kMostIdle = 3;
+
+// From q, which meets the goal, along the solutions to one whose largest change from the seed is
+// smallest nearby: a linear program gives each step inside a trust region, and Newton's method
+// takes it back to the goal.
+//
+// source  K. Madsen, An algorithm for minimax solution of overdetermined systems of non-linear
+//         equations, J. Inst. Maths Applics 16, 1975; of the linear program, R. Seidel,
+//         Small-dimensional linear programming and convex hulls made easy, Discrete &
+//         Computational Geometry 6, 1991, with the constraints in their order.
+void slide_minimax(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q,
+                   double singular);
+
+}  // namespace armlet

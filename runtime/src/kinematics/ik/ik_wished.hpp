@@ -1,0 +1,30 @@
+// The solution nearest to wished joint values among those that are connected.
+#pragma once
+
+#include "ik_numeric.hpp"
+
+namespace armlet {
+
+// Joint values that an arm with joints to spare should be near, each joint counted by its range.
+//
+// q      n values, rad or m.
+// range  of each joint, at least 0; a joint without a range stays.
+struct WishedJoints {
+  Eigen::VectorXd q;
+  Eigen::VectorXd range;
+
+  // Half the sum of squares of what q is off, in ranges.
+  [[nodiscard]] double cost(const JointArray& at) const;
+};
+
+// From q, which meets the goal within finite limits, along the solutions to one nearby of least
+// cost: each step leads to the point of the tangent plane within the limits that is nearest to the
+// wished values, and Newton's method takes it back to the goal. q meets the goal afterwards too.
+//
+// source  J. Nocedal, S. J. Wright, Numerical Optimization, 2nd edition, 2006, 15.2 and 18.5
+//         (elimination of equality constraints, trust regions); without the curvature of the
+//         solutions in the model, which the trust region makes up for.
+void slide_to_wished(const Robot& robot, IkSolver& solver, const WishedJoints& wished,
+                     JointArray& q);
+
+}  // namespace armlet
