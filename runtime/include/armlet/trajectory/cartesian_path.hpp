@@ -35,7 +35,7 @@ std::optional<NoCircle> no_circle_over(const Eigen::Vector3d& p_start, const Eig
 // blend        how far before and after the position the path may leave its pieces to round the
 //              corner, m; at most half the length of either. With 0 the tool stops there.
 // tool_speed   highest speed of the tool point on the way to it, m/s, and tool_accel how fast that
-//              may change, m/s^2; in a corner the lower of the two holds.
+//              may change, m/s^2; they hold up to the middle of a corner, those of the next behind.
 struct PathPoint {
   Eigen::Isometry3d T_world_tool = Eigen::Isometry3d::Identity();
   std::optional<Eigen::VectorXd> q{};

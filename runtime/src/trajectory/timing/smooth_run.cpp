@@ -11,8 +11,8 @@
 
 #include "armlet/core/error.hpp"
 #include "trajectory/cube_root.hpp"
-#include "trajectory/timing/path_warp.hpp"
 #include "trajectory/timing/run_forces.hpp"
+#include "trajectory/timing/speed_changes.hpp"
 #include "trajectory/timing/speed_spline.hpp"
 
 namespace armlet {
@@ -26,8 +26,7 @@ constexpr int kPiecesOfEnd = 4;          // at least, of the ramp at each end
 constexpr double kNearBorder = 0.3;      // of the space between knots: nearer ones are dropped
 constexpr double kSameBorder = 1e-6;     // of the whole path
 constexpr double kShortestPiece = 0.05;  // of the motion, as a part of a piece of the speed
-constexpr double kChanges = 0.02;  // of the highest acceleration along the path: more is a change
-constexpr int kRounds = 4;         // how often limits that are exceeded in between are tightened
+constexpr int kRounds = 4;  // how often limits that are exceeded in between are tightened
 // A run may take so many times as long as without limits on jerk, and so many times the time in
 // which they let a joint come to its highest acceleration.
 constexpr double kLongest = 5.0;
@@ -62,36 +61,6 @@ std::size_t piece_at(std::span<const Segment> pieces, std::size_t piece, double 
   return piece;
 }
 
-// How long a joint needs to come to its highest acceleration, or to its highest speed if that is
-// less; the longest of all.
-double time_of_jerk(std::span<const AxisLimits> limits) {
-  double longest = 0.0;
-  for (const AxisLimits& l : limits)
-    longest = std::max(longest, std::min(l.acceleration / l.jerk, std::sqrt(l.speed / l.jerk)));
-  return longest;
-}
-
-// How far the fastest run goes until it has most of the speed that it first comes to, on one side;
-// and as far as the limits on jerk add.
-double ramp_length(const SpeedAlongPath& fastest, bool from_end, double jerk_time) {
-  const std::size_t last = fastest.s.size() - 1;
-  const auto at = [&](std::size_t k) { return from_end ? last - k : k; };
-  std::size_t top = 0;
-  while (top < last && fastest.squared[at(top + 1)] > fastest.squared[at(top)]) ++top;
-  std::size_t k = 0;
-  while (k < top && fastest.squared[at(k)] < 0.5 * fastest.squared[at(top)]) ++k;
-  return std::abs(fastest.s[at(k)] - fastest.s[at(0)]) +
-         0.5 * jerk_time * std::sqrt(fastest.squared[at(top)]);
-}
-
-PathWarp warp_of(const SpeedAlongPath& fastest, double jerk_time) {
-  const double L = fastest.s.back();
-  const auto ramp = [&](bool from_end) {
-    return 2.0 * std::clamp(2.0 * ramp_length(fastest, from_end, jerk_time), 1e-3 * L, 0.5 * L);
-  };
-  return {L, ramp(false), ramp(true)};
-}
-
 // Whether a path begins and ends at rest already.
 bool rests_at_ends(const Trajectory& path) {
   double most = 0.0;
@@ -100,37 +69,6 @@ bool rests_at_ends(const Trajectory& path) {
       most = std::max({most, std::abs(path.value(i, s, 1)), std::abs(path.value(i, s, 2))});
   }
   return most <= kRests;
-}
-
-// The intervals of the fastest run in which its speed changes, or would change if jerk were
-// limited.
-struct Changes {
-  std::vector<double> t;  // of the positions
-  std::vector<bool> busy;
-};
-
-Changes changes_of(const SpeedAlongPath& fastest, double jerk_time) {
-  const std::size_t count = fastest.s.size() - 1;
-  Changes changes{.t = {0.0}, .busy = std::vector<bool>(count, false)};
-  std::vector<double> rate(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const double ds = fastest.s[k + 1] - fastest.s[k];
-    const double v = std::sqrt(fastest.squared[k]) + std::sqrt(fastest.squared[k + 1]);
-    changes.t.push_back(changes.t.back() + 2.0 * ds / v);
-    rate[k] = std::abs(fastest.squared[k + 1] - fastest.squared[k]) / ds;
-  }
-  const double least = kChanges * *std::ranges::max_element(rate);
-  double until = -1.0;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (rate[k] >= least) until = changes.t[k + 1] + jerk_time;
-    changes.busy[k] = changes.t[k] <= until;
-  }
-  double since = 2.0 * changes.t.back();
-  for (std::size_t k = count; k-- > 0;) {
-    if (rate[k] >= least) since = changes.t[k] - jerk_time;
-    if (changes.t[k + 1] >= since) changes.busy[k] = true;
-  }
-  return changes;
 }
 
 class Run {
@@ -176,7 +114,7 @@ class Run {
 
   // Borders are knots; the others lie where speeds change, and evenly in time and u.
   std::vector<double> place_knots(const SpeedAlongPath& fastest, int cells) const {
-    const Changes changes = changes_of(fastest, time_of_jerk(limits_));
+    const SpeedChanges changes = changes_of(fastest, time_of_jerk(limits_));
     double busy = 0.0;
     for (std::size_t k = 0; k < changes.busy.size(); ++k)
       busy += changes.busy[k] ? changes.t[k + 1] - changes.t[k] : 0.0;
@@ -371,6 +309,10 @@ class Run {
     }
     std::vector<JointPath> joints;
     for (int i = 0; i < path_.n(); ++i) joints.push_back(run_joint(path_.joint(i), t, rate));
+    const double length = path_.duration();
+    along_ = run_joint(
+        {.segments = {{.duration = length, .degree = 1, .c = {0.0, 1.0}}}, .q_end = length}, t,
+        rate);
     run.motion = Trajectory(std::move(joints), t.back());
     run.t = std::move(t);
     return run;
@@ -417,6 +359,7 @@ class Run {
         }
       }
     }
+    look_at_zones(worst);
     double most = 1.0;
     for (std::size_t cell = 0; cell < worst.size(); ++cell) {
       tight_[cell].speed *= worst[cell].speed;
@@ -426,6 +369,33 @@ class Run {
                        cube_root(worst[cell].jerk)});
     }
     return std::max(most, tighten_forces(run));
+  }
+
+  // What travels exceeds the speeds of zones mostly next to their borders: what is not divided
+  // there would make the whole run slower.
+  void look_at_zones(std::vector<Tight>& worst) const {
+    if (zones_.empty()) return;
+    std::size_t travels = 0;
+    for (std::size_t k = 0; k < along_.segments.size(); ++k) {
+      const Segment& piece = along_.segments[k];
+      const double limit = speed_of_zones(piece.value(0.5 * piece.duration));
+      if (!std::isfinite(limit)) continue;
+      for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const double s = piece.value(part * piece.duration);
+        if (!travel_.empty()) travels = piece_at(travel_, travels, s);
+        const double slope = travel_.empty() ? 1.0 : rates_of(travel_[travels], s).first;
+        double& most = worst[cell_of_[k]].speed;
+        most = std::max(most, std::abs(slope * piece.value(part * piece.duration, 1)) / limit);
+      }
+    }
+  }
+
+  [[nodiscard]] double speed_of_zones(double s) const {
+    double least = INFINITY;
+    for (const SpeedZone& zone : zones_) {
+      if (s > zone.from && s < zone.to) least = std::min(least, zone.speed);
+    }
+    return least;
   }
 
   double tighten_forces(const TimedRun& run) {
@@ -460,6 +430,7 @@ class Run {
   std::optional<RunForces> forces_;
   std::vector<Tight> tight_;          // by cell
   double longest_;                    // that the run may take
+  JointPath along_{};                 // s over the time of the run
   std::vector<double> u_;             // where pieces of the motion meet
   std::vector<double> third_;         // by piece of the motion, then by joint
   std::vector<std::size_t> cell_of_;  // of the pieces

@@ -92,6 +92,15 @@ void add_zone(std::vector<SpeedZone>& zones, double from, double to, double spee
   if (std::isfinite(speed) || std::isfinite(accel)) zones.push_back({from, to, speed, accel});
 }
 
+// Each half of a corner is run at the speed of its own leg. With the lower speed all over the
+// corner a wider corner, which is shorter, would take longer.
+void add_corner_zones(std::vector<SpeedZone>& zones, double from, double to, const Leg& before,
+                      const Leg& behind) {
+  const double middle = 0.5 * (from + to);
+  add_zone(zones, from, middle, before.speed, before.accel);
+  add_zone(zones, middle, to, behind.speed, behind.accel);
+}
+
 class PathPlanner {
  public:
   PathPlanner(const Robot& robot, const PathMove& move)
@@ -200,8 +209,7 @@ class PathPlanner {
     part.curve.add(corner);
     part.travel += chord_length(corner, kCornerChords);
     part.ends.back() = 0.5 * (from + part.curve.length());
-    add_zone(part.zones, from, part.curve.length(), std::min(leg.speed, next.speed),
-             std::min(leg.accel, next.accel));
+    add_corner_zones(part.zones, from, part.curve.length(), leg, next);
     plan_.missed[static_cast<std::size_t>(leg.point)] =
         (corner.middle().translation() - corner.T_corner.translation()).norm();
   }
@@ -317,8 +325,7 @@ class PathPlanner {
                     std::size_t k) {
     const Leg &before = part.legs.back(), &behind = next.legs.front();
     const double from = whole.to[k], to = whole.from[k + 1];
-    add_zone(stretch.zones, from, to, std::min(before.speed, behind.speed),
-             std::min(before.accel, behind.accel));
+    add_corner_zones(stretch.zones, from, to, before, behind);
     stretch.ends.back() = 0.5 * (from + to);
     Eigen::VectorXd q(robot_.n()), qd(robot_.n()), qdd(robot_.n());
     whole.q.sample(stretch.ends.back(), q, qd, qdd);
