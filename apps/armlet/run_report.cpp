@@ -2,10 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cstddef>
+
 #include "armlet/math/format_vector.hpp"
 #include "console.hpp"
 
 namespace armlet::cli {
+
+// Bodies that the summary lists. What lies on what is searched for each, which takes the square of
+// their number where all lie in one place; and nobody reads more lines.
+constexpr std::size_t kListed = 100;
 
 static std::string seconds(double s) { return fmt::format("{:.2f} s", s); }
 
@@ -17,13 +23,18 @@ void show_summary(const Session& session, const std::string& trace, Progress sta
   progress(fmt::format("{} at t = {}, {} move{}", how, seconds(to_seconds(host.now_ns())),
                        host.move_count(), host.move_count() == 1 ? "" : "s"));
   const World& world = host.cell().world();
+  std::size_t movable = 0;
   for (std::size_t i = 0; i < world.size(); ++i) {
     const Object& object = world.object(i);
-    if (object.fixed) continue;
+    if (object.fixed || ++movable > kListed) continue;
     const std::string where = place_text(host.cell(), object.name);
     progress(fmt::format("  {} at {}{}{}", object.name,
                          format_point_mm(object.T_world_obj.translation()),
                          where.empty() ? "" : ", ", where));
+  }
+  if (movable > kListed) {
+    progress(fmt::format("  and {} more object{}", movable - kListed,
+                         movable == kListed + 1 ? "" : "s"));
   }
   if (!trace.empty()) progress(fmt::format("  trace in {}", trace));
 }
