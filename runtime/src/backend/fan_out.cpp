@@ -1,6 +1,7 @@
 #include "armlet/backend/fan_out.hpp"
 
 #include <algorithm>
+#include <exception>
 
 #include "armlet/core/error.hpp"
 
@@ -17,7 +18,15 @@ void FanOut::set_backends(std::vector<Backend*> backends) {
 
 void FanOut::on(const Event& event) {
   if (muted_) return;
-  for (Backend* each : backends_) each->on(event);
+  std::exception_ptr fault;  // the first; the others are told all the same
+  for (Backend* each : backends_) {
+    try {
+      each->on(event);
+    } catch (...) {
+      if (!fault) fault = std::current_exception();
+    }
+  }
+  if (fault) std::rethrow_exception(fault);
 }
 
 EventKinds FanOut::ignores() const {

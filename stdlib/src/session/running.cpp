@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "armlet/core/error.hpp"
@@ -229,7 +230,14 @@ RunResult Session::run_test(std::size_t index) {
 void Session::break_off() {
   Run& run = *run_;
   if (!run.is_under_way) return;
-  run.is_under_way = run.is_told = false;
+  run.is_under_way = false;
+  if (run.done == 0 && run.is_told) {
+    try {
+      tell_end();
+    } catch (...) {  // something has been thrown already, and goes on its way
+    }
+  }
+  run.is_told = false;
   run.host->cell().set_backend(nullptr);
   if (run.done == 0) {
     const bool is_program = run.entries.front().logged.kind == EntryKind::kProgram;
@@ -330,8 +338,14 @@ void Session::end_entry() {
   }
   run.before.reset();
   early_inputs_.clear();
-  if (run.entries.front().logged.kind == EntryKind::kProgram) tell_end();
+  std::exception_ptr fault;
+  try {
+    if (run.entries.front().logged.kind == EntryKind::kProgram) tell_end();
+  } catch (...) {  // of a backend: the run has ended all the same
+    fault = std::current_exception();
+  }
   apply_due_inputs();
+  if (fault) std::rethrow_exception(fault);
 }
 
 // The machine has given back its variables; the cell is as it was kept.
@@ -368,12 +382,23 @@ void Session::tell_undone(const Run& former, const Host* host, std::optional<std
   if (mark.from != mark.number || from) former.fan_out->on(mark);
 }
 
+// Whatever backends throw, all are told the end and the cell has none any more. The first exception
+// is thrown on.
 void Session::tell_end() {
   run_->is_told = false;
   Cell& cell = run_->host->cell();
-  for (const Figure& figure : run_->host->figures()) cell.figure(figure);
-  cell.end();
+  std::exception_ptr fault;
+  const auto tell = [&fault](const auto& part) {
+    try {
+      part();
+    } catch (...) {
+      if (!fault) fault = std::current_exception();
+    }
+  };
+  for (const Figure& figure : run_->host->figures()) tell([&] { cell.figure(figure); });
+  tell([&] { cell.end(); });
   cell.set_backend(nullptr);
+  if (fault) std::rethrow_exception(fault);
 }
 
 void Session::give_up() {

@@ -51,3 +51,28 @@ TEST_CASE("no backends are allowed, null ones are not") {
   play_short_run(nobody);
   CHECK_THROWS_AS(FanOut({nullptr}), ArgumentError);
 }
+
+TEST_CASE("a backend that throws keeps the others from nothing") {
+  class Throws : public Backend {
+   public:
+    explicit Throws(std::string why) : why_(std::move(why)) {}
+    void on(const Event&) override { throw std::runtime_error(why_); }
+
+   private:
+    std::string why_;
+  };
+  Recorder alone, before, between, after;
+  play_short_run(alone);
+  Throws first("the first"), second("the second");
+  FanOut all({&before, &first, &between, &second, &after});
+  class Catches : public Backend {
+   public:
+    explicit Catches(Backend& backend) : backend_(backend) {}
+    void on(const Event& event) override { CHECK_THROWS_WITH(backend_.on(event), "the first"); }
+
+   private:
+    Backend& backend_;
+  } catches(all);
+  play_short_run(catches);
+  for (const Recorder* each : {&before, &between, &after}) CHECK(each->same_as(alone));
+}

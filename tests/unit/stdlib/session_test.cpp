@@ -307,6 +307,72 @@ TEST_CASE("a backend that throws fails the program, and leaves nothing that poin
   CHECK(session.compile("print(1)", "p.rbt"));
 }
 
+namespace {
+
+// Throws at events of one kind, and counts what it is told; `ended` is what it was told last.
+class ThrowsAt : public Backend {
+ public:
+  explicit ThrowsAt(EventKinds kinds) : kinds_(kinds) {}
+  void on(const Event& event) override {
+    ++told;
+    ends += kind_of(event) == EventKind::kEndRun ? 1 : 0;
+    last = kind_of(event);
+    if (kinds_.has(kind_of(event))) throw std::runtime_error("the disk is full");
+  }
+
+  int told = 0;
+  int ends = 0;
+  EventKind last = EventKind::kBeginRun;
+
+ private:
+  EventKinds kinds_;
+};
+
+}  // namespace
+
+TEST_CASE("a backend that throws at the end leaves the result, and the others are told the end") {
+  for (const EventKinds kinds : {EventKinds::of<EndRun>(), EventKinds::of<FinalFigure>(),
+                                 EventKinds::of<FinalFigure, EndRun>()}) {
+    ThrowsAt before{{}}, throws(kinds), after{{}};
+    SessionOptions made = at_the_table();
+    made.backends = {&before, &throws, &after};
+    Session session(library_engine(), std::move(made));
+    REQUIRE(session.compile("plot([0.0, 1.0], [0.0, 1.0])\nprint(\"here\")\n",
+                            "p.rbt"));
+    for (int run = 1; run <= 2; ++run) {  // it runs again, in a fresh cell
+      CHECK_THROWS_WITH(static_cast<void>(session.run()), "the disk is full");
+      for (const ThrowsAt* each : {&before, &throws, &after}) {
+        CHECK(each->ends == run);
+        CHECK(each->last == EventKind::kEndRun);
+        CHECK(each->told == before.told);
+      }
+    }
+    CHECK(session.entries().size() == 1);
+    const int told = after.told;
+    REQUIRE(session.compile("print(1)", "q.rbt"));  // nothing is told behind the end
+    CHECK(after.told == told);
+  }
+}
+
+TEST_CASE("a run that a backend breaks off ends for all others, once") {
+  for (const EventKinds kinds :
+       {EventKinds::of<BeginRun>(), EventKinds::of<JointSample>(), EventKinds::of<Note>()}) {
+    ThrowsAt before{{}}, throws(kinds), after{{}};
+    SessionOptions made = at_the_table();
+    made.backends = {&before, &throws, &after};
+    Session session(library_engine(), std::move(made));
+    REQUIRE(session.compile("moveJ(home() + [0.1, 0, 0, 0], time: 1s)\nprint(1)\n", "p.rbt"));
+    try {
+      static_cast<void>(session.run());
+    } catch (const std::runtime_error&) {  // outside the program
+    }
+    for (const ThrowsAt* each : {&before, &throws, &after}) {
+      CHECK(each->ends == 1);
+      CHECK(each->last == EventKind::kEndRun);
+    }
+  }
+}
+
 TEST_CASE("a session runs one program at a time") {
   SessionOptions made = at_the_table();
   Session* itself = nullptr;

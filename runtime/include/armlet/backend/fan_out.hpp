@@ -13,6 +13,7 @@ class FanOut : public Backend {
   // throws    ArgumentError if one of them is null.
   explicit FanOut(std::vector<Backend*> backends);
 
+  // throws    what the first backend threw that did; all are told.
   void on(const Event& event) override;
 
   // Others take the place of those that were told so far.
