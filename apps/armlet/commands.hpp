@@ -51,8 +51,9 @@ struct ReplayOptions {
 struct LabOptions {
   bool demo = false;
   std::string host = "127.0.0.1";
-  int port = 0;       // 0: any that is free
-  std::string token;  // empty: a new one
+  int port = 0;                        // 0: any that is free
+  std::string token_file;              // empty: of a variable, or a new one
+  bool token_on_command_line = false;  // which is refused
   bool no_open = false;
   std::string export_to;  // one file with everything; empty: the page is served
   std::string engine;     // what that is made of; empty: where it is looked for

@@ -237,10 +237,17 @@ void add_lab_options(CLI::App& command, Asked& asked) {
   command
       .add_option("--host", lab.host,
                   "the address of this machine to be reached at (default: 127.0.0.1, from this "
-                  "machine alone; 0.0.0.0: from everywhere)")
+                  "machine alone; 0.0.0.0: from everywhere, and not encrypted)")
       ->type_name("ADDRESS");
-  command.add_option("--token", lab.token, "the secret in the page's address (default: a new one)")
-      ->type_name("T");
+  command
+      .add_option("--token-file", lab.token_file,
+                  "a file with the secret in the page's address, 22 letters, digits, - or _ and "
+                  "more; also in the variable ARMLET_LAB_TOKEN (default: a new one each time)")
+      ->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--token", [&lab](const std::string&) { lab.token_on_command_line = true; })
+      ->group("");  // hidden: its message says where a token belongs
   command.add_flag("--no-open", lab.no_open, "open no browser; the address is printed");
   CLI::Option* exported =
       command

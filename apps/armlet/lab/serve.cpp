@@ -1,40 +1,19 @@
 // armlet lab: shows a program and everything that it does in browsers.
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
-#include <thread>
 #include <utility>
 
 #include "console.hpp"
 #include "embedded_texts.hpp"
+#include "lab/browser.hpp"
 #include "lab/dropped_files.hpp"
+#include "lab/token.hpp"
 #include "server/http_guard.hpp"
 #include "server/server.hpp"
 
-extern char** environ;
-
 namespace armlet::cli {
 namespace {
-
-// Opens the address in the user's browser, where there is a screen.
-void open_browser(const std::string& address) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
-  std::string command = "xdg-open";
-  std::string argument = address;
-  char* const arguments[] = {command.data(), argument.data(), nullptr};
-  posix_spawn_file_actions_t quiet;
-  posix_spawn_file_actions_init(&quiet);
-  posix_spawn_file_actions_addopen(&quiet, 1, "/dev/null", 1, 0);
-  posix_spawn_file_actions_addopen(&quiet, 2, "/dev/null", 1, 0);
-  pid_t child = 0;
-  const bool begun =
-      posix_spawnp(&child, command.c_str(), &quiet, nullptr, arguments, environ) == 0;
-  posix_spawn_file_actions_destroy(&quiet);
-  if (begun) std::thread([child] { waitpid(child, nullptr, 0); }).detach();
-}
 
 int refuse(const std::string& why, int exit) {
   progress(fmt::format("armlet: {}", why));
@@ -51,14 +30,14 @@ int serve_lab(const LabOptions& options, const RunOptions& run) {
         "a laboratory that is shown is recorded as a page, an .html file; an .arec file needs "
         "--inputs",
         kUsage);
+  const GivenToken given = given_token(options);
+  if (!given.fault.empty()) return refuse(given.fault, given.exit);
   lab::ServerOptions server{.host = options.host,
                             .port = options.port,
-                            .token = options.token.empty() ? lab::new_token() : options.token,
+                            .token = given.token.empty() ? lab::new_token() : given.token,
                             .page = lab::built_in_page(),
                             .on_ready = {},
                             .is_over = [] { return interrupted(); }};
-  if (const std::string fault = lab::fault_of_token(server.token); !fault.empty())
-    return refuse("--token: " + fault, kUsage);
 
   const std::string file = options.demo ? "demo.rbt" : run.file;
   std::optional<std::string> text =
@@ -81,10 +60,13 @@ int serve_lab(const LabOptions& options, const RunOptions& run) {
                               .version = ARMLET_VERSION,
                               .is_demo = options.demo,
                               .keep_file = std::move(keep)});
+  BrowserOpener browser;
   server.on_ready = [&](const std::string& address) {
+    for (const std::string& warning : {given.warning, warning_of_host(options.host)})
+      if (!warning.empty()) progress("armlet: " + warning);
     print_out(address + "\n");
     finish_output();
-    if (!options.no_open) open_browser(address);
+    if (!options.no_open) browser.open(address);
   };
   const std::string why = lab::serve(laboratory, server);
   return why.empty() ? kDone : refuse(why, kFailed);

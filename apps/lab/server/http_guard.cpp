@@ -83,10 +83,17 @@ std::string new_token() {
 }
 
 std::string fault_of_token(std::string_view token) {
-  if (token.size() < 8 || token.size() > 200) return "a token has 8 to 200 characters";
+  // 22 of 64 letters are 132 bits, if they are chosen by chance.
+  if (token.size() < 22 || token.size() > 200)
+    return fmt::format("a token has 22 to 200 characters, and this one {}", token.size());
   constexpr std::string_view kLetters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
   return is_of(token, kLetters) ? "" : "a token is made of letters, digits, - and _";
+}
+
+bool is_loopback(std::string_view host) {
+  return host == "localhost" || host == "::1" || host == "[::1]" ||
+         (host.starts_with("127.") && is_address(host));
 }
 
 std::string_view scripts_of(std::string_view page) {

@@ -42,6 +42,9 @@ struct Refusal {
 // Why this is no token; empty: it is one.
 [[nodiscard]] std::string fault_of_token(std::string_view token);
 
+// Whether only this machine reaches what listens there.
+[[nodiscard]] bool is_loopback(std::string_view host);
+
 // "script-src 'sha256-...'": which scripts the page itself says that it has; none, if it says
 // nothing.
 [[nodiscard]] std::string_view scripts_of(std::string_view page);

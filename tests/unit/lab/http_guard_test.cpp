@@ -95,9 +95,21 @@ TEST_CASE("tokens are long, of plain letters, and never the same") {
     CHECK(fault_of_token(*tokens.begin()).empty());
   }
   CHECK(tokens.size() == 100);
-  CHECK(!fault_of_token("short").empty());
-  CHECK(!fault_of_token("with a space").empty());
-  CHECK(!fault_of_token("a&b=c;d#e%00").empty());
+  CHECK(fault_of_token("short") == "a token has 22 to 200 characters, and this one 5");
+  CHECK(!fault_of_token(std::string(21, 'a')).empty());
+  CHECK(fault_of_token(std::string(22, 'a')).empty());
+  CHECK(fault_of_token(std::string(200, 'a')).empty());
+  CHECK(!fault_of_token(std::string(201, 'a')).empty());
+  CHECK(!fault_of_token("with a space, and long enough").empty());
+  CHECK(!fault_of_token("a&b=c;d#e%00-and-long-enough").empty());
+}
+
+TEST_CASE("an address is of this machine alone, or others reach it") {
+  for (const char* host : {"127.0.0.1", "127.8.9.1", "localhost", "::1", "[::1]"})
+    CHECK(is_loopback(host));
+  for (const char* host : {"0.0.0.0", "::", "[::]", "192.168.0.7", "10.0.0.1", "fe80::1",
+                           "127.example.org", "localhost.example.org", ""})
+    CHECK_FALSE(is_loopback(host));
 }
 
 TEST_CASE("a page runs the scripts that it names itself, and no others") {
