@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // Unit of a joint's position; speeds and accelerations are per second and per second squared.

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 inline constexpr int kMaxJoints = 12;

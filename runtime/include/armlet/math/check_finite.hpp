@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 

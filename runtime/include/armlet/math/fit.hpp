@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // Coefficients of the polynomial of a degree that fits points best, constant term first: the sum of

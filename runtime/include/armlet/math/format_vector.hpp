@@ -4,6 +4,7 @@
 #include <string>
 
 #include "armlet/core/format.hpp"
+#include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // Damped least-squares inverse J^T (J J^T + lambda^2 I)^-1 of an m x n matrix, n x m.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // Writes f(x) to `value`; infinity is allowed and means "not here". Returns false to end the

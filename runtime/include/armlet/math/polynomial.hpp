@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // Polynomials are coefficient vectors, constant term first: p(t) = c0 + c1 t + c2 t^2 + ...

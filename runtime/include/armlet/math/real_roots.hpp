@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // The real zeros of a polynomial, smallest first. A root of any multiplicity is listed once; pairs

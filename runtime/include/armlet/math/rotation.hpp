@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <string_view>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // Angles are in rad. Functions of rotations rely on matrices that are orthonormal; what throws says

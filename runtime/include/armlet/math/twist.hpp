@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // Twists are [v; w] and wrenches [f; m]: the linear part comes first, in SI units.

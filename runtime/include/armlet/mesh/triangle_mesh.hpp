@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 using Corners = std::array<std::uint32_t, 3>;

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // kStandard  A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i); joint i moves about z of frame i-1.

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 class SampleTable;

@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // Each ball lies in a cube of a grid whose cubes are as wide as the ball or less than twice as
