@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 
 #include "armlet/interpreter/host/inspection.hpp"
@@ -18,6 +17,7 @@
 #include "laboratory/lab_values.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
+#include "session/number_units.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {
@@ -103,41 +103,6 @@ LabRow text_field(Vm& vm, Text value, OptionalWord label, Text name) {
 
 LabRow button(Vm& vm, Text label, FunctionValue, Text name) {
   return row_of(vm, LabRowKind::kButton, name, label);
-}
-
-Dim dim_in(std::string_view unit) {
-  const auto known = parse_unit(unit);
-  return known ? known->dim : Dim{};
-}
-
-// "rad/s", or "@rad/s|m/s|arm#2": of joint 2 of the arm (bind::dims_by_joint).
-LabNumber number_in(std::string_view text) {
-  if (!text.starts_with('@')) return {.dim = dim_in(text)};
-  text.remove_prefix(1);
-  LabNumber number;
-  const std::size_t slides = std::min(text.find('|'), text.size());
-  const std::size_t name = std::min(text.find('|', slides + 1), text.size());
-  const std::size_t joint = std::min(text.rfind('#'), text.size());
-  if (name == text.size()) return number;
-  number.dim = dim_in(text.substr(0, slides));
-  number.sliding = dim_in(text.substr(slides + 1, name - slides - 1));
-  const char* const end = text.data() + text.size();
-  const bool is_one = joint > name && joint < text.size() &&
-                      std::from_chars(text.data() + joint + 1, end, number.joint).ptr == end;
-  if (!is_one) number.joint = -1;
-  number.robot = text.substr(name + 1, (is_one ? joint : text.size()) - name - 1);
-  return number;
-}
-
-// "rad/s,m/s", as the check before the run writes them.
-std::vector<LabNumber> numbers_in(Text units) {
-  std::vector<LabNumber> numbers;
-  for (std::size_t at = 0; at <= units.size() && !units.empty();) {
-    const std::size_t end = std::min(units.find(',', at), units.size());
-    numbers.push_back(number_in(units.substr(at, end - at)));
-    at = end + 1;
-  }
-  return numbers;
 }
 
 LabRow plot(Vm& vm, FunctionValue, OptionalWord label, OptionalWord units, Text name) {

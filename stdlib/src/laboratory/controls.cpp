@@ -11,6 +11,7 @@
 #include "laboratory/hand.hpp"
 #include "laboratory/lab_rules.hpp"
 #include "laboratory/lab_text.hpp"
+#include "session/number_units.hpp"
 #include "session/run.hpp"
 #include "values/values.hpp"
 
@@ -138,37 +139,8 @@ bool give_units(Value& value, std::span<const Dim>& dims) {
   return true;
 }
 
-// Of the robot that alone has this name; null: there is none, or there are several.
-const Robot* robot_named(const Cell& cell, const std::string& name) {
-  const Robot* found = nullptr;
-  for (int i = 0; i < cell.robot_count(); ++i) {
-    if (cell.robot(i).name != name) continue;
-    if (found != nullptr) return nullptr;
-    found = cell.robot(i).model.get();
-  }
-  return found;
-}
-
-// The dimensions, those of joints by what the joints of their robots are; empty: not all are known.
-std::vector<Dim> dims_of(std::span<const LabNumber> numbers, const Cell& cell) {
-  std::vector<Dim> dims;
-  for (const LabNumber& each : numbers) {
-    if (each.robot.empty()) {
-      dims.push_back(each.dim);
-      continue;
-    }
-    const Robot* robot = robot_named(cell, each.robot);
-    if (robot == nullptr || each.joint >= robot->n()) return {};
-    const int first = std::max(each.joint, 0);
-    const int end = each.joint < 0 ? robot->n() : each.joint + 1;
-    for (int i = first; i < end; ++i)
-      dims.push_back(robot->is_revolute(i) ? each.dim : each.sliding);
-  }
-  return dims;
-}
-
 Value with_units(const Value& value, std::span<const LabNumber> numbers, const Cell& cell) {
-  const std::vector<Dim> known = dims_of(numbers, cell);
+  const std::vector<Dim> known = bind::dims_of(numbers, cell);
   std::span<const Dim> dims = known;
   Value out = value;
   return give_units(out, dims) && dims.empty() ? out : value;

@@ -18,17 +18,19 @@ namespace {
 
 // A series of the figure that the program draws now.
 Answer<void> add_to_current(Vm& vm, Series series, OptionalText axis, int axis_parameter,
-                            const PlotUnits& units) {
+                            PlotUnits units, OptionalText read) {
   const auto right = is_right(vm, axis, axis_parameter);
   if (!right) return Failed{};
   series.right = *right;
-  return add_series(vm, current_figure(Host::of(vm)), std::move(series), units);
+  units.is_side_given = axis.has_value();
+  const auto each = read_units(vm, read, units.y, series.y.size());
+  return add_by_unit(vm, current_figure(Host::of(vm)), std::move(series), std::move(units), each);
 }
 
 template <SeriesKind kKind>
 Answer<void> plot_values(Vm& vm, std::span<const double> x, std::span<const double> y,
                          OptionalText label, OptionalText axis, OptionalText x_unit,
-                         OptionalText y_unit) {
+                         OptionalText y_unit, OptionalText y_units) {
   if (x.size() != y.size()) return size_failure(vm, "x and y", x.size(), y.size());
   if (!make_room(vm, 2 * x.size())) return Failed{};
   Series series{.kind = kKind,
@@ -36,7 +38,7 @@ Answer<void> plot_values(Vm& vm, std::span<const double> x, std::span<const doub
                 .x = {x.begin(), x.end()},
                 .y = {y.begin(), y.end()}};
   const PlotUnits units{text_or_nothing(x_unit), text_or_nothing(y_unit), 0, 1};
-  if (!add_to_current(vm, std::move(series), axis, 3, units)) return Failed{};
+  if (!add_to_current(vm, std::move(series), axis, 3, units, y_units)) return Failed{};
   return figure_changed(vm);
 }
 
@@ -61,7 +63,8 @@ std::vector<double> places_of(std::span<const Slot> given, std::vector<std::stri
 }
 
 Answer<void> named_bars(Vm& vm, std::span<const Slot> given, std::span<const double> y,
-                        OptionalText label, OptionalText axis, OptionalText y_unit) {
+                        OptionalText label, OptionalText axis, OptionalText y_unit,
+                        OptionalText y_units) {
   if (given.size() != y.size()) return size_failure(vm, "names and y", given.size(), y.size());
   if (!make_room(vm, 2 * y.size())) return Failed{};
   Figure& figure = current_figure(Host::of(vm));
@@ -73,8 +76,8 @@ Answer<void> named_bars(Vm& vm, std::span<const Slot> given, std::span<const dou
       .kind = SeriesKind::kBars, .label = text_or_nothing(label), .y = {y.begin(), y.end()}};
   std::vector<std::string> names = figure.names;
   series.x = places_of(given, names);
-  if (!add_to_current(vm, std::move(series), axis, 3, {{}, text_or_nothing(y_unit), 0, 1}))
-    return Failed{};
+  const PlotUnits units{{}, text_or_nothing(y_unit), 0, 1};
+  if (!add_to_current(vm, std::move(series), axis, 3, units, y_units)) return Failed{};
   figure.names = std::move(names);
   return figure_changed(vm);
 }
@@ -235,20 +238,28 @@ constexpr NativeFunction kPlotFunctions[] = {
                 "zero only.",
                 "figure(\"speeds\")", {.check = check_word<1, kLogarithmicAxes>}),
     def<plot_values<SeriesKind::kLine>>(
-        "plot(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
+        "plot(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?, "
+        "yUnits: string?)",
         "Draws a line through the points (x, y); label: its name in the legend, axis: \"left\" or "
-        "\"right\", with a unit of its own. Units come from the types.",
+        "\"right\", with a unit of its own. Units come from the types; those of numbers for "
+        "joints, "
+        "such as a column of jointSpeeds(), from the joints that the text shows, and what has "
+        "another "
+        "unit than the axis is drawn on the other side.",
         "plot([0s, 1s, 2s], [0deg, 30deg, 90deg], label: \"joint 1\")", kWithAxis),
     def<plot_values<SeriesKind::kPoints>>(
-        "scatter(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
+        "scatter(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?, "
+        "yUnits: string?)",
         "Draws points; lengths over lengths are drawn to one scale.",
         "scatter([100mm, 200mm], [0mm, 50mm])", kWithAxis),
     def<plot_values<SeriesKind::kBars>>(
-        "bars(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?)",
+        "bars(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?, "
+        "yUnits: string?)",
         "Draws a bar from zero to y at each x.", "bars([1.0, 2.0, 3.0], [4.0, 2.0, 5.0])",
         kWithAxis),
     def<named_bars>(
-        "bars(names: string[], y: E[], label: string?, axis: string?, yUnit: string?)",
+        "bars(names: string[], y: E[], label: string?, axis: string?, yUnit: string?, yUnits: "
+        "string?)",
         "Draws a bar for each name, which stands below it. Further bars of the figure stand beside "
         "those of the same name.",
         "bars([\"base\", \"shoulder\", \"elbow\"], [12Nm, 31Nm, 8Nm], label: \"no load\")",

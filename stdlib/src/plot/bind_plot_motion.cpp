@@ -9,6 +9,7 @@
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/trajectory/drawing_times.hpp"
 #include "plot/plots.hpp"
+#include "session/number_units.hpp"
 #include "trajectory/trajectories.hpp"
 
 namespace armlet::bind {
@@ -20,6 +21,7 @@ struct Line {
   std::vector<double> y{};
   std::string unit{};
   bool right = false;
+  bool is_read = false;  // the unit, from the text of the program
 };
 struct Panel {
   std::string title{};
@@ -60,7 +62,8 @@ Answer<void> draw(Vm& vm, const std::vector<double>& t, std::vector<Panel> panel
     for (Line& line : panels[k].lines) {
       Series series{.label = std::move(line.label), .x = t, .y = std::move(line.y)};
       series.right = line.right;
-      const PlotUnits units{.x = "s", .y = line.unit};
+      const PlotUnits units{
+          .x = "s", .y = line.unit, .is_read = line.is_read, .is_side_given = true};
       if (!add_series(vm, (**fields)[k], std::move(series), units)) {
         take_back(figure, sizes);
         return Failed{};
@@ -239,7 +242,25 @@ std::size_t width_of(std::span<const Slot> values, const Type& type) {
   return type.is(Kind::kHost) ? kMaxJoints : 1;
 }
 
-Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label) {
+// The panels of a column: one, or more if its lines have more than two units.
+void add_panels(std::vector<Panel>& panels, const std::string& name, std::vector<Line> lines) {
+  std::vector<std::string> units;
+  const std::size_t first = panels.size();
+  for (Line& line : lines) {
+    auto found = std::ranges::find(units, line.unit);
+    if (found == units.end()) found = units.insert(found, line.unit);
+    const auto place = static_cast<std::size_t>(found - units.begin());
+    while (panels.size() <= first + place / 2) {
+      const std::size_t more = panels.size() - first;
+      panels.push_back({more == 0 ? name : fmt::format("{} ({})", name, more + 1), {}});
+    }
+    line.right = line.right || place % 2 == 1;
+    panels[first + place / 2].lines.push_back(std::move(line));
+  }
+}
+
+Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label,
+                        OptionalText given_units) {
   const std::vector<RecordField>& columns = table.layout->type->record->row->record->fields;
   const auto rows = table_rows(table);
   const std::string label = text_or_nothing(given_label);
@@ -248,6 +269,7 @@ Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label
   std::vector<Panel> panels;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const Type& type = *columns[k].type;
+    const std::string_view known = part_of(given_units.value_or(""), k);
     std::vector<Slot> values;
     if (!charge_steps(vm, rows.size())) return Failed{};
     for (const Slot row : rows) values.push_back(static_cast<const RecordObj*>(row.o)->fields()[k]);
@@ -264,10 +286,15 @@ Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label
           "each of them is a line");
     }
     if (column.lines.empty()) continue;
+    const auto read = read_units(vm, known, column.lines.front().unit, column.lines.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      column.lines[i].unit = read[i];
+      column.lines[i].is_read = !read[i].empty();
+    }
     for (Line& line : column.lines) {
       if (!label.empty()) line.label = column.lines.size() == 1 ? label : label + ", " + line.label;
     }
-    panels.push_back({columns[k].name, std::move(column.lines)});
+    add_panels(panels, columns[k].name, std::move(column.lines));
   }
   if (panels.empty()) return failure(vm, "R0626", "no column of this record holds numbers", 0);
   return draw(vm, t, std::move(panels));
@@ -290,10 +317,11 @@ constexpr NativeFunction kPlotMotionFunctions[] = {
         "plot(x: D[], y: posJ[], label: string[]?, xUnit: string?)",
         "Draws a line for each joint of positions, angles on the left and lengths on the right.",
         "plot([0s, 1s], [home(), posJ(60deg, 30deg, 0mm, 0deg)])"),
-    def<plot_table>("plot(run: table, label: string?)",
+    def<plot_table>("plot(run: table, label: string?, runUnits: string?)",
                     "Draws every column of a record over its time, in a panel each. A list, a posJ "
                     "and a posC are "
-                    "several lines; texts and other columns without numbers are left out. label: "
+                    "several lines, those of different units on axes of their own; texts and other "
+                    "columns without numbers are left out. label: "
                     "the name of the "
                     "record in the legend, where two are compared in one figure.",
                     "record run every (10ms) { q: joints() }; moveJ(home()); plot(run)"),

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armlet/interpreter/work.hpp"
+#include "session/number_units.hpp"
 #include "session/setting_words.hpp"
 
 namespace armlet::bind {
@@ -38,6 +39,20 @@ std::string quantity_name(const std::string& unit) {
   if (unit == "s") return "time";
   if (unit == "rad") return "angle";
   return {};
+}
+
+Axis& side_of(Figure& figure, bool right) { return right ? figure.right : figure.y; }
+
+bool is_free(const Figure& figure, bool right) {
+  return std::ranges::none_of(figure.series, [&](const Series& s) { return s.right == right; });
+}
+
+// Whether numbers whose unit was read from the text can be drawn on this side: beside others of
+// that unit, or beside plain numbers.
+bool takes(Figure& figure, bool right, const std::string& unit) {
+  const Axis& axis = side_of(figure, right);
+  if (is_free(figure, right) || axis.unit == unit) return true;
+  return axis.unit.empty() && (axis.read.empty() || axis.read == unit);
 }
 
 }  // namespace
@@ -76,21 +91,64 @@ Answer<void> add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& 
         figure.is_spatial() ? "this figure is drawn in space" : "this figure is drawn in panels",
         units.x_parameter, {}, "begin another figure(\"...\") before");
   }
-  Axis& upright = series.right ? figure.right : figure.y;
+  const bool is_read = units.is_read && !units.y.empty();
+  if (is_read && !units.is_side_given && !takes(figure, series.right, units.y) &&
+      takes(figure, !series.right, units.y)) {
+    series.right = !series.right;
+  }
+  Axis& upright = side_of(figure, series.right);
   const bool is_new = figure.series.empty();
-  const bool new_side =
-      std::ranges::none_of(figure.series, [&](const Series& s) { return s.right == series.right; });
+  const bool new_side = is_free(figure, series.right);
+  const bool fits = is_read && takes(figure, series.right, units.y);
+  const bool hides_unit = !new_side && units.y.empty() && !upright.read.empty();
   if (!check_unit(vm, figure.x, is_new, units.x, units.x_parameter) ||
-      !check_unit(vm, upright, new_side, units.y, units.y_parameter) ||
+      (!fits && !hides_unit && !check_unit(vm, upright, new_side, units.y, units.y_parameter)) ||
       !check_log(vm, {.unit = units.x, .log = figure.x.log}, series.x, 'x', units.x_parameter) ||
       !check_log(vm, {.unit = units.y, .log = upright.log}, series.y, 'y', units.y_parameter)) {
     return Failed{};
   }
   const bool is_map = series.kind != SeriesKind::kBars && units.x == "m" && units.y == "m";
   if (is_new) figure.x = {is_map ? "x" : quantity_name(units.x), units.x, figure.x.log};
-  if (new_side) upright = {is_map ? "y" : quantity_name(units.y), units.y, upright.log};
+  if (new_side) {
+    upright = {is_map ? "y" : quantity_name(units.y), units.y, upright.log, is_read ? units.y : ""};
+  } else if (hides_unit) {
+    upright.unit.clear();
+    upright.label.clear();
+  } else if (fits && upright.unit.empty()) {
+    upright.read = units.y;
+  }
   figure.series.push_back(std::move(series));
   return {};
+}
+
+Answer<void> add_by_unit(Vm& vm, Figure& figure, Series series, PlotUnits units,
+                         const std::vector<std::string>& each) {
+  if (each.empty()) return add_series(vm, figure, std::move(series), units);
+  units.is_read = true;
+  std::vector<std::string> kinds;
+  for (const std::string& unit : each) {
+    if (std::ranges::find(kinds, unit) == kinds.end()) kinds.push_back(unit);
+  }
+  const std::size_t had = figure.series.size();
+  for (const std::string& unit : kinds) {
+    Series part{.kind = series.kind, .label = series.label, .right = series.right};
+    for (std::size_t i = 0; i < each.size(); ++i) {
+      if (each[i] != unit) continue;
+      part.x.push_back(series.x[i]);
+      part.y.push_back(series.y[i]);
+    }
+    units.y = unit;
+    if (add_series(vm, figure, std::move(part), units)) continue;
+    figure.series.resize(had);
+    return Failed{};
+  }
+  return {};
+}
+
+std::vector<std::string> read_units(Vm& vm, OptionalText read, OptionalText given,
+                                    std::size_t count) {
+  if (!read || read->empty() || (given && !given->empty())) return {};
+  return units_of(*read, count, Host::of(vm).cell());
 }
 
 Answer<std::vector<Figure>*> panels_of(Vm& vm, Figure& figure,

@@ -37,13 +37,28 @@ using OptionalItems = std::optional<std::span<const Slot>>;
 // Adds a series to a figure or a panel whose axes show, or from now on show, these units.
 //
 // x_parameter, y_parameter  of the call, for messages.
+// is_read   y is the unit of numbers whose type has none, as the check has read it from the text.
+//           Where the axis shows another one, they are drawn on the other side; where it shows
+//           plain numbers, as such.
+// is_side_given  the program says on which side.
 // A failure leaves the figure as it was.
 struct PlotUnits {
   std::string x{}, y{};
   int x_parameter = 0, y_parameter = 0;
+  bool is_read = false;
+  bool is_side_given = false;
 };
 [[nodiscard]] Answer<void> add_series(Vm& vm, Figure& figure, Series series,
                                       const PlotUnits& units);
+
+// The same with a series for each unit of the values, of which `each` has one for every value, or
+// none if nothing is known of them.
+[[nodiscard]] Answer<void> add_by_unit(Vm& vm, Figure& figure, Series series, PlotUnits units,
+                                       const std::vector<std::string>& each);
+
+// The units that were read of so many values; none: nothing is known, or the unit is given.
+[[nodiscard]] std::vector<std::string> read_units(Vm& vm, OptionalText read, OptionalText given,
+                                                  std::size_t count);
 
 // Fails unless an axis that is logarithmic can show all of the values, of which the finite ones
 // have to be above zero.

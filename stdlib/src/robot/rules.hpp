@@ -136,6 +136,16 @@ void note_dh_table(CheckCall& call);
 void note_twist(CheckCall& call);
 void note_twist_rate(CheckCall& call);
 
+// A motion knows the robot in parameter `kParameter`, or the motion there that it is made of, so
+// that numbers for its joints have units.
+template <int kParameter>
+void note_motion_of(CheckCall& call) {
+  const bool is_given = call.given(kParameter);
+  auto known = is_given ? call.fact(kParameter) : nullptr;
+  if (!is_given && kParameter == 0) known = call.ambient_fact("robot");
+  if (known != nullptr) call.set_result_fact(std::move(known));
+}
+
 // Several rules, one after the other.
 template <void (*... kRules)(CheckCall&)>
 void check_all_of(CheckCall& call) {

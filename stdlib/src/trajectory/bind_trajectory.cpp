@@ -283,38 +283,46 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
     def<plan_joints>(
         "plan(r: robot, to: posJ, time: time?, speed: double?, accel: double?, avoid: bool = true, "
         "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
-        kPlanHelp, "follow(plan(to: posJ(60deg, 30deg, 0mm, 0deg)))", {.check = check_plan}),
+        kPlanHelp, "follow(plan(to: posJ(60deg, 30deg, 0mm, 0deg)))",
+        {.check = check_all_of<check_plan, note_motion_of<0>>}),
     def<plan_position>(
         "plan(r: robot, to: posC, time: time?, speed: double?, accel: double?, avoid: bool = true, "
         "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
-        kPlanHelp, "follow(plan(to: xyz(300mm, -200mm, 200mm)))", {.check = check_plan}),
+        kPlanHelp, "follow(plan(to: xyz(300mm, -200mm, 200mm)))",
+        {.check = check_all_of<check_plan, note_motion_of<0>>}),
     def<make_for<PosJ>>(
         "trajectory(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, "
         "speed: double?, accel: double?) -> trajectory",
-        kMakeHelp, kMakeExample, {.check = check_trajectory<true>}),
+        kMakeHelp, kMakeExample,
+        {.check = check_all_of<check_trajectory<true>, note_motion_of<0>>}),
     def<make_for<PosC>>(
         "trajectory(r: robot, name: string, points: posC[], time: time?, durations: time[]?, "
         "speed: double?, accel: double?) -> trajectory",
-        kMakeHelp, kPositionsExample, {.check = check_trajectory<true>}),
+        kMakeHelp, kPositionsExample,
+        {.check = check_all_of<check_trajectory<true>, note_motion_of<0>>}),
     def<make_with<PosJ>>(
         "trajectory(name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, "
         "accel: double?, robot: robot) -> trajectory",
-        kMakeHelp, kRobotExample, {.check = check_trajectory<false>}),
+        kMakeHelp, kRobotExample,
+        {.check = check_all_of<check_trajectory<false>, note_motion_of<6>>}),
     def<make_with<PosC>>(
         "trajectory(name: string, points: posC[], time: time?, durations: time[]?, speed: double?, "
         "accel: double?, robot: robot) -> trajectory",
-        kMakeHelp, kRobotPositionsExample, {.check = check_trajectory<false>}),
+        kMakeHelp, kRobotPositionsExample,
+        {.check = check_all_of<check_trajectory<false>, note_motion_of<6>>}),
     def<joints_at>(
         "trajectory.q(tr: trajectory, t: time) -> posJ",
         "The joint values at that time; before the start and after the end those of the ends.",
         "trajectory(\"Syn\", [home(), home()], time: 2s).q(1s)"),
     def<rates_at<1>>("trajectory.qd(tr: trajectory, t: time) -> double[]",
                      "The joint speeds at that time, rad/s and m/s.",
-                     "trajectory(\"Syn\", [home(), home()], time: 2s).qd(1s)"),
+                     "trajectory(\"Syn\", [home(), home()], time: 2s).qd(1s)",
+                     {.check = note_speeds}),
     def<rates_at<2>>("trajectory.qdd(tr: trajectory, t: time) -> double[]",
                      "The joint accelerations at that time, rad/s^2 and m/s^2. Where one jumps, "
                      "the later value.",
-                     "trajectory(\"Syn\", [home(), home()], time: 2s).qdd(1s)"),
+                     "trajectory(\"Syn\", [home(), home()], time: 2s).qdd(1s)",
+                     {.check = note_accels}),
     def<rates_at<3>>("trajectory.jerk(tr: trajectory, t: time) -> double[]",
                      "How fast the joint accelerations change at that time, rad/s^3 and m/s^3. "
                      "Where it jumps, the "
@@ -344,7 +352,8 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
                 "tr.reversed()"),
     def<reversed>("trajectory.reversed(tr: trajectory) -> trajectory",
                   "The same path run backwards in the same time.",
-                  "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).reversed()"),
+                  "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).reversed()",
+                  {.check = note_motion_of<0>}),
     def<explain_trajectory>(
         "explain(tr: trajectory)",
         "Prints what a trajectory is made of: for every joint its way and its peaks of speed, "

@@ -9,6 +9,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/number_units.hpp"
 #include "session/setting_words.hpp"
 #include "values/values.hpp"
 
@@ -88,11 +89,37 @@ std::uint64_t cell_count(Slot value, const Type& type, std::uint64_t most) {
   return 1;
 }
 
-// "t", "q1", "q2": a column of several cells numbers them.
-std::string header_of(const std::string& name, std::size_t width) {
-  if (width == 1) return name;
+std::string unit_of(const Type& type) {
+  constexpr double kLarge = 1e6;  // metres rather than millimetres
+  if (!type.is_quantity()) return {};
+  return type.dim == dims::kAngle ? "rad" : display_unit(type.dim, kLarge).name;
+}
+
+// The units of the cells of a value by its type; none: the type has none.
+std::vector<std::string> units_by_type(Slot value, const Type& type, std::size_t cells) {
+  if (type.is(Kind::kHost) && type.host == &kPosJ) {
+    std::vector<std::string> units;
+    const PosJ& joints = posj(value);
+    for (int i = 0; i < joints.n; ++i)
+      units.emplace_back(joints.turns[static_cast<std::size_t>(i)] ? "rad" : "m");
+    return units;
+  }
+  if (type.is(Kind::kHost) && type.host == &kPosC) return {"m", "m", "m", "", "", "", ""};
+  const Type* number = &type;
+  while (number->is(Kind::kList)) number = number->element;
+  return number->is_quantity() ? std::vector<std::string>(cells, unit_of(*number))
+                               : std::vector<std::string>();
+}
+
+// "t [s]", "q1 [rad]", "q2 [rad]": a column of several cells numbers them.
+std::string header_of(const std::string& name, std::size_t width,
+                      const std::vector<std::string>& units) {
   std::string out;
-  for (std::size_t i = 1; i <= width; ++i) out += fmt::format("{}{}{}", i > 1 ? "," : "", name, i);
+  for (std::size_t i = 0; i < width; ++i) {
+    out += (i > 0 ? "," : "") + name;
+    if (width > 1) out += std::to_string(i + 1);
+    if (units.size() == width && !units[i].empty()) out += fmt::format(" [{}]", units[i]);
+  }
   return out;
 }
 
@@ -125,7 +152,8 @@ class Growth {
   std::size_t counted_ = 0;
 };
 
-Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file) {
+Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file,
+                  std::optional<std::string_view> read) {
   const RecordInfo& info = *table.layout->type->record;
   const std::vector<RecordField>& columns = info.row->record->fields;
   std::vector<std::size_t> widths;
@@ -147,7 +175,11 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file) {
       const std::vector<std::string> cells = cells_of(fields[i], *columns[i].type);
       if (row == 0) {
         widths.push_back(cells.size());
-        header += (i > 0 ? "," : "") + header_of(columns[i].name, cells.size());
+        auto units = units_by_type(fields[i], *columns[i].type, cells.size());
+        const std::string_view known = part_of(read.value_or(""), i);
+        if (units.empty() && !known.empty())
+          units = units_of(known, cells.size(), Host::of(vm).cell());
+        header += (i > 0 ? "," : "") + header_of(columns[i].name, cells.size(), units);
       } else if (cells.size() != widths[i]) {
         return failure(vm, "R0613",
                        fmt::format("the column `{}` has {} values in row {} and {} in row 0",
@@ -169,11 +201,12 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file) {
 
 constexpr NativeFunction kTableFunctions[] = {
     def<save>(
-        "save(t: table, file: string)",
+        "save(t: table, file: string, tUnits: string?)",
         "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "
         "names of "
-        "the columns, then one line for each row. A list, a posJ and a posC become several "
-        "columns.",
+        "the columns and their units, as `q1 [rad]`, then one line for each row. A list, a posJ "
+        "and "
+        "a posC become several columns.",
         "record run every (10ms) { q: joints() }; run.save(\"run.csv\")",
         {.check = check_ending<1, kTableEndings>}),
 };

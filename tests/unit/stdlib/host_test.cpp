@@ -161,7 +161,7 @@ TEST_CASE("a table is saved with a heading and one line for each row") {
       "p.rbt"));
   REQUIRE(session.run().status == Progress::kDone);
   CHECK(content(folder.path() / "run.csv") ==
-        "t,half,n,ok,text,q1,q2,q3,q4,v1,v2\n"
+        "t [s],half [s],n,ok,text,q1 [rad],q2 [rad],q3 [m],q4 [rad],v1,v2\n"
         "0,0,0,false,\"a,b\",0,0,0.05,0,1.5,0\n"
         "0.5,0.25,0,false,\"a,b\",0,0,0.05,0,1.5,0\n"
         "1,0.5,2,true,\"a,b\",0,0,0.05,0,1.5,2\n");

@@ -6,6 +6,7 @@
 #include "armlet/interpreter/binding/dims_fact.hpp"
 #include "check/checker.hpp"
 #include "check/types/constants.hpp"
+#include "table_functions.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -28,6 +29,12 @@ bool is_plain_d(const TypePattern& pattern) {
          pattern.dim.is_none();
 }
 
+// Null: the value is no function of the text.
+const hir::Function* function_of(const hir::Expr& value) {
+  if (value.kind == ExprKind::kFunctionValue) return value.as<hir::FunctionValueExpr>().function;
+  return value.kind == ExprKind::kClosure ? value.as<hir::ClosureExpr>().function : nullptr;
+}
+
 class DimsOfParts {
  public:
   explicit DimsOfParts(Checker& checker) : checker_(checker) {}
@@ -36,12 +43,14 @@ class DimsOfParts {
     if (depth > kDeepestPart || --left_ < 0) return std::nullopt;
     const hir::Expr& at = origin_of(expr);
     if (const hir::Expr* given = argument_for(at)) return outside(*given, depth);
+    if (const hir::Expr* list = list_of(at)) return each_outside(*list, depth);
     if (const auto* fact = dynamic_cast<const DimsFact*>(fact_of(at))) return fact->dims;
     const bool is_negative =
         at.kind == ExprKind::kUnary && at.as<hir::UnaryExpr>().op == hir::Op::kNegR;
     Dims found;
     if (at.kind == ExprKind::kElement) found = element(at.as<hir::ElementExpr>(), depth);
     if (at.kind == ExprKind::kSlice) return slice(at.as<hir::SliceExpr>(), depth);
+    if (at.kind == ExprKind::kPart) found = part_of_row(at.as<hir::PartExpr>(), depth);
     if (is_negative) found = of(*at.as<hir::UnaryExpr>().operand, depth + 1);
     if (at.kind == ExprKind::kBinary) found = sum(at.as<hir::BinaryExpr>(), depth);
     if (at.kind == ExprKind::kCond) found = either(at.as<hir::CondExpr>(), depth);
@@ -50,6 +59,40 @@ class DimsOfParts {
     if (at.kind == ExprKind::kCall) found = called(at.as<hir::CallExpr>(), depth);
     if (at.kind == ExprKind::kCallNative) found = native(at.as<hir::CallNativeExpr>(), depth);
     return found ? found : by_type(*at.type);
+  }
+
+  // Of one element of a list, or of one row of a matrix, if all are alike.
+  Dims each(const hir::Expr& expr, int depth) const {
+    if (depth > kDeepestPart || --left_ < 0) return std::nullopt;
+    const hir::Expr& at = origin_of(expr);
+    if (const hir::Expr* given = argument_for(at)) return each_outside(*given, depth);
+    if (at.kind == ExprKind::kSlice) return each(*at.as<hir::SliceExpr>().object, depth + 1);
+    if (at.kind == ExprKind::kPart) return part(at.as<hir::PartExpr>(), depth);
+    if (at.kind == ExprKind::kOverList) return over_list(at.as<hir::OverListExpr>(), depth);
+    if (at.kind == ExprKind::kCallNative) {
+      if (at.as<hir::CallNativeExpr>().function == &kTableColumn)
+        return column(at.as<hir::CallNativeExpr>(), depth);
+      if (const Dims found = each_native(at.as<hir::CallNativeExpr>(), depth)) return found;
+    }
+    const bool is_list = at.type->is(Kind::kList) && at.type->element->is_number();
+    Dims all = is_list ? of(at, depth + 1) : std::nullopt;
+    if (!all || !are_alike(*all)) return std::nullopt;
+    all->resize(1);
+    return all;
+  }
+
+  // Of the row that a recording takes at an instant; null: it is no recording.
+  static const hir::RecordExpr* row_of(const hir::Expr& table) {
+    const hir::Expr& at = origin_of(table);
+    if (at.kind != ExprKind::kCallNative) return nullptr;
+    const auto& call = at.as<hir::CallNativeExpr>();
+    const hir::Function* sample =
+        call.function == &kStartRecording ? function_of(*call.arguments[0]) : nullptr;
+    if (sample == nullptr || sample->body == nullptr || sample->body->body.empty()) return nullptr;
+    const hir::Stmt* last = sample->body->body.back();
+    if (last->kind != hir::StmtKind::kReturn) return nullptr;
+    const hir::Expr* row = static_cast<const hir::ReturnStmt*>(last)->value;
+    return row->kind == ExprKind::kRecord ? &row->as<hir::RecordExpr>() : nullptr;
   }
 
   // What a function gives whose body names some values and ends with one.
@@ -64,10 +107,87 @@ class DimsOfParts {
   }
 
  private:
-  // The call of a function that is looked into, and where that stands.
+  static bool are_alike(const std::vector<NumberDim>& all) {
+    return !all.empty() && std::ranges::all_of(all, &NumberDim::is_one) &&
+           std::adjacent_find(all.begin(), all.end(), std::not_equal_to()) == all.end();
+  }
+
+  // A column of a recording: what is sampled into it.
+  Dims column(const hir::CallNativeExpr& call, int depth) const {
+    const hir::RecordExpr* row = row_of(*call.arguments[0]);
+    const auto place = whole(call.arguments[1], 0);
+    const bool is_known = row != nullptr && place && *place >= 0 &&
+                          static_cast<std::size_t>(*place) < row->fields.size();
+    if (!is_known) return std::nullopt;
+    return of(*row->fields[static_cast<std::size_t>(*place)], depth + 1);
+  }
+
+  // matrix[a:b, j] is a list of what stands in column j, matrix[a:b, c:d] a matrix.
+  Dims part(const hir::PartExpr& node, int depth) const {
+    return node.rows.is_range ? columns_of(node, depth) : std::nullopt;
+  }
+  // matrix[i, c:d], a list
+  Dims part_of_row(const hir::PartExpr& node, int depth) const {
+    return node.rows.is_range ? std::nullopt : columns_of(node, depth);
+  }
+  Dims columns_of(const hir::PartExpr& node, int depth) const {
+    const Dims row = each(*node.object, depth + 1);
+    if (!row) return std::nullopt;
+    const auto first = whole(node.cols.first, 0);
+    if (!node.cols.is_range) return first ? some(*row, *first, *first + 1) : std::nullopt;
+    if (node.cols.first == nullptr && node.cols.last == nullptr) return row;
+    const bool is_counted = std::ranges::all_of(*row, &NumberDim::is_one);
+    if (node.cols.last == nullptr && !is_counted) return std::nullopt;
+    const auto last = whole(node.cols.last, static_cast<std::int64_t>(row->size()));
+    return first && last && *first <= *last ? some(*row, *first, *last) : std::nullopt;
+  }
+
+  Dims over_list(const hir::OverListExpr& node, int depth) const {
+    using hir::ListVerb;
+    if (node.verb == ListVerb::kFilter || node.verb == ListVerb::kSort)
+      return each(*node.operands[0], depth + 1);
+    if (node.verb != ListVerb::kMap) return std::nullopt;
+    const hir::Function* mapped = function_of(origin_of(*node.operands[1]));
+    if (mapped == nullptr) return std::nullopt;
+    const Inside inside{nullptr, here_, mapped, node.operands[0]};
+    here_ = &inside;
+    Dims found = result_of(*mapped, depth + 1);
+    here_ = inside.outer;
+    return found;
+  }
+
+  // The list of which a parameter of the function that is looked into is an element; null: of none.
+  const hir::Expr* list_of(const hir::Expr& at) const {
+    if (at.kind != ExprKind::kVariable || here_ == nullptr || here_->mapped == nullptr)
+      return nullptr;
+    const hir::Variable* variable = at.as<hir::VariableExpr>().variable;
+    const auto& parameters = here_->mapped->parameters;
+    const bool is_first = !parameters.empty() && *parameters.begin() == variable;
+    return is_first && variable->fixed ? here_->list : nullptr;
+  }
+
+  // matrix(rows); a + b, a - b, abs(a), element by element.
+  Dims each_native(const hir::CallNativeExpr& call, int depth) const {
+    const std::string_view name = call.function->name;
+    if (name != "matrix" && name != "abs" && name != "operator+" && name != "operator-")
+      return std::nullopt;
+    Dims found;
+    for (const hir::Expr* argument : call.arguments) {
+      const bool has_rows = argument->type->is(Kind::kList) || argument->type->is(Kind::kMatrix);
+      Dims own = has_rows ? each(*argument, depth + 1) : std::nullopt;
+      if (!own || (found && found != own)) return std::nullopt;
+      found = std::move(own);
+    }
+    return found;
+  }
+
+  // The function that is looked into, and where it stands: what it is called with, or the list
+  // whose elements it is given one after the other.
   struct Inside {
     const hir::CallExpr* call;
     const Inside* outer;
+    const hir::Function* mapped = nullptr;
+    const hir::Expr* list = nullptr;
   };
 
   Dims called(const hir::CallExpr& call, int depth) const {
@@ -80,7 +200,8 @@ class DimsOfParts {
 
   // What a parameter of the function that is looked into stands for; null: it is none.
   const hir::Expr* argument_for(const hir::Expr& at) const {
-    if (at.kind != ExprKind::kVariable || here_ == nullptr) return nullptr;
+    if (at.kind != ExprKind::kVariable || here_ == nullptr || here_->call == nullptr)
+      return nullptr;
     const hir::Variable* variable = at.as<hir::VariableExpr>().variable;
     const auto& parameters = here_->call->function->parameters;
     const auto found = std::ranges::find(parameters, variable);
@@ -95,6 +216,14 @@ class DimsOfParts {
     const Inside* const inside = here_;
     here_ = inside->outer;
     Dims found = of(argument, depth + 1);
+    here_ = inside;
+    return found;
+  }
+
+  Dims each_outside(const hir::Expr& list, int depth) const {
+    const Inside* const inside = here_;
+    here_ = inside->outer;
+    Dims found = each(list, depth + 1);
     here_ = inside;
     return found;
   }
@@ -135,10 +264,11 @@ class DimsOfParts {
   }
 
   Dims element(const hir::ElementExpr& node, int depth) const {
-    const auto index = whole(node.index, 0);
-    const Dims all = of(*node.object, depth + 1);
-    if (!all || !index || node.column != nullptr || !node.type->is_number()) return std::nullopt;
-    return some(*all, *index, *index + 1);
+    const bool is_of_matrix = node.column != nullptr;
+    const auto index = whole(is_of_matrix ? node.column : node.index, 0);
+    if (!index || !node.type->is_number()) return std::nullopt;
+    const Dims all = is_of_matrix ? each(*node.object, depth + 1) : of(*node.object, depth + 1);
+    return all ? some(*all, *index, *index + 1) : std::nullopt;
   }
 
   Dims slice(const hir::SliceExpr& node, int depth) const {
@@ -208,10 +338,7 @@ class DimsOfParts {
       if (!is_list && !is_plain_d(pattern)) continue;
       Dims own = of(*call.arguments[p], depth + 1);
       if (!own || own->empty()) return std::nullopt;
-      const bool are_alike =
-          std::ranges::all_of(*own, &NumberDim::is_one) &&
-          std::adjacent_find(own->begin(), own->end(), std::not_equal_to()) == own->end();
-      if (!gives_list && !are_alike) return std::nullopt;
+      if (!gives_list && !are_alike(*own)) return std::nullopt;
       if (!gives_list) own->resize(1);
       if (given && given != own) return std::nullopt;
       given = std::move(own);
@@ -233,30 +360,71 @@ std::string si_unit(Dim dim) {
 
 Dims dims_of_numbers(Checker& checker, const hir::Expr& expr) {
   const DimsOfParts reader(checker);
-  const hir::Expr& at = origin_of(expr);
-  Dims found;
-  if (at.kind == ExprKind::kFunctionValue)
-    found = reader.result_of(*at.as<hir::FunctionValueExpr>().function, 0);
-  else if (at.kind == ExprKind::kClosure)
-    found = reader.result_of(*at.as<hir::ClosureExpr>().function, 0);
-  else
-    found = reader.of(expr, 0);
+  const hir::Function* function = function_of(origin_of(expr));
+  Dims found = function != nullptr ? reader.result_of(*function, 0) : reader.of(expr, 0);
   if (!found || std::ranges::all_of(*found, &NumberDim::is_none)) return std::nullopt;
   return found;
 }
 
+namespace {
+
+// "rad/s,m/s", "@" and NumberDim::later for what only the run knows; empty: nothing is known.
+std::string text_of(const Dims& dims) {
+  std::string units;
+  if (!dims || std::ranges::all_of(*dims, &NumberDim::is_none)) return units;
+  for (const NumberDim& each : *dims) {
+    units += each.later.empty() ? si_unit(each.dim) : '@' + each.later;
+    if (each.index >= 0) units += '#' + std::to_string(each.index);
+    units += ',';
+  }
+  units.pop_back();
+  return units;
+}
+
+// Of each column of a recording, with semicolons between them.
+std::string units_of_columns(Checker& checker, const hir::Expr& table) {
+  const hir::RecordExpr* row = DimsOfParts::row_of(table);
+  if (row == nullptr) return {};
+  std::string units;
+  for (const hir::Expr* field : row->fields) {
+    if (field != row->fields[0]) units += ';';
+    const bool has_type = !field->type->is(Kind::kList) && !field->type->is_number();
+    if (!has_type) units += text_of(DimsOfParts(checker).of(*field, 0));
+  }
+  return units.find_first_not_of(';') == std::string::npos ? std::string() : units;
+}
+
+// Of the lines of a list of lists.
+std::string units_of_lists(Checker& checker, const hir::Expr& lists) {
+  const hir::Expr& at = origin_of(lists);
+  if (at.kind != ExprKind::kList) return {};
+  std::vector<NumberDim> dims;
+  for (const hir::Expr* line : at.as<hir::ListExpr>().items) {
+    const Dims own = DimsOfParts(checker).each(*line, 0);
+    dims.push_back(own && own->size() == 1 ? own->front() : NumberDim{});
+  }
+  return dims.empty() ? std::string() : text_of(Dims(std::move(dims)));
+}
+
+std::string units_of_value(Checker& checker, const hir::Expr& value) {
+  const Type& type = *value.type;
+  if (type.is_table())
+    return type.is_open_table() ? std::string() : units_of_columns(checker, value);
+  if (type.is(Kind::kMatrix)) return text_of(DimsOfParts(checker).each(value, 0));
+  if (type.is(Kind::kList) && type.element->is(Kind::kList)) return units_of_lists(checker, value);
+  if (type.is(Kind::kList)) {
+    if (std::string units = text_of(DimsOfParts(checker).each(value, 0)); !units.empty())
+      return units;
+  }
+  return text_of(dims_of_numbers(checker, value));
+}
+
+}  // namespace
+
 void finish_units(Checker& checker) {
   for (const auto& [text, value] : checker.shared.postponed.units()) {
-    const Dims dims = dims_of_numbers(checker, *value);
-    if (!dims) continue;
-    std::string units;
-    for (const NumberDim& each : *dims) {
-      units += each.later.empty() ? si_unit(each.dim) : '@' + each.later;
-      if (each.index >= 0) units += '#' + std::to_string(each.index);
-      units += ',';
-    }
-    units.pop_back();
-    text->value = checker.arena.copy(units);
+    if (const std::string units = units_of_value(checker, *value); !units.empty())
+      text->value = checker.arena.copy(units);
   }
 }
 

@@ -115,6 +115,7 @@ void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::S
   if (is_free(checker, stmt.name)) checker.scopes.add(run, Declared::kBlock, stmt.name.span);
   if (!well) return checker.check_into(rest, out);
   hir::Expr* table = builtin(checker, kStartRecording, type, stmt.name.span, {sample, period});
+  run->init = table;
   auto* init = checker.make<hir::InitStmt>(hir::StmtKind::kInit, stmt.name.span, run, table);
   if (top_level) {
     checker.shared.top_level.add(run, init, std::move(used));
