@@ -29,6 +29,7 @@ CountOfRun::CountOfRun(VmState& state) : state_(state) {
   state.steps.since_pause = state.host.aside.since_pause;
   state.steps.limit = state.host.aside.limit;
   state.is_leaving = state.host.aside.is_leaving;
+  state.host.has_asked_to_stop = state.host.aside.is_stopped;
 }
 
 CountOfRun::~CountOfRun() {
@@ -36,8 +37,9 @@ CountOfRun::~CountOfRun() {
   state_.host.aside.since_pause = state_.steps.since_pause;
   state_.host.aside.limit = state_.steps.limit;
   state_.host.aside.is_leaving = state_.is_leaving;
+  state_.host.aside.is_stopped = state_.host.has_asked_to_stop;
   state_.steps.limit = state_.options.limits.steps;
-  state_.is_leaving = false;
+  state_.is_leaving = state_.host.has_asked_to_stop = false;
 }
 
 CallOfRun::CallOfRun(VmState& state) : state_(state) { count_on(state); }

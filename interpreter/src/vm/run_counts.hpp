@@ -15,6 +15,7 @@ struct RunCounts {
   std::uint64_t work = 0;         // of kernels, that has not made a whole step
   std::uint64_t statements = 0;   // that have begun
   bool is_leaving = false;        // the program is being stopped
+  bool is_stopped = false;        // by a stop request
 };
 
 // While it lives, the run counts on; before and after it the counts are kept aside.

@@ -70,8 +70,8 @@ void VmState::make_error_layout() {
 }
 
 void VmState::reopen() {
-  is_leaving = false;
-  steps.paused();
+  is_leaving = host.has_asked_to_stop = false;
+  count_pause();
   steps.limit = options.limits.steps;
 }
 

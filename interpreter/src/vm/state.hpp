@@ -78,9 +78,11 @@ struct StepMeter {
     settle();
     slice_end = steps < kEndless - total ? total + steps : kEndless;
   }
-  void paused() {
+  // Counts what takes as long as so many steps. The limits are looked at with the next step.
+  void book(std::uint64_t steps) {
     settle();
-    since_pause = 0;
+    total += steps;
+    since_pause += steps;
   }
   // A call by the host may take as many steps as the program between two pauses: what the running
   // chunk has done is booked when it is settled.
@@ -181,6 +183,7 @@ struct HostAccess {
   bool is_read = false;                      // and no trace may stay
   std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
   std::uint64_t output_left = 0;             // bytes
+  bool has_asked_to_stop = false;            // for which the program is being stopped
   RunCounts aside{};                         // what the run has counted, while it does not run
   bool counts_apart = true;                  // what is counted now is not of the run
   std::function<void()> on_look{};  // for tests: called at every look at the wish to cancel
@@ -228,6 +231,11 @@ struct VmState {
   [[nodiscard]] const CompiledProgram& code() const {
     const CompiledProgram* at = running->stack.top->callee->program;
     return at != nullptr ? *at : *programs.newest;
+  }
+  // The program has paused: it has its steps anew, unless it is being stopped.
+  void count_pause() {
+    steps.settle();
+    if (!is_leaving) steps.since_pause = 0;
   }
   // To be called before a variable changes.
   void keep_global(std::uint32_t number) {

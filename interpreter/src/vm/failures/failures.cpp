@@ -11,84 +11,11 @@
 #include "compile/code/properties.hpp"
 #include "format_value.hpp"
 #include "vm/failures/counted.hpp"
+#include "vm/failures/leaving.hpp"
 #include "vm/instructions/interpret.hpp"
 
 namespace armlet::lang {
 namespace {
-
-// After cancelling or running out of steps, finally blocks get this many steps more.
-constexpr std::uint64_t kLeavingSteps = 1'000'000;
-
-const Frame* innermost(const Task& task) {
-  const Frame* frame = task.stack.top;
-  while (frame > task.stack.frames && frame->is_host()) --frame;
-  return frame->is_host() ? nullptr : frame;
-}
-const Frame* innermost(const VmState& state) {
-  return state.running == nullptr ? nullptr : innermost(*state.running);
-}
-
-std::string ordinal(std::int64_t n) {
-  const bool teen = n % 100 >= 11 && n % 100 <= 13;
-  const char* ending = "th";
-  if (n % 10 == 1 && !teen) ending = "st";
-  if (n % 10 == 2 && !teen) ending = "nd";
-  if (n % 10 == 3 && !teen) ending = "rd";
-  return std::to_string(n) + ending;
-}
-
-// The calls without a frame of their own that are running in a frame, inner ones first.
-std::vector<const ExpandedCall*> expanded_calls(const Frame& frame) {
-  std::vector<const ExpandedCall*> calls;
-  for (const ExpandedCall& call : frame.callee->function->expanded) {
-    if (call.begin <= frame.at() && frame.at() < call.end) calls.push_back(&call);
-  }
-  return calls;
-}
-
-// "in the 5th pass of the loop on line 7" for the innermost loop around the running instruction.
-std::string loop_note(const Frame& frame) {
-  if (!expanded_calls(frame).empty()) return {};
-  const LoopInfo* innermost_loop = nullptr;
-  for (const LoopInfo& loop : frame.callee->function->loops) {
-    const bool inside = loop.begin <= frame.at() && frame.at() < loop.end;
-    const bool smaller = innermost_loop == nullptr ||
-                         loop.end - loop.begin < innermost_loop->end - innermost_loop->begin;
-    if (inside && smaller) innermost_loop = &loop;
-  }
-  if (innermost_loop == nullptr || innermost_loop->step == 0) return {};
-  const std::int64_t counter = frame.base[innermost_loop->counter].i;
-  const std::int64_t pass = (counter - innermost_loop->first) / innermost_loop->step + 1;
-  return "in the " + ordinal(pass) + " pass of the loop on line " +
-         std::to_string(innermost_loop->line);
-}
-
-// Deep recursion is told by its ends.
-std::vector<std::string> call_path(const VmState& state) {
-  constexpr std::size_t kMost = 10;
-  std::vector<std::string> calls;
-  const Frame* frame = innermost(state);
-  for (; frame != nullptr && frame > state.running->stack.frames; --frame) {
-    if (frame->is_host()) continue;
-    for (const ExpandedCall* inner : expanded_calls(*frame)) {
-      calls.push_back(frame->callee->program->functions[inner->function].name + ", called on " +
-                      line_name(state, inner->call));
-    }
-    if (frame->callee->function->name.empty()) continue;
-    if (frame->callee->function->function->is_task) continue;
-    const CodeSpan* site = frame[-1].is_host() ? nullptr : code_span(frame[-1]);
-    std::string call = frame->callee->function->name;
-    if (site != nullptr) call += ", called on " + line_name(state, site->span);
-    calls.push_back(std::move(call));
-  }
-  if (calls.size() > kMost) {
-    const std::size_t left_out = calls.size() - kMost;
-    const auto middle = calls.begin() + kMost / 2;
-    calls.erase(middle, middle + static_cast<std::ptrdiff_t>(left_out));
-    calls.insert(calls.begin() + kMost / 2, "... " + std::to_string(left_out) + " calls more ...");
-  }
-  return calls;
-}
 
 // The running instruction's text in backquotes, or a stand-in if it is long.
 std::string running_text(const VmState& state, const char* otherwise) {
@@ -114,12 +41,16 @@ void set_fault(VmState& state, Diagnostic diagnostic, std::string kind, Reach re
   state.fault->diagnostic = std::move(diagnostic);
   state.fault->kind = std::move(kind);
   state.fault->reach = reach;
+  if (state.is_leaving) state.steps.book(kFailureStepsLeaving);
 }
 
-// From here on only finally blocks run, and not for long.
+// From here on only finally blocks run, and not for long: what is left of the steps is for all of
+// them, also where it ends in one of several tasks.
 void begin_leaving(VmState& state) {
   state.fault->reach = state.is_leaving ? Reach::kNothing : Reach::kFinally;
-  state.fault->is_leaving = state.is_leaving = true;
+  state.fault->is_leaving = true;
+  if (state.is_leaving) return;
+  state.is_leaving = true;
   state.steps.settle();
   state.steps.since_pause = 0;
   state.steps.limit = std::min(state.steps.limit, kLeavingSteps);
@@ -128,6 +59,15 @@ void begin_leaving(VmState& state) {
 }  // namespace
 
 // ---- where ----------------------------------------------------------------------------------
+
+const Frame* innermost(const Task& task) {
+  const Frame* frame = task.stack.top;
+  while (frame > task.stack.frames && frame->is_host()) --frame;
+  return frame->is_host() ? nullptr : frame;
+}
+const Frame* innermost(const VmState& state) {
+  return state.running == nullptr ? nullptr : innermost(*state.running);
+}
 
 const CodeSpan* code_span(const Frame& frame) {
   const std::vector<CodeSpan>& spans = frame.callee->function->spans;
@@ -162,17 +102,6 @@ int task_line(const VmState& state, const Task& task) {
   const Frame* frame = innermost(task);
   const CodeSpan* at = frame == nullptr ? nullptr : code_span(*frame);
   return at == nullptr ? 0 : line_of(state, at->span);
-}
-
-When circumstances(const VmState& state) {
-  When when;
-  when.time_ns = state.vm.timeline().now_ns();
-  const Task* task = state.running;
-  if (task != nullptr && task == state.condition_task.get()) task = task->origin.parent;
-  if (task != nullptr) when.task = task_name(*task);
-  if (const Frame* frame = innermost(state)) when.note = loop_note(*frame);
-  when.calls = call_path(state);
-  return when;
 }
 
 // ---- raising --------------------------------------------------------------------------------
@@ -272,6 +201,7 @@ bool raise_out_of_output(VmState& state) {
 }
 
 bool raise_out_of_steps(VmState& state) {
+  if (state.host.has_asked_to_stop) return raise_cancelled(state);
   raise(state, "R0622", {std::to_string(state.steps.limit)});
   begin_leaving(state);
   return false;
@@ -280,7 +210,7 @@ bool raise_out_of_steps(VmState& state) {
 bool raise_cancelled(VmState& state) {
   raise(state, "R0629");
   begin_leaving(state);
-  state.fault->cancelled = true;
+  state.fault->cancelled = state.host.has_asked_to_stop = true;
   return false;
 }
 

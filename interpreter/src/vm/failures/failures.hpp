@@ -15,6 +15,9 @@ namespace armlet::lang {
 
 // ---- where ----------------------------------------------------------------------------------
 
+// The innermost frame that is not the host's; null if there is none.
+[[nodiscard]] const Frame* innermost(const Task& task);
+[[nodiscard]] const Frame* innermost(const VmState& state);
 // What the running instruction of a frame belongs to in the text; null if unknown.
 [[nodiscard]] const CodeSpan* code_span(const Frame& frame);
 // The same of the innermost frame of the running task that is not the host's.
@@ -66,6 +69,7 @@ bool require_failure(VmState& state);
 
 bool raise_out_of_memory(VmState& state);
 bool raise_out_of_output(VmState& state);
+// Finally blocks that go on for too long after a stop request are cancelled like what they end.
 bool raise_out_of_steps(VmState& state);
 bool raise_cancelled(VmState& state);
 // what: "list", "text", or "row" or "column" of a matrix.

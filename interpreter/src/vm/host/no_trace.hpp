@@ -23,7 +23,7 @@ class NoTrace {
     state.host.is_read = true;
     state.marks.breakpoints.clear();
     state.marks.pause_at = StepMeter::kEndless;
-    state.steps.paused();
+    state.count_pause();
   }
   ~NoTrace() {
     state_.programs.before->restore();

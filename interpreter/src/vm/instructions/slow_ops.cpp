@@ -434,6 +434,11 @@ bool stops_at_mark(VmState& state) {
   return stops;
 }
 
+void stop_at_next_step(VmState& state) {
+  state.vm.cancel();
+  state.steps.settle();
+}
+
 bool count_slowly(VmState& state) {
   state.steps.left = 0;  // it was counted below
   if (state.take_cancellation()) return raise_cancelled(state);

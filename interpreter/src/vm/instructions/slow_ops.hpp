@@ -44,6 +44,9 @@ bool append_slowly(VmState& state, Slot& place, const TextObj& tail);
 bool count_characters(VmState& state, TextObj& text);
 // The running chunk of steps is used up: looks at the limit and at the wish to cancel.
 bool count_slowly(VmState& state);
+// A stop request came, which is noticed with the next step rather than here: calls of the library
+// are not counted, so that a run that repeats this one could not stop at the same call.
+void stop_at_next_step(VmState& state);
 // Whether the slice is over, at a place where the run may return to the host: not inside a call of
 // the program by the host.
 [[nodiscard]] bool may_pause(VmState& state);

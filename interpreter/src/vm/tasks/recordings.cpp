@@ -184,7 +184,7 @@ bool Recordings::take(Recording& recording) {
   const std::int64_t now = state_.vm.timeline().now_ns();
   Slot row{.i = 0};
   const bool done = state_.evaluate(*recording.task, recording.sample, row);
-  state_.steps.paused();
+  state_.count_pause();
   if (!done) return false;
   table_in(row).fields()[0].d = seconds_of(now);
   recording.last_ns = now;

@@ -7,6 +7,7 @@
 #include "armlet/interpreter/virtual_time.hpp"
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/failures/leaving.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/busy_wait.hpp"
 #include "vm/tasks/recordings.hpp"
@@ -163,7 +164,8 @@ void Scheduler::evaluate_conditions() {
     } else if (armed.watch->condition != nullptr) {
       evaluate(*armed.watch);
     }
-    state_.steps.paused();
+    if (state_.is_leaving) state_.steps.book(kLookStepsLeaving);
+    state_.count_pause();
     next = tree_.armed().upper_bound(order);
   }
 }
@@ -182,7 +184,7 @@ void Scheduler::evaluate(Task& task) {
 
 bool Scheduler::still_holds(Task& task) {
   evaluate(task);
-  state_.steps.paused();
+  state_.count_pause();
   if (task.interrupted != nullptr) return true;  // the condition failed, which is raised now
   if (task.came_true) task.waiting->stop();
   return task.waiting->is_over();
@@ -191,7 +193,7 @@ bool Scheduler::still_holds(Task& task) {
 bool Scheduler::still_triggered(Task& body) {
   Watch& watch = *body.origin.watch;
   const bool was_evaluated = state_.evaluate(*watch.owner, watch.condition, watch.was_true);
-  state_.steps.paused();
+  state_.count_pause();
   if (was_evaluated && watch.was_true) return true;
   const FaultPtr fault = std::move(state_.fault);
   tree_.end(body, nullptr);
@@ -249,7 +251,7 @@ Exit Scheduler::run(Task& task) {
 // The task goes on waiting.
 Exit Scheduler::work(Task& task) {
   state_.running = &task;
-  state_.steps.paused();
+  state_.count_pause();
   bool done = false;
   try {
     done = task.waiting->work(state_.vm) || require_failure(state_);
@@ -270,7 +272,7 @@ Exit Scheduler::begin(Task& task) {
   task.is_ready = false;
   state_.running = &task;
   resumed_ns_ = state_.vm.timeline().now_ns();
-  state_.steps.paused();
+  state_.count_pause();
   auto* closure = static_cast<ClosureObj*>(task.origin.entry);
   if (!state_.enter(closure->function, closure)) return Exit::kFailed;
   return interpret_on(task);
@@ -280,7 +282,7 @@ Exit Scheduler::resume(Task& task) {
   const std::unique_ptr<Waiting> waiting = std::move(task.waiting);
   tree_.disarm(task);
   state_.running = &task;
-  state_.steps.paused();
+  state_.count_pause();
   resumed_ns_ = state_.vm.timeline().now_ns();
   FaultPtr fault = std::move(task.interrupted);
   if (std::exchange(task.children.joins, false)) {

@@ -8,6 +8,7 @@
 #include "armlet/interpreter/virtual_time.hpp"
 #include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/failures/leaving.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/busy_wait.hpp"
 #include "vm/tasks/durations.hpp"
@@ -159,7 +160,8 @@ bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc) {
   } else {
     count_wait(task, state.vm.timeline().now_ns());
   }
-  state.steps.paused();
+  if (state.is_leaving) state.steps.book(kPauseStepsLeaving);
+  state.count_pause();
   return true;
 }
 

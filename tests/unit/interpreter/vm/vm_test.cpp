@@ -233,6 +233,26 @@ TEST_CASE("any allocation may fail without a leak") {
   }
 }
 
+TEST_CASE("finally blocks have a million steps in all, however often they pause or fail") {
+  for (const char* rest : {"while (true) { wait(1s) }", "while (true) { }", "wait until false",
+                           "f(0)", "try { f(0) } finally { while (true) { wait(1s) } }"}) {
+    CAPTURE(rest);
+    const Outcome outcome =
+        run("fn f(n: int) { try { f(n + 1) } finally { f(n + 1) } }\n"
+            "try { cancelNow()\n while (true) { } } finally { print(\"home\")\n " +
+            std::string(rest) + " }");
+    CHECK(outcome.status == Progress::kCancelled);
+    CHECK(outcome.output == "home\n");
+    CHECK(outcome.steps <= 1'020'000);
+  }
+}
+
+TEST_CASE("a stop request is noticed at the first step after a call of the library") {
+  const Outcome outcome = run("cancelNow()\nfor (i in range(4000)) { print(i) }");
+  CHECK(outcome.status == Progress::kCancelled);
+  CHECK(outcome.output == "0\n");
+}
+
 TEST_CASE("cancelling unwinds through finally") {
   const Outcome outcome = run("try { cancelNow()\n while (true) { } } finally { print(\"home\") }");
   CHECK(outcome.status == Progress::kCancelled);
