@@ -125,6 +125,12 @@ struct MissingRow : ListObj {
   const Instr* at;     // where it was looked for
 };
 
+// The entry of a map that was found last.
+struct LastEntry {
+  const MapEntry* entries = nullptr;  // of the map; it may be gone
+  std::uint32_t number = 0;
+};
+
 // Objects that are made once, or are kept out of the heap.
 struct SharedObjects {
   static constexpr std::size_t kMissingRows = 8;  // of one loop
@@ -135,6 +141,7 @@ struct SharedObjects {
   // Texts of one character, each made when it is first needed; and the room for them.
   const Ascii* ascii = &kNoAscii;
   std::unique_ptr<Ascii> made_ascii{};
+  LastEntry last_entry = {};
   MissingRow missing_rows[kMissingRows] = {};  // only loops that call nothing have any
   std::unordered_map<const Instr*, std::uint32_t> large_copies{};  // by place: how many there were
 };

@@ -120,15 +120,31 @@ bool find_entry(VmState& state, const MapObj& map, Slot key, std::uint32_t hash,
     }
   }
   const std::uint64_t bytes = map.has_text_keys() ? static_cast<TextObj*>(key.o)->size / 8 : 0;
+  if (entry != nullptr && probes <= kFreeProbes && 2 * bytes < kWorkPerStep)
+    state.shared.last_entry = {map.entries, static_cast<std::uint32_t>(entry - map.entries)};
   return probes <= kFreeProbes || charge_work(state.vm, probes * (2 + bytes));
 }
 
+// Programs often look for a key several times in a row, as in `if (m.has(k)) m[k] += 1`: the entry
+// found last is tried first. Texts count as the same here if they are one object. Only what was
+// found without counting work is remembered, so that steps do not depend on what a host looked for.
+static bool find_again(const VmState& state, const MapObj& map, Slot key, MapEntry*& entry) {
+  const LastEntry& last = state.shared.last_entry;
+  if (last.entries != map.entries || last.number >= map.used) return false;
+  MapEntry& found = map.entries[last.number];
+  if (found.key.i != key.i || found.is_removed) return false;
+  entry = &found;
+  return true;
+}
+
 bool find_entry(VmState& state, const MapObj& map, Slot key, MapEntry*& entry) {
+  if (find_again(state, map, key, entry)) return true;
   std::uint32_t hash = 0;
   return hash_key(state, map, key, hash) && find_entry(state, map, key, hash, entry);
 }
 
 bool find_or_add(VmState& state, MapObj& map, Slot key, MapEntry*& entry) {
+  if (find_again(state, map, key, entry)) return true;
   std::uint32_t hash = 0;
   if (!hash_key(state, map, key, hash) || !find_entry(state, map, key, hash, entry)) return false;
   if (entry != nullptr) return true;
