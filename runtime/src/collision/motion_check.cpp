@@ -14,14 +14,17 @@ namespace armlet {
 namespace {
 
 constexpr double kResolution = 5e-5;  // m
-constexpr double kGrainOfClearance = 0.05;        // of a clearance, how far points travel between two looks
-constexpr std::uint64_t kClearanceCost = 1'000;  // operations of a position where clearances are kept
-constexpr int kManyLooks = 20'000;               // then what is looked for becomes coarser
-constexpr double kComeApart = 1e-3;              // m, what leaves a body is checked from there
-constexpr int kSamples = 64;                     // of a motion, for depths and for what leaves
-constexpr double kExactDepth = 2e-6;             // m
-constexpr int kDepthLooks = 4'000;  // positions in which a depth is measured more exactly
-constexpr int kMeshLooks = 200;     // the same of bodies whose depths take long
+constexpr double kGrainOfClearance =
+    0.05;  // of a clearance, how far points travel between two looks
+constexpr std::uint64_t kPlaceCost = 1'000;  // operations of a position of the arms
+constexpr std::uint64_t kPairCost = 20;      // the same of a pair that balls tell apart
+constexpr std::uint64_t kGapCost = 2'000;    // the same of a distance or a depth
+constexpr int kManyLooks = 20'000;           // then what is looked for becomes coarser
+constexpr double kComeApart = 1e-3;          // m, what leaves a body is checked from there
+constexpr int kSamples = 64;                 // of a motion, for depths and for what leaves
+constexpr double kExactDepth = 2e-6;         // m
+constexpr int kDepthLooks = 4'000;           // positions in which a depth is measured more exactly
+constexpr int kMeshLooks = 200;              // the same of bodies whose depths take long
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Check {
@@ -83,7 +86,7 @@ class Check {
       q_[j] = 0.5 * (all.lower + all.upper);
       travel_[j] = std::max(all.upper - q_[j], q_[j] - all.lower);
     }
-    place();
+    place(end - begin);
     const std::size_t kept = open_.size();
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t pair = open_[i];
@@ -108,7 +111,7 @@ class Check {
       q_[j] = curves[j].halve(second[j]);
       travel_[j] = std::max({range.upper - q_[j], q_[j] - range.lower, 0.0});
     }
-    place();
+    place(end - begin);
     const std::size_t kept = open_.size();
     for (std::size_t i = begin; i < end; ++i) look_at_pair(open_[i], t0, t1);
     const std::size_t kept_end = open_.size();
@@ -134,9 +137,9 @@ class Check {
     before_.push_back(t0);
   }
 
-  void place() {
+  void place(std::size_t pairs) {
     pose_.place(q_, travel_);
-    if (!keep_.empty()) checkpoint(kClearanceCost);
+    checkpoint(kPlaceCost + kPairCost * pairs);
     if (++result_.looks % kManyLooks == 0) resolution_ *= 2.0;
   }
 
@@ -153,6 +156,7 @@ class Check {
   }
 
   Gap gap_of(const CheckedPair& pair) {
+    checkpoint(kGapCost);
     return gap_between(pose_.body(pair.a), pose_.body(pair.b));
   }
 

@@ -5,10 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/core/checkpoint.hpp"
 #include "svg_plane.hpp"
 
 namespace armlet::svg {
 namespace {
+
+// Operations, for who supervises the drawing of many values.
+constexpr std::uint64_t kValueCost = 32;
+constexpr std::uint64_t kBarCost = 1000;
 
 // In each column of pixels a line keeps its first, lowest, highest and last value: more cannot be
 // seen.
@@ -52,6 +57,7 @@ std::string draw_line(const Plane& plane, const Series& series, std::size_t inde
   std::string out;
   std::vector<Point> piece;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
+    checkpoint(kValueCost);
     if (plane.shows(series, i)) {
       piece.push_back(plane.at(series.x[i], series.y[i], series.right));
       continue;
@@ -66,6 +72,7 @@ std::string draw_points(const Plane& plane, const Series& series, std::size_t in
   const int color = static_cast<int>(index % kSeriesColors);
   std::vector<CloudPoint> points;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
+    checkpoint(kValueCost);
     if (plane.shows(series, i)) {
       points.push_back({plane.at(series.x[i], series.y[i], series.right)});
     }
@@ -80,6 +87,7 @@ std::string draw_bars(const Plane& plane, const Series& series, std::size_t inde
   const BarSpan span = bar_span(plane.figure, index, plane.bar);
   std::string d;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
+    checkpoint(kBarCost);
     if (!plane.shows(series, i)) continue;
     const std::string from = coordinate(plane.x.at(series.x[i] + span.begin));
     const Point to = plane.at(series.x[i] + span.end, series.y[i], series.right);

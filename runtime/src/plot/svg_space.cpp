@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/plot/ticks.hpp"
 #include "svg_parts.hpp"
 
@@ -138,11 +139,13 @@ std::string axes(const Figure& figure, const Box& box) {
 }  // namespace
 
 std::string spatial_figure(const Figure& figure, const Field& outer) {
+  constexpr std::uint64_t kPointCost = 64;  // operations
   const Box box = box_of(figure, outer);
   std::string out = axes(figure, box);
   std::vector<CloudPoint> points;
   for (const Series& series : figure.series) {
     for (std::size_t i = 0; i < series.x.size(); ++i) {
+      checkpoint(kPointCost);
       if (!is_drawable(series.x[i]) || !is_drawable(series.y[i]) || !is_drawable(series.z[i]))
         continue;
       const double height = box.ticks[2].position(series.z[i] * box.unit[2].factor);
