@@ -89,6 +89,14 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
   add_test(NAME replay.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/replay_command.py
            $<TARGET_FILE:armlet>)
+  if(NOT ARMLET_SANITIZE)  # which makes programs many times slower
+    add_test(NAME stop.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/stop/stop_command.py
+             $<TARGET_FILE:armlet>)
+    foreach(part RANGE 3)
+      add_test(NAME stop.library.${part} COMMAND Python3::Interpreter
+               ${CMAKE_CURRENT_SOURCE_DIR}/stop/stop_library.py $<TARGET_FILE:armlet> ${part} 4)
+    endforeach()
+  endif()
   add_test(NAME trace.numpy COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/numpy_command.py
            $<TARGET_FILE:armlet>)
   set_tests_properties(trace.numpy PROPERTIES SKIP_RETURN_CODE 77)
