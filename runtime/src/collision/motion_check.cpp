@@ -17,7 +17,7 @@ constexpr double kResolution = 5e-5;  // m
 constexpr double kGrainOfClearance =
     0.05;  // of a clearance, how far points travel between two looks
 constexpr std::uint64_t kPlaceCost = 1'000;  // operations of a position of the arms
-constexpr std::uint64_t kPairCost = 20;      // the same of a pair that balls tell apart
+constexpr std::uint64_t kBallsCost = 20;     // the same of a pair that balls tell apart
 constexpr std::uint64_t kGapCost = 2'000;    // the same of a distance or a depth
 constexpr int kManyLooks = 20'000;           // then what is looked for becomes coarser
 constexpr double kComeApart = 1e-3;          // m, what leaves a body is checked from there
@@ -139,7 +139,7 @@ class Check {
 
   void place(std::size_t pairs) {
     pose_.place(q_, travel_);
-    checkpoint(kPlaceCost + kPairCost * pairs);
+    checkpoint(kPlaceCost + kBallsCost * pairs);
     if (++result_.looks % kManyLooks == 0) resolution_ *= 2.0;
   }
 

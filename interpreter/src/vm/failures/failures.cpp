@@ -41,7 +41,8 @@ void set_fault(VmState& state, Diagnostic diagnostic, std::string kind, Reach re
   state.fault->diagnostic = std::move(diagnostic);
   state.fault->kind = std::move(kind);
   state.fault->reach = reach;
-  if (state.is_leaving) state.steps.book(kFailureStepsLeaving);
+  // A failure takes long where calls are nested deeply: the next step looks at stop requests.
+  state.steps.book(state.is_leaving ? kFailureStepsLeaving : 0);
 }
 
 // From here on only finally blocks run, and not for long: what is left of the steps is for all of
