@@ -10,6 +10,7 @@
 #include "dynamics/loaded_arm.hpp"
 #include "robot/models.hpp"
 #include "robot/rules.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
 #include "values/eigen_results.hpp"
 #include "values/give.hpp"
@@ -153,18 +154,21 @@ Answer<void> set_payload(Vm& vm, const RobotRef& r, double mass, const PosC* at)
   });
 }
 
+constexpr int kLinkInertia = 4;  // the parameter of setLink
+
+template <class InertiaGiven>
 Answer<void> set_link(Vm& vm, const RobotRef& r, std::int64_t joint, std::optional<double> mass,
-                      Numbers com, NumberRows inertia, Numbers friction) {
+                      Numbers com, InertiaGiven inertia, Numbers friction) {
   const Robot& robot = model_of(vm, r);
   if (joint < 1 || joint > robot.n())
     return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, robot.n()), 1);
   const int i = static_cast<int>(joint) - 1;
   Link link = robot.link(i);
   if (mass) link.mass = *mass;
-  if (!read_com(vm, com, 3, link) || !read_inertia(vm, inertia, 4, link) ||
-      !read_friction(vm, friction, 5, link)) {
+  const auto about_com = inertia_argument(vm, inertia, kLinkInertia);
+  if (!about_com || !read_com(vm, com, 3, link) || !read_friction(vm, friction, 5, link))
     return Failed{};
-  }
+  if (*about_com) link.inertia = **about_com;
   return exchange_masses(vm, r, [&](const Robot& now) { return now.with_link(i, link); });
 }
 
@@ -184,6 +188,11 @@ constexpr std::string_view kFriction = "The joint forces that friction takes at 
 constexpr std::string_view kKinetic = "The energy of the motion, with that of the motors.";
 constexpr std::string_view kPotential =
     "The energy in the field of gravity; that of a mass at the origin of the world is zero.";
+
+constexpr std::string_view kSetLink =
+    "Changes the link behind a joint, counted from 1; what is left out stays. inertia: about the "
+    "centre of mass, kg m^2, as a 3 x 3 matrix or as three rows. friction: [B, Tc+, Tc-, Ts, vs], "
+    "or the first one or three of them.";
 
 constexpr NativeFunction kDynamicsFunctions[] = {
     def<inverse<Joints>>(
@@ -244,12 +253,16 @@ constexpr NativeFunction kDynamicsFunctions[] = {
         "A mass at a point seen from the flange, which the last link carries from now on instead "
         "of the one before; at: the flange, if it is left out.",
         "setPayload(2kg, at: xyz(z: 40mm))", {.commands = true}),
-    def<set_link>(
+    def<set_link<NumberRows>>(
         "setLink(r: robot, joint: int, mass: mass?, com: length[]?, inertia: double[][]?, "
         "friction: double[]?)",
-        "Changes the link behind a joint, counted from 1; what is left out stays. friction: "
-        "[B, Tc+, Tc-, Ts, vs], or the first one or three of them.",
-        "setLink(joint: 2, mass: 3kg)", {.commands = true}),
+        kSetLink, "setLink(joint: 2, mass: 3kg)",
+        {.check = check_inertia<kLinkInertia>, .commands = true}),
+    def<set_link<const MatrixObj&>>(
+        "setLink(r: robot, joint: int, mass: mass?, com: length[]?, inertia: matrix, friction: "
+        "double[]?)",
+        kSetLink, "setLink(joint: 2, mass: 3kg, inertia: [0.01, 0, 0; 0, 0.01, 0; 0, 0, 0.01])",
+        {.check = check_inertia<kLinkInertia>, .commands = true}),
 };
 
 }  // namespace

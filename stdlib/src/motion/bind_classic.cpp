@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "armlet/core/format.hpp"
+#include "armlet/kinematics/fixed_tilt.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/kinematics/task_space.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
@@ -19,25 +21,48 @@
 namespace armlet::bind {
 namespace {
 
-// posC(numbers): 3 = position only; 4 = position and rotation about z, for an arm whose tool keeps
-// its tilt; 6 = place, roll, pitch, yaw (section 8).
-Answer<PosC> posc_from(Vm& vm, std::span<const double> v) {
-  for (const double x : v) {
-    if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);
-  }
-  if (v.size() == 3) return PosC{make_translation({v[0], v[1], v[2]}), false};
-  if (v.size() == 6) return PosC{pose_from_rpy({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), true};
-  const Robot* robot = Host::of(vm).only_robot();
-  if (v.size() == 4 && robot != nullptr && robot->n() == 4) {
-    return PosC{pose_from_rpy({v[0], v[1], v[2]}, {0.0, 0.0, v[3]}), true};
+Failed fail_posc_count(Vm& vm, std::size_t count, const Robot* robot, TaskSpace space) {
+  std::string why = "3 are a place, 6 a place with roll, pitch and yaw";
+  if (robot == nullptr) {
+    why += "; which robot is meant is not known, so no other number of them is";
+  } else if (space == TaskSpace::kOther) {
+    why += fmt::format("; what `{}` controls of its tool has no coordinates of its own",
+                       robot->name());
+  } else {
+    why += fmt::format("; `{}` controls {}", robot->name(), coordinate_names(space));
   }
   return failure(
       vm, "R0613",
       fmt::format("a posC is made from 3 or 6 numbers, or as many as the robot controls, not {}",
-                  v.size()),
-      0,
-      "3 are a place, 6 a place with roll, pitch and yaw, 4 a place and a turn about z for an arm "
-      "with 4 joints");
+                  count),
+      0, std::move(why), robot == nullptr ? "say which: posC(values, of: arm)" : "");
+}
+
+// posC(numbers): as many as the arm controls, in its own order; 3 = position only; 6 = place, roll,
+// pitch, yaw (section 8).
+Answer<PosC> posc_from(Vm& vm, std::span<const double> v, const RobotRef* of) {
+  for (const double x : v) {
+    if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);
+  }
+  if (v.size() == 6) return PosC{pose_from_rpy({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), true};
+  const Robot* robot = of != nullptr ? &model_of(vm, *of) : Host::of(vm).only_robot();
+  // Three numbers are something else only for an arm in a level plane, whose tool keeps its tilt.
+  const bool is_place = v.size() == 3 && (robot == nullptr || !fixed_tilt(*robot));
+  const TaskSpace space = robot == nullptr || is_place ? TaskSpace::kOther : task_space(*robot);
+  if (v.size() == 3 && space != TaskSpace::kPlane)
+    return PosC{make_translation({v[0], v[1], v[2]}), false};
+  if (coordinate_count(space) != static_cast<int>(v.size()))
+    return fail_posc_count(vm, v.size(), robot, space);
+  const auto T = pose_of_coordinates(*robot, v);
+  if (!T) {
+    return failure(
+        vm, "R0609",
+        fmt::format("x and y are too close to the axis about which `{}` turns: the plane "
+                    "of its tool does not come there",
+                    robot->name()),
+        0);
+  }
+  return PosC{*T, space != TaskSpace::kPlanePosition};
 }
 
 MoveCall classic_call(std::string_view function, const RobotRef& r) {
@@ -115,11 +140,15 @@ constexpr std::string_view kMoveCHelp =
     "Moves the hand to a place: 'Lin' in a straight line, other planners with the joints.";
 
 constexpr NativeFunction kClassicFunctions[] = {
-    def<posc_from>("posC(values: double[]) -> posC",
-                   "A place (3 numbers), a place and a turn about z (4), or a place with roll, "
-                   "pitch, yaw (6); "
-                   "metres and radians.",
-                   "posC([0.3, 0.1, 0.2])"),
+    def<posc_from>(
+        "posC(values: double[], of: robot?) -> posC",
+        "A place (3 numbers), a place with roll, pitch, yaw (6), or as many numbers as the robot "
+        "controls; metres and radians. A SCARA controls x, y, z and the rotation about z, an arm "
+        "in a level plane x, y and the rotation about z (x, y with two joints), one with five "
+        "joints such as the Scorbot x, y, z, pitch and roll: pitch is the angle of the tool's axis "
+        "above the horizontal, -90 deg straight down, and roll turns the tool about that axis, "
+        "with its y axis horizontal at 0. of: the robot that is meant, where there are several.",
+        "posC([0.3, 0.1, 0.2])", {.check = check_posc_list}),
     def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: double) -> Move", kMoveJHelp,
                 "moveJ('Syn', home(), 2.0)", {.check = check_classic_joints, .pauses = true}),
     def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: time) -> Move", kMoveJHelp,

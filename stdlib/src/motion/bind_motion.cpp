@@ -4,6 +4,7 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/stdlib/host.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_waiting.hpp"
 #include "motion/moves.hpp"
@@ -70,7 +71,7 @@ Started through(Vm& vm, MoveCall call, std::vector<Eigen::VectorXd> points,
   const double length = path_between_ends(vm, call, *motion);
   return start_motion(vm, call, *std::move(motion), length);
 }
-Started spline(Vm& vm, const MoveCall& call, HostList<PosJ> list, std::string_view planner,
+Started spline(Vm& vm, MoveCall call, HostList<PosJ> list, std::string_view planner,
                const MoveSettings& settings) {
   auto points = joint_points(vm, call, list);
   if (!points) return Failed{};
@@ -108,13 +109,16 @@ Answer<void> set_joints(Vm& vm, const RobotRef& r, const PosJ& given_q) {
   Host& host = Host::of(vm);
   const int id = r.id;
   const CellRobot& robot = host.cell().robot(id);
-  const Eigen::VectorXd q = given_q.vector();
+  MoveCall call{.function = "setJoints", .robot = id};
+  const Eigen::VectorXd q = clamped(vm, call, given_q.vector());
   if (q.size() != robot.model->n())
     return size_failure(vm, "setJoints", static_cast<std::size_t>(q.size()),
                         static_cast<std::size_t>(robot.model->n()));
-  const MoveCall call{.function = "setJoints", .robot = id};
-  if (const auto outside = limit_violations(*robot.model, q); !outside.empty())
-    return fail_outside(vm, call, q, outside.front());
+  if (const auto outside = limit_violations(*robot.model, q); !outside.empty()) {
+    if (settings_of(vm).limits != LimitCheck::kWarn)
+      return fail_outside(vm, call, q, outside.front());
+    report_excess(vm, call, Trajectory::at_rest(q, 0.0));
+  }
   if (!check_idle(vm, id)) return Failed{};
   host.cell().set_joints(id, q);
   return {};

@@ -4,6 +4,7 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "messages/library_messages.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "motion/motion_collisions.hpp"
 #include "motion/motion_torques.hpp"
 #include "robot/grips.hpp"
@@ -15,13 +16,14 @@ namespace {
 class MoveWaiting : public Waiting {
  public:
   MoveWaiting(Host& host, const MoveCall& call, int motion, double length, double deviation,
-              std::vector<PossibleCollision> possible)
+              LimitExcess excess, std::vector<PossibleCollision> possible)
       : host_(host),
         call_(call),
         function_(call.function),
         motion_(motion),
         length_(length),
         deviation_(deviation),
+        excess_(excess),
         from_(tool_point()),
         possible_(std::move(possible)) {}
 
@@ -52,6 +54,8 @@ class MoveWaiting : public Waiting {
     move->fields()[2] = slot_of(duration);
     move->fields()[3] = slot_of(reached ? length_ : (tool_point() - from_).norm());
     move->fields()[4] = slot_of(deviation_);
+    move->fields()[5].i = excess_.joint + 1;
+    move->fields()[6] = slot_of(excess_.by);
     result.o = move;
     return Signal::kDone;
   }
@@ -94,6 +98,7 @@ class MoveWaiting : public Waiting {
   int motion_;
   double length_;
   double deviation_;
+  LimitExcess excess_;
   Eigen::Vector3d from_;
   std::vector<PossibleCollision> possible_;
 };
@@ -149,12 +154,13 @@ Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double
   if (!possible) return Failed{};
   const bool instant = trajectory.duration() <= 0.0;
   const double deviation = notes.deviation;
+  const LimitExcess excess = report_excess(vm, call, trajectory);
   host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});
   const int motion = host.cell().is_moving(call.robot)
                          ? host.cell().drive(call.robot, std::move(trajectory))
                          : host.cell().start(call.robot, std::move(trajectory));
-  std::unique_ptr<Waiting> waiting =
-      std::make_unique<MoveWaiting>(host, call, motion, length, deviation, *std::move(possible));
+  std::unique_ptr<Waiting> waiting = std::make_unique<MoveWaiting>(
+      host, call, motion, length, deviation, excess, *std::move(possible));
   if (instant) host.advance_to(host.now_ns());
   return waiting;
 }

@@ -11,6 +11,7 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/joint_move.hpp"
 #include "messages/library_messages.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "motion/move_around.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_retarget.hpp"
@@ -146,6 +147,12 @@ Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& t
   const std::optional<IkTask> task = task_of(robot, target);
   if (!task) return fail_tilted(vm, call, target);
   IkResult result = solve_ik(robot, target.T, {.seed = seed, .task = *task});
+  if (result.status == IkStatus::kJointLimit && call.moves &&
+      settings_of(vm).limits == LimitCheck::kWarn) {
+    IkResult beyond =
+        solve_ik(robot, target.T, {.seed = seed, .task = *task, .respect_limits = false});
+    if (beyond.ok()) return std::move(beyond.q);
+  }
   if (!result.ok()) return fail_unreachable(vm, call, target.T, result);
   return std::move(result.q);
 }
@@ -161,10 +168,12 @@ namespace {
 
 // The part of a move of the joints that is the same for positions and places. The call has its
 // model.
-Started move_joints(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q, std::string planner,
+Started move_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
                     const MoveSettings& settings) {
   Host& host = Host::of(vm);
   const CellRobot& state = host.cell().robot(call.robot);
+  if (q.size() == state.model->n() && !limit_violations(*state.model, q).empty())
+    lift_limits(vm, call, q);
   const Robot& robot = model_of(vm, call);
   if (q.size() != robot.n()) return fail_joint_count(vm, call, static_cast<int>(q.size()));
   if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
@@ -178,10 +187,16 @@ Started move_joints(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q, std:
                  .planner = std::move(planner),
                  .time = settings.time,
                  .speed = settings.speed,
-                 .enforce_limits = !call.classic,
+                 .enforce_limits = !may_be_too_fast(vm, call),
                  .motors = limiting_motors(vm, call)};
   if (!move.time && !move.speed) move.speed = settings_of(vm).speed;
   MotionPlan plan = plan_joint_move(host.planners(), robot, move);
+  if (!plan.trajectory && plan.too_fast) {
+    if (const auto time = lengthened(vm, call, *plan.too_fast)) {
+      move.time = time;
+      plan = plan_joint_move(host.planners(), robot, move);
+    }
+  }
   if (!plan.outside.empty()) return fail_outside(vm, call, q, plan.outside.front());
   if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
   if (plan.too_fast) advise_too_fast(vm, call, *plan.too_fast);
@@ -209,8 +224,9 @@ Answer<void> prepare_joints(Vm& vm, MoveCall& call, std::string_view planner,
 
 }  // namespace
 
-Started move_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
+Started move_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& given, std::string planner,
                        const MoveSettings& settings) {
+  const Eigen::VectorXd q = clamped(vm, call, given);
   if (settings_of(vm).path != nullptr)
     return collect_joints(vm, call, {}, {.q = q, .planner = std::move(planner)}, settings);
   if (!prepare_joints(vm, call, planner, settings)) return Failed{};
@@ -234,6 +250,29 @@ Started move_to_position(Vm& vm, MoveCall call, const PosC& target, const Eigen:
 }
 
 namespace {
+
+// The line as the limits around the call let it be made.
+TrackedLine plan_within_policy(Vm& vm, MoveCall& call, LineMove move,
+                               const std::optional<Eigen::Vector3d>& p_world_via,
+                               bool only_position) {
+  const Track track = settings_of(vm).track;
+  const auto plan = [&] {
+    return plan_tracked(model_of(vm, call), move, p_world_via, track, only_position);
+  };
+  TrackedLine line = plan();
+  const bool leaves = line.fault || !line.motion.outside.empty();
+  if (leaves && lift_limits(vm, call)) {
+    TrackedLine beyond = plan();
+    if (beyond.motion.ok()) return beyond;
+  }
+  if (!line.fault && !line.motion.ok() && line.motion.too_fast && move.time) {
+    if (const auto time = lengthened(vm, call, *line.motion.too_fast)) {
+      move.time = time;
+      line = plan();
+    }
+  }
+  return line;
+}
 
 // Straight, or over a position on an arc.
 Started move_tool(Vm& vm, MoveCall call, const PosC& written, const MoveSettings& settings,
@@ -264,13 +303,13 @@ Started move_tool(Vm& vm, MoveCall call, const PosC& written, const MoveSettings
                 .tool_speed = settings.speed,
                 .tool_accel = settings.accel,
                 .speed = block.speed,
-                .enforce_limits = !call.classic};
+                .enforce_limits = !may_be_too_fast(vm, call)};
   if (block.track != Track::kExact) {
     const auto goal = goal_after(vm, call, *target, {T_world_tool, state.q});
     if (!goal) return Failed{};
     move.T_world_goal = goal->T_world_tool;
   }
-  TrackedLine plan = plan_tracked(robot, move, p_world_via, block.track, !target->has_orientation);
+  TrackedLine plan = plan_within_policy(vm, call, move, p_world_via, !target->has_orientation);
   if (plan.fault) return fail_line(vm, call, state.q, *target, *plan.fault);
   if (!plan.motion.outside.empty())
     return fail_outside(vm, call, state.q, plan.motion.outside.front());

@@ -26,6 +26,12 @@ using Started = Answer<std::unique_ptr<Waiting>>;
 
 inline constexpr std::string_view kStraightLine = "straight line";
 
+// The joint that is farthest beyond its limit, from 0, and by how much, rad or m. -1: none is.
+struct LimitExcess {
+  int joint = -1;
+  double by = 0.0;
+};
+
 // Which parameters of a call hold what, for marks; -1: there is none.
 struct MoveCall {
   std::string_view function;  // "moveJ"
@@ -38,11 +44,13 @@ struct MoveCall {
   bool classic = false;                  // too fast is advice, not an error
   bool fixed_time = false;               // the motion must not be made slower
   bool any_branch = false;               // other solutions for a position in space will do
+  bool moves = true;                     // false: it only asks where a move would lead
   CallPlace place{};                     // of a call that is over; none: the running one
   int element = -1;                      // of the targets, if there are several: the one that fails
   std::string_view way = kStraightLine;  // that the hand follows
   // The robot with the tool point and the limits of this move; null: as it is in the cell.
   std::shared_ptr<const Robot> model{};
+  LimitExcess excess{};  // of a target that was clamped
 };
 
 // How a move is to be made, as the call says it.

@@ -11,6 +11,7 @@
 #include "armlet/math/format_vector.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
 #include "messages/library_messages.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_waiting.hpp"
 #include "robot/goals.hpp"
@@ -73,7 +74,8 @@ class Corners {
     auto q = move.joints->q ? Answer<VectorXd>(*move.joints->q)
                             : solve_target(vm_, call, move.target, near);
     if (!q) return Failed{};
-    if (const auto outside = limit_violations(*model_, *q); !outside.empty())
+    const bool warns = settings_of(vm_).limits == LimitCheck::kWarn;
+    if (const auto outside = limit_violations(*model_, *q); !outside.empty() && !warns)
       return fail_outside(vm_, call, *q, outside.front());
     return Goal{forward(*model_, *q), *std::move(q)};
   }
@@ -217,6 +219,10 @@ Started make_path(Vm& vm, const CollectedPath& path) try {
     // The orientation cannot be kept all the way: the tool may rotate as little as it must.
     move.task = IkTask::kPositionFirst;
     plan = plan_path(*model, move);
+  }
+  if (!plan.ok() && !plan.motion.too_fast && lift_limits(vm, whole)) {
+    PathPlan beyond = plan_path(*whole.model, move);
+    if (beyond.ok()) plan = std::move(beyond);
   }
   if (!plan.ok()) return fail_path(vm, path, whole, corners, plan);
   MotionNotes notes = notes_of(path, corners, plan);

@@ -18,6 +18,7 @@
 #include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
 #include "session/setting_words.hpp"
+#include "values/matrices.hpp"
 #include "values/values.hpp"
 #include "world/meshes.hpp"
 
@@ -60,10 +61,10 @@ Answer<void> read_vector3(Vm& vm, Numbers values, int parameter, std::string_vie
   return {};
 }
 
-template <JointKind kKind>
+template <JointKind kKind, class InertiaGiven>
 Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alpha, Numbers limits,
                            Number max_speed, Number max_accel, Number max_jerk, Number max_effort,
-                           double mass, Numbers com, NumberRows inertia, Numbers friction,
+                           double mass, Numbers com, InertiaGiven inertia, Numbers friction,
                            double motor_inertia, double gear, Text mesh, Number mesh_unit,
                            double mesh_scale) {
   JointRow row{.joint = joint_without_limits(kKind), .link = {}};
@@ -87,11 +88,12 @@ Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alph
   }
   if (mesh_unit) row.link.mesh_unit = *mesh_unit;
   row.link.mesh_scale = mesh_scale;
-  if (!read_limits(vm, limits, joint) || !read_com(vm, com, kCom, row.link) ||
-      !read_inertia(vm, inertia, kInertia, row.link) ||
+  const auto about_com = inertia_argument(vm, inertia, kInertia);
+  if (!about_com || !read_limits(vm, limits, joint) || !read_com(vm, com, kCom, row.link) ||
       !read_friction(vm, friction, kFriction, row.link)) {
     return Failed{};
   }
+  if (*about_com) row.link.inertia = **about_com;
   return row;
 }
 
@@ -104,15 +106,36 @@ Answer<void> read_com(Vm& vm, Numbers values, int parameter, Link& link) {
   return read_vector3(vm, values, parameter, "the centre of mass", link.com);
 }
 
-Answer<void> read_inertia(Vm& vm, NumberRows rows, int parameter, Link& link) {
-  if (!rows) return {};
-  bool square = rows->size() == 3;
-  for (std::size_t i = 0; square && i < 3; ++i) square = reals_value((*rows)[i]).size() == 3;
-  if (!square) return failure(vm, "R0613", "an inertia has 3 rows of 3 values", parameter);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) link.inertia(i, j) = reals_value((*rows)[i])[j];
+Answer<Inertia> inertia_argument(Vm& vm, NumberRows rows, int parameter) {
+  if (!rows) return Inertia{};
+  if (rows->size() != 3) {
+    return failure(vm, "R0613",
+                   fmt::format("an inertia has 3 rows of 3 values, not {}", rows->size()),
+                   parameter);
   }
-  return {};
+  Eigen::Matrix3d I;
+  for (int i = 0; i < 3; ++i) {
+    const auto values = reals_value((*rows)[static_cast<std::size_t>(i)]);
+    if (values.size() != 3) {
+      return failure(
+          vm, "R0613",
+          fmt::format("an inertia has 3 rows of 3 values, but row {} has {}", i + 1, values.size()),
+          parameter);
+    }
+    for (int j = 0; j < 3; ++j) I(i, j) = values[static_cast<std::size_t>(j)];
+  }
+  return Inertia{I};
+}
+
+Answer<Inertia> inertia_argument(Vm& vm, const MatrixObj& matrix, int parameter) {
+  if (matrix.rows != 3 || matrix.cols != 3) {
+    return failure(
+        vm, "R0613",
+        fmt::format("an inertia is a 3 x 3 matrix, not a {} x {} one", matrix.rows, matrix.cols),
+        parameter);
+  }
+  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  return Inertia{Eigen::Matrix3d(Eigen::Map<const Rows>(elements(matrix).data()))};
 }
 
 Answer<void> read_friction(Vm& vm, Numbers given, int parameter, Link& link) {
@@ -289,25 +312,47 @@ Answer<ToolValue> suction(Vm& vm, double radius, double length) try {
 }
 ToolValue tool_point(const PosC& p) { return {point_tool(), p.T}; }
 
+// A row of either kind, with the inertia as it is given.
+#define ARMLET_JOINT_ROW(KIND, ANGLE_OR_LENGTH, RATE, EFFORT, INERTIA)                     \
+  "robot.joint." KIND                                                                      \
+  "(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = 0rad, "            \
+  "limits: " ANGLE_OR_LENGTH "[]?, " RATE ", " EFFORT                                      \
+  "?, mass: mass = 0kg, com: length[]?, inertia: " INERTIA                                 \
+  ", friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: string?, " \
+  "meshUnit: length?, meshScale: double = 1.0) -> jointRow"
+#define ARMLET_REVOLUTE_ROW(INERTIA)                                                   \
+  ARMLET_JOINT_ROW(                                                                    \
+      "revolute", "angle",                                                             \
+      "maxSpeed: angularSpeed?, maxAccel: angularAccel?, maxJerk: angularAccel/time?", \
+      "maxTorque: torque", INERTIA)
+#define ARMLET_PRISMATIC_ROW(INERTIA)                                                             \
+  ARMLET_JOINT_ROW("prismatic", "length",                                                         \
+                   "maxSpeed: speed?, maxAccel: accel?, maxJerk: accel/time?", "maxForce: force", \
+                   INERTIA)
+
+constexpr std::string_view kRevolute =
+    "A joint that turns, with its Denavit-Hartenberg row; theta is its zero. inertia: of the link "
+    "about its centre of mass, kg m^2, as a 3 x 3 matrix or as three rows.";
+constexpr std::string_view kPrismatic =
+    "A joint that slides, with its Denavit-Hartenberg row; d is its zero. inertia: of the link "
+    "about its centre of mass, kg m^2, as a 3 x 3 matrix or as three rows.";
+
 constexpr NativeFunction kModelFunctions[] = {
-    def<joint_row<JointKind::kRevolute>>(
-        "robot.joint.revolute(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = "
-        "0rad, limits: angle[]?, maxSpeed: angularSpeed?, maxAccel: angularAccel?, maxJerk: "
-        "angularAccel/time?, maxTorque: torque?, mass: mass = 0kg, com: length[]?, inertia: "
-        "double[][]?, friction: double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: "
-        "string?, meshUnit: length?, meshScale: double = 1.0) -> jointRow",
-        "A joint that turns, with its Denavit-Hartenberg row; theta is its zero.",
+    def<joint_row<JointKind::kRevolute, NumberRows>>(
+        ARMLET_REVOLUTE_ROW("double[][]?"), kRevolute,
         "joint revolute(d: 400mm, a: 250mm, limits: [-170deg, 170deg])",
         {.check = check_revolute_row}),
-    def<joint_row<JointKind::kPrismatic>>(
-        "robot.joint.prismatic(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = "
-        "0rad, limits: length[]?, maxSpeed: speed?, maxAccel: accel?, maxJerk: accel/time?, "
-        "maxForce: force?, mass: mass = 0kg, com: length[]?, inertia: double[][]?, friction: "
-        "double[]?, motorInertia: double = 0.0, gear: double = 1.0, mesh: string?, meshUnit: "
-        "length?, "
-        "meshScale: double = 1.0) -> jointRow",
-        "A joint that slides, with its Denavit-Hartenberg row; d is its zero.",
-        "joint prismatic(limits: [0mm, 150mm])", {.check = check_prismatic_row}),
+    def<joint_row<JointKind::kRevolute, const MatrixObj&>>(
+        ARMLET_REVOLUTE_ROW("matrix"), kRevolute,
+        "joint revolute(a: 250mm, mass: 2kg, inertia: [0.01, 0, 0; 0, 0.02, 0; 0, 0, 0.02])",
+        {.check = check_revolute_row}),
+    def<joint_row<JointKind::kPrismatic, NumberRows>>(
+        ARMLET_PRISMATIC_ROW("double[][]?"), kPrismatic, "joint prismatic(limits: [0mm, 150mm])",
+        {.check = check_prismatic_row}),
+    def<joint_row<JointKind::kPrismatic, const MatrixObj&>>(
+        ARMLET_PRISMATIC_ROW("matrix"), kPrismatic,
+        "joint prismatic(mass: 1kg, inertia: [0.01, 0, 0; 0, 0.01, 0; 0, 0, 0.002])",
+        {.check = check_prismatic_row}),
     def<robot_block>(
         "robot{}(name: string, joint: jointRow[], base: posC?, tool: tool?, gravity: accel[]?, "
         "convention: string = \"standard\", home: posJ?, tcp: posC?, inertias: string = \"rigid\", "
@@ -336,9 +381,9 @@ constexpr NativeFunction kToolFunctions[] = {
         "force?) -> tool",
         "A gripper with two fingers; the tool point is `length` along the flange's z axis. "
         "maxForce: what it can stand when it is pressed on something.",
-        "parallelGripper(stroke: 60mm)"),
+        "parallelGripper(stroke: 60mm)", {.check = note_upright}),
     def<suction>("suctionCup(radius: length, length: length = 60mm) -> tool", "A suction cup.",
-                 "suctionCup(radius: 15mm)"),
+                 "suctionCup(radius: 15mm)", {.check = note_upright}),
     def<tool_point>("tcp(p: posC) -> tool", "A tool point without a hand; it cannot grasp.",
                     "tcp(xyz(z: 50mm))"),
 };

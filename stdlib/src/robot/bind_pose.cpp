@@ -261,10 +261,12 @@ constexpr std::string_view kAllAngles = "var p = here(); p.R = rpy(10deg, 0deg, 
 
 constexpr NativeFunction kPoseFunctions[] = {
     def<xyz>("xyz(x: length = 0m, y: length = 0m, z: length = 0m) -> posC",
-             "A place, without an orientation of its own.", "xyz(300mm, 120mm, 20mm)"),
+             "A place, without an orientation of its own.", "xyz(300mm, 120mm, 20mm)",
+             {.check = note_upright}),
     def<turn<rot_x>>("rotX(a: angle) -> posC", "A turn about the x axis.", "rotX(180deg)"),
     def<turn<rot_y>>("rotY(a: angle) -> posC", "A turn about the y axis.", "rotY(90deg)"),
-    def<turn<rot_z>>("rotZ(a: angle) -> posC", "A turn about the z axis.", "rotZ(45deg)"),
+    def<turn<rot_z>>("rotZ(a: angle) -> posC", "A turn about the z axis.", "rotZ(45deg)",
+                     {.check = note_upright}),
     def<rpy>("rpy(roll: angle, pitch: angle, yaw: angle) -> posC",
              "Turns about the fixed x, then y, then z axis.", "rpy(180deg, 0deg, 90deg)"),
     def<pose>("pose(x: length = 0m, y: length = 0m, z: length = 0m, roll: angle = 0rad, pitch: "

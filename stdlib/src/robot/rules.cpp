@@ -212,13 +212,15 @@ void check_posj_list(CheckCall& call) {
 // ---- robots
 // ----------------------------------------------------------------------------------------------------
 
-void set_robot_fact(CheckCall& call, const Robot& robot, std::string name) {
+void set_robot_fact(CheckCall& call, const Robot& robot, std::string name,
+                    std::initializer_list<int> may_tilt) {
   auto fact = std::make_shared<RobotFact>();
   fact->name = std::move(name);
   for (int i = 0; i < robot.n(); ++i) {
     fact->turns.push_back(robot.is_revolute(i));
     fact->limits.push_back(std::array{robot.lower()[i], robot.upper()[i]});
   }
+  fact->space = space_unless_tilted(call, robot, may_tilt);
   call.set_result_fact(std::move(fact));
 }
 
@@ -229,6 +231,14 @@ void set_joint_fact(CheckCall& call, bool turns) {
   constexpr int kLimits = 4;
   auto fact = std::make_shared<JointFact>();
   fact->turns = turns;
+  std::array<double, kLimits> row{};
+  bool known = true;
+  for (int i = 0; i < kLimits; ++i) {
+    const auto value = call.given(i) ? call.constant(i) : Constant{};
+    known = known && value;
+    if (value) row[static_cast<std::size_t>(i)] = value->real;
+  }
+  if (known) fact->row = DhRow{row[0], row[1], row[2], row[3]};
   const auto limits = call.constant(kLimits);
   if (limits && limits->kind == Constant::Kind::kList && limits->items.size() == 2) {
     fact->limits = {limits->items[0].real, limits->items[1].real};
@@ -260,11 +270,20 @@ void check_limits(CheckCall& call, const JointFact& joint, int i) {
 
 }  // namespace
 
-void check_revolute_row(CheckCall& call) { set_joint_fact(call, true); }
-void check_prismatic_row(CheckCall& call) { set_joint_fact(call, false); }
+static constexpr int kRowInertia = 11;
+void check_revolute_row(CheckCall& call) {
+  check_inertia_size(call, kRowInertia);
+  set_joint_fact(call, true);
+}
+void check_prismatic_row(CheckCall& call) {
+  check_inertia_size(call, kRowInertia);
+  set_joint_fact(call, false);
+}
 
-// (name: string, joint: jointRow[], ...)
+// (name: string, joint: jointRow[], base, tool, gravity, convention, home, tcp, ...)
 void check_robot_block(CheckCall& call) {
+  constexpr int kBasePose = 2, kHand = 3, kConvention = 5, kToolPoint = 7;
+  std::vector<Joint> joints;
   auto fact = std::make_shared<RobotFact>();
   if (const auto name = call.constant(0)) fact->name = name->text;
   for (int i = 0; i < call.item_count(1); ++i) {
@@ -273,6 +292,7 @@ void check_robot_block(CheckCall& call) {
     check_limits(call, *joint, i);
     fact->turns.push_back(joint->turns);
     fact->limits.push_back(joint->limits);
+    if (joint->row) joints.push_back(joint_of(*joint));
   }
   if (fact->turns.empty()) {
     Diagnostic d = make_diagnostic(row("E0508"), call.callee_span(), {fact->name});
@@ -283,6 +303,12 @@ void check_robot_block(CheckCall& call) {
   const auto home =
       call.given(kHome) ? std::dynamic_pointer_cast<const PositionFact>(call.fact(kHome)) : nullptr;
   if (home != nullptr) check_joint_values(call, *fact, *home, call.span(kHome));
+  const auto convention = call.given(kConvention) ? call.constant(kConvention) : Constant{};
+  if (convention && joints.size() == fact->turns.size()) {
+    note_space(call, *fact, joints,
+               convention->text == "modified" ? DhConvention::kModified : DhConvention::kStandard,
+               {kBasePose, kHand, kToolPoint});
+  }
   call.set_result_fact(std::move(fact));
 }
 
@@ -291,7 +317,9 @@ void check_ready_robot(CheckCall& call) {
   const std::string_view function = call.function_name();
   const auto robot = make_robot(function.substr(function.rfind('.') + 1));
   const auto name = call.constant(2);
-  set_robot_fact(call, *robot, name ? name->text : robot->name());
+  // A base that is given takes the place of that of the catalogue.
+  const Robot placed = call.given(0) ? robot->with_base(Eigen::Isometry3d::Identity()) : *robot;
+  set_robot_fact(call, placed, name ? name->text : robot->name(), {0, 1});
 }
 
 void check_default_robot(CheckCall& call) {

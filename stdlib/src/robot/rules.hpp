@@ -5,12 +5,15 @@
 // Rules work on facts: what the text alone tells about a robot or a position.
 
 #include <array>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "armlet/interpreter/native.hpp"
+#include "armlet/kinematics/task_space.hpp"
+#include "armlet/model/dh.hpp"
 #include "armlet/model/robot.hpp"
 
 namespace armlet::bind {
@@ -22,6 +25,7 @@ struct RobotFact : Fact {
   // One per joint, lower and upper, SI; those that the text does not show are empty, and so is the
   // list if it shows none.
   std::vector<std::optional<std::array<double, 2>>> limits;
+  std::optional<TaskSpace> space{};  // what it controls of its tool, where the text shows that
 };
 // Of one whose joints stand in a file that is read in the run: its name in the cell.
 struct ReadRobotFact : Fact {
@@ -31,7 +35,10 @@ struct JointFact : Fact {
   bool turns = true;
   std::optional<std::array<double, 2>> limits;  // where the text shows both
   Span written;                                 // of the limits
+  std::optional<DhRow> row;                     // where the text shows all of it
 };
+// A frame that is not tilted, and a tool that is not tilted on its flange.
+struct UprightFact : Fact {};
 // How many values a posJ holds, and those that the text shows (SI).
 struct PositionFact : Fact {
   struct Item {
@@ -46,6 +53,23 @@ struct PositionFact : Fact {
 // posJ(90deg, ...), posJ(list) and new posJ(list): E0302, E0401, E0404, W0702.
 void check_posj_values(CheckCall& call);
 void check_posj_list(CheckCall& call);
+
+// posC(list) and new posC(list), with the setting `of`: as many numbers as the robot controls,
+// E0534.
+void check_posc_list(CheckCall& call);
+// What leaves the coordinates that a robot controls as they are: frames and tools without a tilt.
+void note_upright(CheckCall& call);
+// A joint as its row shows it, which is known; with the limits of the text, or those of a joint
+// without any.
+[[nodiscard]] Joint joint_of(const JointFact& fact);
+// What an arm controls, unless a parameter that is given may tilt its base or its tool.
+[[nodiscard]] std::optional<TaskSpace> space_unless_tilted(const CheckCall& call,
+                                                           const Robot& robot,
+                                                           std::initializer_list<int> may_tilt);
+// The coordinates that a robot with these joints controls; none if a parameter that is given may
+// tilt its base or its tool.
+void note_space(CheckCall& call, RobotFact& fact, const std::vector<Joint>& joints,
+                DhConvention convention, std::initializer_list<int> may_tilt);
 
 // W0702: radians that look like degrees, in a list of joint values that is known from the text.
 void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>& items,
@@ -65,7 +89,8 @@ void check_robot_block(CheckCall& call);
 void check_dh_table(CheckCall& call);
 void check_ready_robot(CheckCall& call);
 void check_default_robot(CheckCall& call);
-void set_robot_fact(CheckCall& call, const Robot& robot, std::string name);
+void set_robot_fact(CheckCall& call, const Robot& robot, std::string name,
+                    std::initializer_list<int> may_tilt = {});
 
 // E0534: joint values that the text shows, beyond limits that it shows too.
 void check_joint_values(CheckCall& call, const RobotFact& robot, const PositionFact& position,

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "armlet/core/error.hpp"
 #include "armlet/model/joint_limits.hpp"
+#include "armlet/model/robot.hpp"
 #include "messages/library_messages.hpp"
 #include "robot/rules.hpp"
 
@@ -84,6 +86,23 @@ void report_assumed_limits(CheckCall& call, const std::string& kinds) {
   call.report(std::move(d));
 }
 
+// What a robot of a table controls, where the text shows the whole table.
+void note_table_space(CheckCall& call, const std::string& kinds, RobotFact& fact) try {
+  const auto table = call.constant(kTable);
+  const auto convention = call.given(kConvention) ? call.constant(kConvention) : Constant{};
+  if (!is_list(table) || !convention) return;
+  std::vector<std::vector<double>> rows;
+  for (const Constant& line : table->items) {
+    rows.emplace_back();
+    for (const Constant& value : line.items) rows.back().push_back(value.real);
+  }
+  note_space(call, fact, joints_from_table(rows, kinds),
+             convention->text == "modified" ? DhConvention::kModified : DhConvention::kStandard,
+             {kBase, kTool});
+} catch (const ArgumentError&) {
+  // What cannot be a robot is reported in the run, with its reason.
+}
+
 }  // namespace
 
 void check_dh_table(CheckCall& call) {
@@ -118,6 +137,7 @@ void check_dh_table(CheckCall& call) {
     fact->limits.emplace_back();
     if (pair.size() == 2) fact->limits.back() = {pair[0].real, pair[1].real};
   }
+  note_table_space(call, *kinds, *fact);
   call.set_result_fact(std::move(fact));
 }
 

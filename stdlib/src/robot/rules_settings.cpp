@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -93,6 +95,28 @@ void check_positive(CheckCall& call, int parameter) {
   const auto constant = written(call, parameter);
   if (!constant || !is_number(*constant) || constant->real > 0.0) return;
   call.report(refused(call, parameter, "more than 0", call.text_of(call.span(parameter))));
+}
+
+void check_inertia_size(CheckCall& call, int parameter) {
+  if (!call.given(parameter)) return;
+  constexpr std::int64_t kRows = 3;
+  const auto report = [&](std::string size) {
+    call.report(refused(call, parameter, "an inertia of 3 rows of 3 values", std::move(size)));
+  };
+  const auto size = std::dynamic_pointer_cast<const SizeFact>(call.fact(parameter));
+  if (size != nullptr && !size->is_list) {
+    if (size->rows == kRows && size->cols == kRows) return;
+    return report(fmt::format("a {} x {} matrix", size->rows, size->cols));
+  }
+  const auto constant = call.constant(parameter);
+  if (!constant || constant->kind != Constant::Kind::kList) return;
+  if (constant->items.size() != kRows)
+    return report(
+        fmt::format("{} row{}", constant->items.size(), constant->items.size() == 1 ? "" : "s"));
+  for (std::size_t i = 0; i < kRows; ++i) {
+    const std::size_t values = constant->items[i].items.size();
+    if (values != kRows) return report(fmt::format("{} values in row {}", values, i + 1));
+  }
 }
 
 }  // namespace armlet::bind

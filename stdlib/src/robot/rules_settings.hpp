@@ -44,4 +44,11 @@ void check_fraction(CheckCall& call, int parameter);
 // A speed or an acceleration, which is above 0.
 void check_positive(CheckCall& call, int parameter);
 
+// An inertia whose size the text shows: three rows of three numbers.
+void check_inertia_size(CheckCall& call, int parameter);
+template <int kParameter>
+void check_inertia(CheckCall& call) {
+  check_inertia_size(call, kParameter);
+}
+
 }  // namespace armlet::bind

@@ -98,6 +98,12 @@ constexpr NamedChoices<CollisionCheck, 3> kCollisions{"collisions",
                                                        {"error", CollisionCheck::kError},
                                                        {"ignore", CollisionCheck::kIgnore}}};
 
+constexpr NamedChoices<LimitCheck, 3> kJointLimits{
+    "limits",
+    "limits cannot be treated as",
+    &BlockSettings::limits,
+    {{"error", LimitCheck::kError}, {"clamp", LimitCheck::kClamp}, {"warn", LimitCheck::kWarn}}};
+
 template <const auto& kSetting>
 void add_choices(std::string_view setting, std::vector<std::string>& out) {
   if (kSetting.setting != setting) return;
@@ -207,6 +213,15 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "and advice says which bodies meet, when, where and how deep. \"error\": it is refused "
         "before it starts. \"ignore\": it is made.",
         "with (collisions: \"error\") { moveJ(home()) }", {.check = check_choice<kCollisions>}),
+    def<set_choice<kJointLimits>>(
+        "with.limits(limits: string)",
+        "What becomes of a move inside the block that would take joints beyond their limits. "
+        "\"error\", as outside of any block: it is refused before it starts. \"clamp\": joint "
+        "values "
+        "that are beyond a limit become that limit, and a time that is too short the least one; "
+        "places in space and lines that need more are refused. \"warn\": it is made. Advice says "
+        "which joint, where and by how much, and the Move too, as its worstJoint and beyond.",
+        "with (limits: \"clamp\") { moveJ(home()) }", {.check = check_choice<kJointLimits>}),
     def<set_avoid>(
         "with.avoid(avoid: bool)",
         "Whether moveJ inside the block goes around what is in its way. A move that meets nothing "
@@ -238,6 +253,7 @@ std::vector<std::string> choices_of_setting(std::string_view setting) {
   add_choices<kTrack>(setting, out);
   add_choices<kTorques>(setting, out);
   add_choices<kCollisions>(setting, out);
+  add_choices<kJointLimits>(setting, out);
   return out;
 }
 

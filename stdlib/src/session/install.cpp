@@ -49,6 +49,7 @@ std::span<const Chapter> chapters() {
       mathematics("Positions and frames: orientations", rotation_functions()),
       mathematics("Robots: models", model_functions()),
       mathematics("Robots: tables", dh_functions()),
+      {.title = "Robots: variables of the 2011 platform", .functions = view_functions()},
       mathematics("Robots: state and kinematics", robot_functions()),
       mathematics("Robots: inverse kinematics", ikine_functions()),
       mathematics("Robots: inverse kinematics as values", ikine_info_functions()),
@@ -95,7 +96,8 @@ void install(Engine& engine) {
   engine.add_record("Eig", "values: double[], vectors: matrix");
   engine.add_record("Eigenvalues", "re: double[], im: double[]");
   engine.add_record("Move",
-                    "reached: bool, stopped: bool, time: time, length: length, deviation: length");
+                    "reached: bool, stopped: bool, time: time, length: length, deviation: length, "
+                    "worstJoint: int, beyond: double");
   engine.add_record("IkInfo",
                     "found: bool, q: posJ, method: string, branch: string, iterations: int, "
                     "residual: length, tilt: angle, distance: length, nearest: posC, worstJoint: "

@@ -29,6 +29,10 @@ enum class TorqueCheck { kReport, kError, kIgnore, kLimit };
 // What becomes of a move that runs into something.
 enum class CollisionCheck { kReport, kError, kIgnore };
 
+// What becomes of a move that would take joints beyond their limits: it is refused; it goes as far
+// and as fast as they allow; it is made, with advice.
+enum class LimitCheck { kError, kClamp, kWarn };
+
 // speed, accel   fractions of the joint limits, for moves that do not say how fast.
 // T_flange_tool  the point that moves, instead of the robot's own.
 // avoid          moves of the joints go around what is in their way.
@@ -43,6 +47,7 @@ struct BlockSettings {
   Track track = Track::kExact;
   TorqueCheck torques = TorqueCheck::kReport;
   CollisionCheck collisions = CollisionCheck::kReport;
+  LimitCheck limits = LimitCheck::kError;
   bool avoid = false;
 };
 

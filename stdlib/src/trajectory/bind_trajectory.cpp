@@ -10,6 +10,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/robot_text.hpp"
 #include "messages/library_messages.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "motion/motion_text.hpp"
 #include "motion/motion_torques.hpp"
 #include "motion/move_around.hpp"
@@ -44,8 +45,8 @@ PointSettings settings_from(const MoveCall& call, const MoveSettings& move, Dura
   return settings;
 }
 
-Answer<Trajectory> plan(Vm& vm, const MoveCall& call, const std::string& planner,
-                        HostList<PosJ> list, const PointSettings& settings) {
+Answer<Trajectory> plan(Vm& vm, MoveCall call, const std::string& planner, HostList<PosJ> list,
+                        const PointSettings& settings) {
   const auto points = joint_points(vm, call, list);
   if (!points) return Failed{};
   return plan_through(vm, call, *points, planner, settings);
@@ -116,8 +117,9 @@ Answer<WayOptions> search_of(Vm& vm, const WaySettings& settings) {
                     .iterations = static_cast<int>(settings.iterations)};
 }
 
-Answer<PlannedMotion> plan_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q,
+Answer<PlannedMotion> plan_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& given,
                                      const WaySettings& settings) {
+  const Eigen::VectorXd q = clamped(vm, call, given);
   const MoveSettings move{.time = settings.time, .speed = settings.speed, .accel = settings.accel};
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);
   const PosJ joints = make_posj(*state.model, state.q);

@@ -6,6 +6,7 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "motion/move_failures.hpp"
 #include "session/bind.hpp"
 #include "session/time_left.hpp"
@@ -80,11 +81,14 @@ Answer<Trajectory> motion_of(Vm& vm, const MoveCall& call, MotionPlan plan) {
 }
 
 // The whole of it, checked once more.
-Answer<Trajectory> verified(Vm& vm, const MoveCall& call, Trajectory motion,
+Answer<Trajectory> verified(Vm& vm, MoveCall call, const Trajectory& motion,
                             Jerk jerk = Jerk::kFree) {
-  return motion_of(
-      vm, call,
-      verify(model_of(vm, call), std::move(motion), true, jerk, limiting_motors(vm, call)));
+  const auto verify_it = [&] {
+    return verify(model_of(vm, call), motion, true, jerk, limiting_motors(vm, call));
+  };
+  MotionPlan plan = verify_it();
+  if (!plan.outside.empty() && lift_limits(vm, call)) plan = verify_it();
+  return motion_of(vm, call, std::move(plan));
 }
 
 }  // namespace
@@ -97,13 +101,16 @@ const HostType kTrajectory = {.name = "trajectory",
                               .help = "A motion as a function of time.",
                               .noun = "a trajectory"};
 
-Answer<std::vector<Eigen::VectorXd>> joint_points(Vm& vm, const MoveCall& call,
+Answer<std::vector<Eigen::VectorXd>> joint_points(Vm& vm, MoveCall& call,
                                                   const HostList<PosJ>& list) {
   const Robot& robot = model_of(vm, call);
   std::vector<Eigen::VectorXd> points;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (list[i].n != robot.n()) return fail_joint_count(vm, call, list[i].n);
-    points.push_back(list[i].vector());
+    MoveCall point = call;
+    point.element = static_cast<int>(i);
+    points.push_back(clamped(vm, point, list[i].vector()));
+    if (point.excess.by > call.excess.by) call.excess = point.excess;
   }
   return points;
 }
@@ -143,7 +150,8 @@ Answer<Trajectory> plan_through(Vm& vm, MoveCall call, const std::vector<Eigen::
   const Robot& robot = model_of(vm, call);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto outside = limit_violations(robot, points[k]);
-    if (!outside.empty()) return fail_outside_at(vm, call, ordinal(k + 1), outside.front());
+    if (!outside.empty() && settings_of(vm).limits != LimitCheck::kWarn)
+      return fail_outside_at(vm, call, ordinal(k + 1), outside.front());
   }
   MoveRequest request{.q0 = points.front(),
                       .q1 = points.back(),
@@ -158,7 +166,7 @@ Answer<Trajectory> plan_through(Vm& vm, MoveCall call, const std::vector<Eigen::
   try {
     Plan plan = planners.plan(planner, request);
     if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
-    return verified(vm, call, *std::move(plan.trajectory));
+    return verified(vm, call, *plan.trajectory);
   } catch (const ArgumentError& error) {
     return failure_of(vm, "R0613", error, call.target);
   }
@@ -190,7 +198,7 @@ Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& star
   }
   if (settings.move.time && whole.duration() > 0.0)
     whole = whole.stretched(*settings.move.time / whole.duration());
-  return verified(vm, call, std::move(whole), Jerk::kLimited);
+  return verified(vm, call, whole, Jerk::kLimited);
 }
 
 double path_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion) {

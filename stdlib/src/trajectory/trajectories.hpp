@@ -69,7 +69,7 @@ Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& star
                               const std::vector<PosC>& places, const PointSettings& settings);
 
 // The joints of every posJ of a list, checked for their number.
-Answer<std::vector<Eigen::VectorXd>> joint_points(Vm& vm, const MoveCall& call,
+Answer<std::vector<Eigen::VectorXd>> joint_points(Vm& vm, MoveCall& call,
                                                   const HostList<PosJ>& list);
 // The same for positions in the world: each as near as can be to the one before, the first to
 // `seed`.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "armlet/core/format.hpp"
@@ -9,6 +10,7 @@
 #include "armlet/world/looks.hpp"
 #include "messages/library_messages.hpp"
 #include "robot/models.hpp"
+#include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
 #include "world/objects.hpp"
@@ -21,7 +23,7 @@ struct Fields {
   std::optional<double> mass{};
   std::optional<double> density{};
   Numbers com{};
-  NumberRows inertia{};
+  Inertia inertia{};
   double friction = Object{}.friction;
   double stiffness = Object{}.stiffness;
   std::string_view color = "gray";
@@ -100,12 +102,9 @@ Answer<Object> object_of_fields(Vm& vm, std::string_view name, const ShapeValue&
   object.stiffness = fields.stiffness;
   object.fixed = fields.fixed;
   Link link;
-  if (!read_com(vm, fields.com, fields.first + 2, link) ||
-      !read_inertia(vm, fields.inertia, fields.first + 3, link)) {
-    return Failed{};
-  }
+  if (!read_com(vm, fields.com, fields.first + 2, link)) return Failed{};
   if (fields.com) object.p_obj_com = link.com;
-  if (fields.inertia) object.inertia_com = link.inertia;
+  object.inertia_com = fields.inertia;
   if (!weigh(vm, fields, object) || !dress(vm, fields, object)) return Failed{};
   return object;
 }
@@ -143,37 +142,48 @@ Answer<Mount> mount_on(Vm& vm, const FrameRef& on) {
   return Mount{.base = FrameBase::kFrame, .on = on.name};
 }
 
+constexpr int kFirst = 3;  // the parameter `mass` of an object that is on nothing
+
+template <class InertiaGiven>
 Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& shape,
                                const PosC& at, std::optional<double> mass,
-                               std::optional<double> density, Numbers com, NumberRows inertia,
+                               std::optional<double> density, Numbers com, InertiaGiven inertia,
                                double friction, double stiffness, std::string_view color,
                                std::optional<std::string_view> texture, bool fixed) {
-  return make_object(vm, name, shape, at,
-                     {mass, density, com, inertia, friction, stiffness, color, texture, fixed, 3});
+  const auto about_com = inertia_argument(vm, inertia, kFirst + 3);
+  if (!about_com) return Failed{};
+  return make_object(
+      vm, name, shape, at,
+      {mass, density, com, *about_com, friction, stiffness, color, texture, fixed, kFirst});
 }
-template <class On>
+template <class On, class InertiaGiven>
 Answer<ObjectRef> object_on(Vm& vm, std::string_view name, const ShapeValue& shape, const PosC& at,
                             const On& on, std::optional<double> mass, std::optional<double> density,
-                            Numbers com, NumberRows inertia, double friction, double stiffness,
+                            Numbers com, InertiaGiven inertia, double friction, double stiffness,
                             std::string_view color, std::optional<std::string_view> texture,
                             bool fixed) {
-  const auto mount = mount_on(vm, on);
+  const auto about_com = inertia_argument(vm, inertia, kFirst + 4);
+  const auto mount = about_com ? mount_on(vm, on) : Failed{};
   if (!mount) return Failed{};
-  return make_object(vm, name, shape, at,
-                     {mass, density, com, inertia, friction, stiffness, color, texture, fixed, 4},
-                     *mount);
+  return make_object(
+      vm, name, shape, at,
+      {mass, density, com, *about_com, friction, stiffness, color, texture, fixed, kFirst + 1},
+      *mount);
 }
+template <class InertiaGiven>
 Answer<ObjectRef> object_on_robot(Vm& vm, std::string_view name, const ShapeValue& shape,
                                   const PosC& at, const RobotRef& on,
                                   std::optional<std::int64_t> link, std::optional<double> mass,
-                                  std::optional<double> density, Numbers com, NumberRows inertia,
+                                  std::optional<double> density, Numbers com, InertiaGiven inertia,
                                   double friction, double stiffness, std::string_view color,
                                   std::optional<std::string_view> texture, bool fixed) {
-  const auto mount = mount_on_robot(vm, on, link, 4);
+  const auto about_com = inertia_argument(vm, inertia, kFirst + 5);
+  const auto mount = about_com ? mount_on_robot(vm, on, link, 4) : Failed{};
   if (!mount) return Failed{};
-  return make_object(vm, name, shape, at,
-                     {mass, density, com, inertia, friction, stiffness, color, texture, fixed, 5},
-                     *mount);
+  return make_object(
+      vm, name, shape, at,
+      {mass, density, com, *about_com, friction, stiffness, color, texture, fixed, kFirst + 2},
+      *mount);
 }
 
 Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, const PosC& at,
@@ -182,39 +192,70 @@ Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, cons
   return make_object(vm, name, s, at, {.mass = mass, .color = color, .first = -2});
 }
 
-#define ARMLET_OBJECT_FIELDS                                                                       \
-  "mass: mass?, density: density?, com: length[]?, inertia: double[][]?, friction: double = 0.5, " \
-  "stiffness: force/length = 50N/mm, color: string = \"gray\", texture: string?, fixed: bool = "   \
-  "false) -> object"
+#define ARMLET_OBJECT_FIELDS(INERTIA)                                                      \
+  "mass: mass?, density: density?, com: length[]?, inertia: " INERTIA                      \
+  ", friction: double = 0.5, stiffness: force/length = 50N/mm, color: string = \"gray\", " \
+  "texture: "                                                                              \
+  "string?, fixed: bool = false) -> object"
 
 constexpr std::string_view kObjectHelp =
     "Adds an object to the world; a fixed one cannot be grasped. What is pressed into it feels "
     "stiffness times the depth, and friction. On an object, a frame or a link of a robot, its "
-    "flange "
-    "unless told otherwise, it goes where that goes, and at is seen from there.";
+    "flange unless told otherwise, it goes where that goes, and at is seen from there. inertia: "
+    "about its centre of mass, kg m^2, as a 3 x 3 matrix or as three rows.";
+
+// An object in the world, on a robot, on an object and on a frame, with the inertia as it is given.
+template <class InertiaGiven>
+constexpr std::array<NativeFunction, 4> object_forms(const std::array<std::string_view, 4>& forms,
+                                                     const std::array<std::string_view, 4>& shown) {
+  return {def<object_block<InertiaGiven>>(forms[0], kObjectHelp, shown[0],
+                                          {.check = check_inertia<kFirst + 3>, .acts = true}),
+          def<object_on_robot<InertiaGiven>>(forms[1], kObjectHelp, shown[1],
+                                             {.check = check_inertia<kFirst + 5>, .acts = true}),
+          def<object_on<ObjectRef, InertiaGiven>>(
+              forms[2], kObjectHelp, shown[2], {.check = check_inertia<kFirst + 4>, .acts = true}),
+          def<object_on<FrameRef, InertiaGiven>>(
+              forms[3], kObjectHelp, shown[3], {.check = check_inertia<kFirst + 4>, .acts = true})};
+}
+
+#define ARMLET_OBJECT_FORMS(INERTIA)                                                               \
+  {                                                                                                \
+    "object{}(name: string, shape: shape, at: posC, " ARMLET_OBJECT_FIELDS(INERTIA),               \
+        "object{}(name: string, shape: shape, at: posC, on: robot, link: "                         \
+        "int?, " ARMLET_OBJECT_FIELDS(INERTIA),                                                    \
+        "object{}(name: string, shape: shape, at: posC, on: object, " ARMLET_OBJECT_FIELDS(        \
+            INERTIA),                                                                              \
+        "object{}(name: string, shape: shape, at: posC, on: frame, " ARMLET_OBJECT_FIELDS(INERTIA) \
+  }
+
+constexpr auto kWithRows = object_forms<NumberRows>(
+    ARMLET_OBJECT_FORMS("double[][]?"),
+    {"object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }",
+     "robot arm = robots.ur5(); object bracket { shape: box(40mm, 20mm, 10mm); at: xyz(z: 5mm); "
+     "on: arm; fixed: true }",
+     "object knob { shape: sphere(5mm); at: xyz(z: 25mm); on: object(\"cube\") }",
+     "frame bench { at: xyz(300mm, 200mm, 300mm) } object part { shape: sphere(15mm); at: xyz(); "
+     "on: bench }"});
+#define ARMLET_SHOWN_INERTIA "mass: 1kg; inertia: [1e-3, 0, 0; 0, 1e-3, 0; 0, 0, 1e-3] }"
+constexpr auto kWithMatrix = object_forms<const MatrixObj&>(
+    ARMLET_OBJECT_FORMS("matrix"),
+    {"object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm); " ARMLET_SHOWN_INERTIA,
+     "robot arm = robots.ur5(); object bracket { shape: box(40mm, 20mm, 10mm); at: xyz(z: 5mm); "
+     "on: arm; " ARMLET_SHOWN_INERTIA,
+     "object knob { shape: sphere(5mm); at: xyz(z: 25mm); on: "
+     "object(\"cube\"); " ARMLET_SHOWN_INERTIA,
+     "frame bench { at: xyz(300mm, 200mm, 300mm) } object part { shape: sphere(15mm); at: xyz(); "
+     "on: bench; " ARMLET_SHOWN_INERTIA});
 
 constexpr NativeFunction kObjectFunctions[] = {
-    def<object_block>(
-        "object{}(name: string, shape: shape, at: posC, " ARMLET_OBJECT_FIELDS, kObjectHelp,
-        "object part { shape: sphere(15mm); at: xyz(300mm, 0mm, 300mm) }", {.acts = true}),
-    def<object_on_robot>(
-        "object{}(name: string, shape: shape, at: posC, on: robot, link: "
-        "int?, " ARMLET_OBJECT_FIELDS,
-        kObjectHelp,
-        "robot arm = robots.ur5(); object bracket { shape: box(40mm, 20mm, 10mm); at: xyz(z: 5mm); "
-        "on: arm; fixed: true }",
-        {.acts = true}),
-    def<object_on<ObjectRef>>(
-        "object{}(name: string, shape: shape, at: posC, on: object, " ARMLET_OBJECT_FIELDS,
-        kObjectHelp, "object knob { shape: sphere(5mm); at: xyz(z: 25mm); on: object(\"cube\") }",
-        {.acts = true}),
-    def<object_on<FrameRef>>(
-        "object{}(name: string, shape: shape, at: posC, on: frame, " ARMLET_OBJECT_FIELDS,
-        kObjectHelp,
-        "frame bench { at: xyz(300mm, 200mm, 300mm) } object part { shape: sphere(15mm); at: "
-        "xyz(); "
-        "on: bench }",
-        {.acts = true}),
+    kWithRows[0],
+    kWithRows[1],
+    kWithRows[2],
+    kWithRows[3],
+    kWithMatrix[0],
+    kWithMatrix[1],
+    kWithMatrix[2],
+    kWithMatrix[3],
     def<spawn>(
         "spawn(s: shape, name: string, at: posC, mass: mass?, color: string = \"gray\") -> object",
         "Adds an object to the world, in loops for example.",

@@ -12,6 +12,7 @@
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
+#include "robot/text/hand_text.hpp"
 #include "robot/own_pairs.hpp"
 
 namespace armlet {
@@ -202,6 +203,8 @@ Line line_of(const Robot& robot, int i) {
 }  // namespace
 
 std::string robot_table(const Robot& robot, std::string_view name) {
+  if (robot.spec().role == RobotRole::kHand)
+    return bind::hand_table(robot, name.empty() ? robot.name() : name);
   std::vector<Line> lines = {{"joint", "theta", "d", "a", "alpha", "from", "to"}};
   for (int i = 0; i < robot.n(); ++i) lines.push_back(line_of(robot, i));
   std::array<std::size_t, 7> width{};
