@@ -255,6 +255,10 @@ void look_ahead(Checker& checker, const ast::Block& program) {
   for (const std::string_view name : sights.mentioned) {
     if (!checker.registry.functions(name).empty()) checker.shared.mentions.add(name);
   }
+  for (const std::string_view name : sights.settings) {
+    const std::string full = "with." + std::string(name);
+    if (!checker.registry.functions(full).empty()) checker.shared.mentions.add(full);
+  }
   const auto declare = [&](const ast::Name& name, const ast::TypeExpr* type,
                            const ast::Expr* init) {
     const bool is_new = checker.names.add_variable(name);

@@ -73,6 +73,9 @@ class Lookout {
       // Without a first value the first assignment is a change.
       for (const ast::Declarator& declarator : at.as<ast::VarStmt>().declarators)
         if (declarator.init == nullptr) sights_.changed.insert(declarator.name.text);
+    } else if (at.kind == ast::StmtKind::kWith) {
+      for (const ast::Arg& setting : at.as<ast::WithStmt>().settings)
+        sights_.settings.insert(setting.name.text);
     }
   }
 

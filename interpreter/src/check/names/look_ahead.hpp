@@ -10,6 +10,7 @@ namespace armlet::lang {
 
 struct Sights {
   std::set<std::string_view> mentioned;  // names in front of a call, behind a point, or alone
+  std::set<std::string_view> settings;   // of `with`
   std::set<std::string_view>
       changed;  // variables that some statement may change after their declaration
 };
