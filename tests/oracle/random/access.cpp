@@ -1,6 +1,9 @@
 // Values that come from somewhere else: calls, elements, fields, choices, lists that give something
 // up.
 
+#include <algorithm>
+#include <cctype>
+
 #include "random/program.hpp"
 
 namespace armlet::oracle {
@@ -76,17 +79,25 @@ std::string RandomProgram::call_value(const Ty* type, int depth) {
   return function.name + "(" + out + ")";
 }
 
+// As an index: one below 0 that the text shows is refused before the run, so a variable comes in.
+std::string RandomProgram::index(const std::string& number) {
+  const bool is_shown = std::ranges::none_of(
+      number, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
+  return is_shown && number.find('-') != std::string::npos ? "(" + number + " + 0 * counter)"
+                                                           : number;
+}
+
 // Mostly an index that exists.
 std::string RandomProgram::index_of(const std::string& list, int depth) {
   switch (below(6)) {
     case 0:
       return "abs(" + expr(int_, depth) + " % " + list + ".length)";
     case 1:
-      return expr(int_, depth);
+      return index(expr(int_, depth));
     case 2:
       return list + ".length - 1";
     case 3:
-      return leaf(int_);
+      return index(leaf(int_));
     default:
       return std::to_string(below(2));
   }
@@ -100,7 +111,7 @@ std::string RandomProgram::element(const Ty* type, int depth) {
   }
   if (const Var* rows = find(list_of(wanted))) {
     const std::string name = rows->name;
-    return name + "[" + index_of(name, depth - 1) + "][" + leaf(int_) + "]";
+    return name + "[" + index_of(name, depth - 1) + "][" + index(leaf(int_)) + "]";
   }
   return "";
 }

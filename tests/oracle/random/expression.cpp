@@ -157,7 +157,8 @@ std::string RandomProgram::real(int depth) {
 
 std::string RandomProgram::new_real(int depth) {
   if (depth <= 0) return leaf(real_);
-  if (has_grid_ && one_in(6)) return "grid[" + leaf(int_) + ", " + expr(int_, depth - 1) + " % 3]";
+  if (has_grid_ && one_in(6))
+    return "grid[" + index(leaf(int_)) + ", " + index(expr(int_, depth - 1) + " % 3") + "]";
   const std::string a = expr(real_, depth - 1);
   const auto b = [&] { return expr(real_, depth - 1); };
   switch (below(16)) {
@@ -262,7 +263,7 @@ std::string RandomProgram::text_expr(int depth) {
     case 2:
       return "(" + a + " + " + literal(text_) + " + " + expr(scalar(), depth - 1) + ")";
     case 3:
-      return "(" + a + ")[" + (one_in(2) ? "0" : expr(int_, depth - 1)) + "]";
+      return "(" + a + ")[" + (one_in(2) ? "0" : index(expr(int_, depth - 1))) + "]";
     case 4:
       return "(" + a + ")[" + (one_in(2) ? "" : std::to_string(below(3))) + ":" +
              (one_in(2) ? "" : expr(int_, 0)) + "]";
@@ -312,8 +313,8 @@ std::string RandomProgram::piece(int depth) {
 std::string RandomProgram::list(const Ty* type, int depth) {
   if (depth <= 0) return leaf(type);
   if (has_grid_ && type->is_list_of(Sort::kReal) && one_in(4)) {
-    return one_in(2) ? "grid[" + leaf(int_) + ", " + stretch() + "]"
-                     : "grid[:, " + leaf(int_) + "]";
+    return one_in(2) ? "grid[" + index(leaf(int_)) + ", " + stretch() + "]"
+                     : "grid[:, " + index(leaf(int_)) + "]";
   }
   if (one_in(8)) {
     const Ty* element = scalar();

@@ -190,6 +190,7 @@ class RandomProgram {
   std::string element(const Ty* type, int depth);
   std::string field(const Ty* type, int depth);
   std::string taken(const Ty* type);
+  static std::string index(const std::string& number);
   std::string index_of(const std::string& list, int depth);
   std::string arguments(const Function& function, int depth);
 

@@ -195,7 +195,8 @@ void RandomProgram::place_assignment() {
   static const std::vector<std::string> kOps = {" = ", " += ", " -= ", " *= "};
   if (const Var* rows = one_in(2) ? find(list_of(list_of(int_)), true) : nullptr) {
     const std::string name = rows->name;
-    line(name + "[" + index_of(name, 2) + "][" + leaf(int_) + "]" + one_of(kOps) + expr(int_, 2));
+    line(name + "[" + index_of(name, 2) + "][" + index(leaf(int_)) + "]" + one_of(kOps) +
+         expr(int_, 2));
     return;
   }
   if (const Var* pile = one_in(2) ? find(list_of(real_), true) : nullptr) {
@@ -213,7 +214,7 @@ void RandomProgram::place_assignment() {
     }
     if (found != nullptr && field.type->is_list_of(Sort::kInt)) {
       const std::string name = found->name;
-      line(name + "[" + index_of(name, 1) + "]." + field.name + "[" + leaf(int_) + "]" +
+      line(name + "[" + index_of(name, 1) + "]." + field.name + "[" + index(leaf(int_)) + "]" +
            one_of(kOps) + expr(int_, 2));
       return;
     }
@@ -252,11 +253,11 @@ std::string RandomProgram::stretch() {
 void RandomProgram::grid_assignment() {
   switch (below(6)) {
     case 0:
-      return line("grid[" + leaf(int_) + ", 1] = " + real(2));
+      return line("grid[" + index(leaf(int_)) + ", 1] = " + real(2));
     case 1:
-      return line("grid[1, " + expr(int_, 1) + "] += " + real(1));
+      return line("grid[1, " + index(expr(int_, 1)) + "] += " + real(1));
     case 2:
-      return line("grid[" + leaf(int_) + ", :] = " + expr(list_of(real_), 2));
+      return line("grid[" + index(leaf(int_)) + ", :] = " + expr(list_of(real_), 2));
     case 3:
       return line("grid[" + stretch() + ", " + stretch() + "] = grid[" + stretch() + ", " +
                   stretch() + "]");
