@@ -100,10 +100,10 @@ fragment EXP : [eE] [+-]? [0-9]+ ;
 fragment UEXP : '^' '-'? [0-9] ;
 fragment UNIT
   : 'deg' | '\u00B0' | 'rad' | 'mrad' | 'rev'
-  | 'um' | '\u00B5m' | '\u03BCm' | 'mm' | 'cm' | 'dm' | 'm' | 'inch'
+  | 'um' | '\u00B5m' | '\u03BCm' | 'mm' | 'cm' | 'dm' | 'm' | 'km' | 'inch'
   | 'us' | '\u00B5s' | '\u03BCs' | 'ms' | 's' | 'min' | 'h'
-  | 'g' | 'kg' | 'N' | 'kN' | 'Nm'
-  | 'rpm' | 'Hz' | 'kHz' | 'J' | 'W' | 'Pa' | 'px'
+  | 'g' | 'kg' | 'mN' | 'N' | 'kN' | 'Nm'
+  | 'rpm' | 'Hz' | 'kHz' | 'J' | 'W' | 'Pa' | 'kPa' | 'MPa' | 'bar' | 'px'
   ;
 
 // ---------------------------------------------------------------- text and names

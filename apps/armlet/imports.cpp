@@ -31,7 +31,8 @@ class ProgramFolder {
     const Result<std::string> clean = folder_->clean(name);
     if (!clean.ok()) return out;
     out.why.clear();
-    if (clean->ends_with(".rbt")) {
+    const bool is_table = clean->ends_with(".csv");
+    if (is_table || clean->ends_with(".rbt")) {
       Result<std::string> text = folder_->read(*clean, ParseLimits{}.bytes);
       if (text.ok()) {
         out.text = std::move(text).value();
@@ -46,7 +47,7 @@ class ProgramFolder {
       out.why = "only files that end in .rbt are programs";
     }
     // As a program would write them.
-    for (const std::string& other : folder_->names(folder_of(*clean), ".rbt"))
+    for (const std::string& other : folder_->names(folder_of(*clean), is_table ? ".csv" : ".rbt"))
       out.others.push_back(std::string(folder_of(path)) + other);
     return out;
   }

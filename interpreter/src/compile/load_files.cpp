@@ -146,7 +146,8 @@ class Loader {
 
   int look_up(const Source& from, const ast::ImportStmt& import, const std::string& path) {
     ImportedText found;
-    if (options_.load) found = options_.load(path, from.name());
+    // Tables are read by loadTable; as programs they are refused as other endings are.
+    if (options_.load && !path.ends_with(".csv")) found = options_.load(path, from.name());
     const auto known = numbers_.find(found.name);
     if (found.text && known != numbers_.end()) {
       if (known->second == kBeingRead) return refuse_circle(import, found.name);
@@ -169,7 +170,9 @@ class Loader {
   int refuse_missing(const ast::ImportStmt& import, const std::string& path,
                      const ImportedText& found) {
     Diagnostic out = make_diagnostic("E0213", import.path_span, {path});
-    out.why = options_.load ? found.why : "the host of this program gives it no files to import";
+    out.why = path.ends_with(".csv") ? "it is a table; loadTable(\"" + path + "\") reads it"
+              : options_.load        ? found.why
+                                     : "the host of this program gives it no files to import";
     const std::string_view there = always_there(import.path);
     if (!import.is_file && !there.empty()) {
       out.why = there;

@@ -69,7 +69,8 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"@ . sort ( key = lambda @ : $ )", "{1} = sort({1}, fn({2}) => {3})", "sort gives a new list"},
     {"del @", kNoSuchThing, "a variable lasts as long as its block"},
     {"\\@ @", kNoSuchThing, kDecorators},
-    {"with open ( * ) as @ :", kNoSuchThing, "t.save(\"run.csv\") writes a table"},
+    {"with open ( * ) as @ :", kNoSuchThing,
+     "loadTable(\"run.csv\") reads a table, t.save(\"run.csv\") writes one"},
     {"yield $", kNoSuchThing, "a function gives its values as a list"},
     // MATLAB
     {"clear", "", "every run begins anew"},

@@ -42,6 +42,7 @@ constexpr UnitRow kRows[] = {
     {{"cm", dims::kLength, 1e-2}, {1, 1, -2, 0}},
     {{"dm", dims::kLength, 1e-1}, {1, 1, -1, 0}},
     {{"m", dims::kLength, 1}, {}},
+    {{"km", dims::kLength, 1e3}, {1, 1, 3, 0}},
     {{"inch", dims::kLength, 0.0254}, {254, 1, -4, 0}},
     {{"us", dims::kTime, 1e-6}, {1, 1, -6, 0}},
     {{"\u00B5s", dims::kTime, 1e-6}, {1, 1, -6, 0}},
@@ -52,6 +53,7 @@ constexpr UnitRow kRows[] = {
     {{"h", dims::kTime, 3600}, {3600, 1, 0, 0}},
     {{"g", dims::kMass, 1e-3}, {1, 1, -3, 0}},
     {{"kg", dims::kMass, 1}, {}},
+    {{"mN", dims::kForce, 1e-3}, {1, 1, -3, 0}},
     {{"N", dims::kForce, 1}, {}},
     {{"kN", dims::kForce, 1e3}, {1, 1, 3, 0}},
     {{"Nm", dims::kTorque, 1}, {}},
@@ -61,6 +63,9 @@ constexpr UnitRow kRows[] = {
     {{"J", dims::kTorque, 1}, {}},
     {{"W", kPower, 1}, {}},
     {{"Pa", kPressure, 1}, {}},
+    {{"kPa", kPressure, 1e3}, {1, 1, 3, 0}},
+    {{"MPa", kPressure, 1e6}, {1, 1, 6, 0}},
+    {{"bar", kPressure, 1e5}, {1, 1, 5, 0}},
     {{"px", dims::kNone, 1}, {}},
 };
 

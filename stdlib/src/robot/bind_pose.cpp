@@ -10,6 +10,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
+#include "values/formats.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {
@@ -27,6 +28,14 @@ Answer<void> require_finite(Vm& vm, std::string_view what, std::initializer_list
     ++parameter;
   }
   return {};
+}
+
+// In formatted texts: f"{p:.1f mm}".
+std::string format_posc_value(Vm&, const PosC& p, std::string_view style, std::string_view unit) {
+  return format_posc(p, style, unit);
+}
+std::string format_posj_value(Vm&, const PosJ& q, std::string_view style, std::string_view unit) {
+  return format_posj(q, style, unit);
 }
 
 PosC placed(const Isometry3d& T) { return {T, false}; }
@@ -301,6 +310,8 @@ constexpr NativeFunction kPoseFunctions[] = {
     def<lerp_positions>("lerp(a: posC, b: posC, s: double) -> posC",
                         "The pose the fraction s of the way: straight line, even turn.",
                         "lerp(xyz(0mm, 0mm, 0mm), xyz(10mm, 0mm, 0mm), 0.5)"),
+    def<format_posc_value>("posC{:}(p: posC, style: string, unit: string) -> string", "", ""),
+    def<format_posj_value>("posJ{:}(q: posJ, style: string, unit: string) -> string", "", ""),
     def<coordinate<0>>("posC.x(p: posC) -> length", "The place along x.", "xyz(1mm, 2mm, 3mm).x"),
     def<coordinate<1>>("posC.y(p: posC) -> length", "The place along y.", "xyz(1mm, 2mm, 3mm).y"),
     def<coordinate<2>>("posC.z(p: posC) -> length", "The place along z.", "xyz(1mm, 2mm, 3mm).z"),

@@ -1,10 +1,11 @@
-// Tables that `record` makes (language reference, sections 16 and 19).
+// Tables that `record` makes, and tables in files (language reference, sections 16 and 19).
 
 #include <fmt/format.h>
 
 #include <iterator>
 #include <optional>
 
+#include "armlet/interpreter/host/table_text.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "robot/rules_settings.hpp"
@@ -16,9 +17,13 @@
 namespace armlet::bind {
 namespace {
 
-// A field of a comma-separated file, in quotes if it needs them (RFC 4180).
+// A text in a comma-separated file, in quotes if it needs them (RFC 4180) or would be read as a
+// number, as nothing or without its blanks.
 std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  const bool is_plain = text.find_first_of(",;\t\"\r\n") == std::string_view::npos;
+  if (is_plain && !text.empty() && text.front() != ' ' && text.back() != ' ' &&
+      !reads_as_number(text))
+    return std::string(text);
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + '"';
@@ -190,6 +195,9 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file,
     }
     body += '\n';
   }
+  if (rows.empty()) {
+    for (const RecordField& column : columns) header += (header.empty() ? "" : ",") + column.name;
+  }
   const auto saved = Host::of(vm).save_file(kTable, std::string(file), header + '\n' + body);
   if (saved.ok()) return {};
   Failure f;
@@ -199,7 +207,70 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file,
   return fail(vm, std::move(f));
 }
 
+Failed cannot_load(Vm& vm, std::string_view file, std::string why, std::string fix = {}) {
+  Failure f;
+  f.headline = Headline::own("R0626", fmt::format("`{}` cannot be read", file));
+  f.mark_parameter = 0;
+  f.why = std::move(why);
+  f.fix = std::move(fix);
+  return fail(vm, std::move(f));
+}
+
+// The columns of the file are those that the program was checked with. One without a unit in the
+// file may have got it in the program.
+bool take_columns(std::span<const TableColumn> known, TableText& table) {
+  if (known.size() != table.columns.size()) return false;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    TableColumn& column = table.columns[i];
+    if (table.rows == 0 && column.unit.empty()) column.is_text = known[i].is_text;
+    const bool gets_unit = column.unit.empty() && !column.is_text;
+    if (column.name != known[i].name || column.is_text != known[i].is_text ||
+        (column.dim != known[i].dim && !gets_unit)) {
+      return false;
+    }
+    if (!gets_unit || known[i].unit.empty()) continue;
+    const double factor = parse_unit(known[i].unit)->factor;
+    for (double& number : column.numbers) number *= factor;
+    column.unit = known[i].unit;
+    column.dim = known[i].dim;
+  }
+  return true;
+}
+
+Answer<RecordObj*> load_table(Vm& vm, std::string_view file,
+                              std::optional<std::string_view> columns) {
+  constexpr std::size_t kMostBytes = std::size_t{16} << 20U;
+  constexpr std::uint64_t kByteWork = 16;
+  const Result<std::string> text = Host::of(vm).load_file(std::string(file), kMostBytes);
+  if (!text.ok()) return cannot_load(vm, file, text.error().message);
+  const Scratch scratch(vm, 8 * text->size());  // a cell is larger than its text
+  if (!scratch.granted() || !charge_work(vm, kByteWork * text->size())) return Failed{};
+  Result<TableText> read = read_table_text(*text);
+  if (!read.ok()) return cannot_load(vm, file, read.error().message);
+  TableText table = std::move(read).value();
+  const Result<std::vector<TableColumn>> known = read_columns_text(columns.value_or(""));
+  if (!known.ok()) return cannot_load(vm, file, known.error().message);
+  const std::string in_file = columns_text(table.columns);
+  if (!take_columns(*known, table)) {
+    return cannot_load(
+        vm, file,
+        fmt::format("its columns are {}, and the program was checked with {}", in_file, *columns),
+        "run the program again, or correct `columns`");
+  }
+  return new_table(vm, table);
+}
+
 constexpr NativeFunction kTableFunctions[] = {
+    def<load_table>(
+        "loadTable(file: string, columns: string?) -> table",
+        "Reads a file of comma-separated values (.csv). The first line has the names of the "
+        "columns, with a unit in brackets if any: q1 [deg]. Which columns there are is found in "
+        "the file when the program is checked; of a file that is written later, columns says it, "
+        "and gives units to columns that have none in the file. A column whose first cell is a "
+        "number has numbers, otherwise texts. Semicolons and tabulators may separate the cells. A "
+        "value that is missing is an error with its line and column.",
+        "let m = loadTable(\"points.csv\", columns: \"t [s], q1 [deg], part: string\")",
+        {.check = check_ending<0, kTableEndings>}),
     def<save>(
         "save(t: table, file: string, tUnits: string?)",
         "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "

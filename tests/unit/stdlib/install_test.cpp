@@ -30,7 +30,7 @@ std::string before(std::string_view name) {
 
 void check_example(const NativeFunction& function) {
   std::string text(function.example);
-  if (function.name.starts_with("robot.joint.")) text = "robot one { " + text + " }";
+  if (function.name.starts_with("robot.joint.") || function.name.starts_with("robot.body.")) text = "robot one { " + text + " }";
   if (function.name.starts_with("lab."))
     text = "robot arm = robots.scara()\nlab one { " + text + " }";
   std::string printed;
@@ -45,7 +45,8 @@ void check_example(const NativeFunction& function) {
   }
   // No folder is granted here.
   if (!compiled || function.name == "save" || function.name == "savePlot" ||
-      function.name == "urdf" || function.name == "mesh")
+      function.name == "urdf" || function.name == "mesh" || function.name == "loadTable" ||
+      function.name == "robot.body.mesh")
     return;
   const RunResult result = session.run();
   CHECK(result.status == Progress::kDone);

@@ -52,7 +52,7 @@ const std::vector<MessageSample> kMessageSamples = {
      {"5cmm"},
      {4, "5cmm"},
      {},
-     "`cmm` is not a unit; lengths can be in um, mm, cm, m or inch",
+     "`cmm` is not a unit; lengths can be in um, mm, cm, m, km or inch",
      "did you mean 5cm or 5mm?"},
     {"E0110",
      {"("},

@@ -13,6 +13,7 @@
 #include "check/checker.hpp"
 #include "check/explain/explained.hpp"
 #include "check/learnt.hpp"
+#include "check/names/loaded_tables.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/statements/recordings.hpp"
 #include "check/types/constants.hpp"
@@ -190,6 +191,27 @@ hir::Expr* guessed_call(Checker& checker, std::string_view name,
   return checker.guessed(span, begun.result);
 }
 
+// A text that is left out and follows from the call: the name of what is declared, or a unit.
+std::optional<std::string> text_for(Checker& checker, const Signature& signature,
+                                    const Parameter& parameter, const Type* type, const Fit& fit,
+                                    const Type* result, Span span) {
+  if (names_result(parameter, type, result) && checker.surroundings.is_named(span))
+    return std::string(checker.surroundings.name_for(span));
+  return unit_for(signature, parameter, type, fit.bindings, checker.types);
+}
+
+// Null after a message. `columns` are those of a table that is read from a file.
+const Type* native_result(Checker& checker, std::string_view name, const Signature& signature,
+                          const Fit& fit, const std::vector<Argument>& arguments, Span span,
+                          std::string& columns) {
+  if (signature.result.form == TypePattern::Form::kTable)
+    return loaded_table(checker, signature, fit, arguments, span, columns);
+  const Type* result = instantiate(signature.result, fit.bindings, checker.types);
+  if (result == nullptr)
+    checker.report(make_diagnostic("E0323", span, {"the result of `" + std::string(name) + "`"}));
+  return result;
+}
+
 hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFunction& function,
                          Span callee, Span span, std::vector<Argument>& arguments, Fit& fit) {
   const Signature& signature = checker.shared.signatures.of(function);
@@ -203,11 +225,9 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
     if (arguments[from].value->type->is(Kind::kAny))
       return checker.guessed(span, instantiate(signature.result, fit.bindings, checker.types));
   }
-  const Type* result = instantiate(signature.result, fit.bindings, checker.types);
-  if (result == nullptr) {
-    checker.report(make_diagnostic("E0323", span, {"the result of `" + std::string(name) + "`"}));
-    return checker.failed(span);
-  }
+  std::string columns;
+  const Type* result = native_result(checker, name, signature, fit, arguments, span, columns);
+  if (result == nullptr) return checker.failed(span);
   std::vector<hir::Expr*> values(parameters.size(), nullptr);
   std::vector<Span> spans(parameters.size(), Span{callee.end, callee.end, callee.source});
   for (std::size_t p = 0; p < parameters.size(); ++p) {
@@ -231,9 +251,9 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
     } else if (parameter.default_value) {
       values[p] = literal_of(checker, *parameter.default_value, type, callee);
     } else if (const auto text =
-                   names_result(parameter, type, result) && checker.surroundings.is_named(span)
-                       ? std::optional<std::string>(checker.surroundings.name_for(span))
-                       : unit_for(signature, parameter, type, fit.bindings, checker.types)) {
+                   !columns.empty() && parameter.name == "columns"
+                       ? std::optional(columns)
+                       : text_for(checker, signature, parameter, type, fit, result, span)) {
       values[p] = checker.make<hir::TextExpr>(hir::ExprKind::kText, type, callee,
                                               checker.arena.copy(*text));
     } else if (hir::Expr* units = units_text(checker, signature, parameter, type, callee, values)) {

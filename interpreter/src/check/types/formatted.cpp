@@ -1,5 +1,6 @@
 // Formatted text: f"value {j + 1} at {q[j]:.1f deg}".
 
+#include "check/calls/native_calls.hpp"
 #include "check/checker.hpp"
 #include "check/types/expressions.hpp"
 
@@ -33,9 +34,79 @@ hir::Expr* check_formatted(Checker& checker, const ast::FormattedExpr& text) {
                                        checker.seq(parts));
 }
 
+namespace {
+
+// The unit of a format; nothing after a message.
+std::optional<CombinedUnit> unit_of(Checker& checker, const ast::FormatSpec& format) {
+  if (const auto unit = parse_unit(format.unit)) return unit;
+  std::vector<std::string_view> names;
+  for (const Unit& known : all_units()) names.push_back(known.name);
+  Diagnostic diagnostic = make_diagnostic("E0209", format.span, {std::string(format.unit)});
+  if (is_kind_of_python(format.unit)) {
+    diagnostic.why = "the letters of Python's formats are left out: {n}, {n:5}, {n:.2f}";
+  } else if (const auto near = suggest(format.unit, std::span<const std::string_view>(names))) {
+    Span word = format.span;
+    const std::size_t at = checker.text_of(word).rfind(format.unit);
+    if (at != std::string::npos) word.begin += static_cast<std::uint32_t>(at);
+    diagnostic.fix = Fix{.text = "did you mean " + std::string(*near) + "?",
+                         .edits = {{word, std::string(*near)}}};
+  }
+  checker.report(std::move(diagnostic));
+  return std::nullopt;
+}
+
+// E0402: a value of one dimension in a unit of another.
+hir::Expr* refuse_unit(Checker& checker, const hir::Expr& value, const ast::FormatSpec& format,
+                       const std::string& phrase, const std::string& have, Dim unit) {
+  Diagnostic diagnostic =
+      make_diagnostic("E0402", format.span, {phrase, "shown in", std::string(format.unit)});
+  diagnostic.mark.label = dimension_name(unit);
+  diagnostic.related.push_back({value.span, have});
+  checker.report(std::move(diagnostic));
+  return checker.failed(value.span);
+}
+
+// How a number is written, as fmt says it: "+8.2f".
+std::string style_text(const TextStyle& style) {
+  std::string out;
+  if (style.align != 0) out += style.align;
+  if (style.sign) out += '+';
+  if (style.zeros) out += '0';
+  if (style.width > 0) out += std::to_string(style.width);
+  if (style.digits >= 0) out += '.' + std::to_string(style.digits);
+  if (style.notation != 0) out += style.notation;
+  if (style.digits >= 0 && style.notation == 0) out += 'f';
+  return out;
+}
+
+// A value of the host whose type has a function "NAME{:}": (value, style, unit) -> string. Its
+// lengths and angles are each written in the format. Null: there is no such function.
+hir::Expr* host_in_format(Checker& checker, hir::Expr* value, const ast::FormatSpec& format) {
+  if (!value->type->is(Kind::kHost)) return nullptr;
+  const std::string name = type_name(value->type) + "{:}";
+  const auto found = checker.registry.functions(name);
+  if (found.empty()) return nullptr;
+  if (!format.unit.empty()) {
+    const std::optional<CombinedUnit> unit = unit_of(checker, format);
+    if (!unit) return checker.failed(value->span);
+    if (unit->dim != dims::kLength && unit->dim != dims::kAngle)
+      return refuse_unit(checker, *value, format, type_phrase(value->type), "lengths and angles",
+                         unit->dim);
+  }
+  const auto text = [&](std::string_view said) {
+    return Argument{.value = checker.make<hir::TextExpr>(hir::ExprKind::kText, checker.types.text(),
+                                                         value->span, checker.arena.copy(said))};
+  };
+  return call_native(checker, name, found, value->span, value->span,
+                     {Argument{.value = value}, text(style_text(format.style)), text(format.unit)});
+}
+
+}  // namespace
+
 hir::Expr* in_format(Checker& checker, hir::Expr* value, const ast::FormatSpec& format) {
   if (value->type->is(Kind::kAny)) return value;
   if (format.style.is_plain() && format.unit.empty()) return to_text(checker, value);
+  if (hir::Expr* text = host_in_format(checker, value, format)) return text;
 
   const Type* number = value->type;
   while (number->is(Kind::kList) || number->is(Kind::kMap)) number = number->element;
@@ -49,33 +120,12 @@ hir::Expr* in_format(Checker& checker, hir::Expr* value, const ast::FormatSpec& 
   }
   double factor = 1.0;
   if (!format.unit.empty()) {
-    const auto unit = parse_unit(format.unit);
-    if (!unit) {
-      std::vector<std::string_view> names;
-      for (const Unit& known : all_units()) names.push_back(known.name);
-      Diagnostic diagnostic = make_diagnostic("E0209", format.span, {std::string(format.unit)});
-      if (is_kind_of_python(format.unit)) {
-        diagnostic.why = "the letters of Python's formats are left out: {n}, {n:5}, {n:.2f}";
-      } else if (const auto near = suggest(format.unit, std::span<const std::string_view>(names))) {
-        Span word = format.span;
-        const std::size_t at = checker.text_of(word).rfind(format.unit);
-        if (at != std::string::npos) word.begin += static_cast<std::uint32_t>(at);
-        diagnostic.fix = Fix{.text = "did you mean " + std::string(*near) + "?",
-                             .edits = {{word, std::string(*near)}}};
-      }
-      checker.report(std::move(diagnostic));
-      return checker.failed(value->span);
-    }
+    const std::optional<CombinedUnit> unit = unit_of(checker, format);
+    if (!unit) return checker.failed(value->span);
     // An angle may already have become a plain number in radians.
-    if (unit->dim != number->dim && unit->dim.without_angle() != number->dim) {
-      Diagnostic diagnostic =
-          make_diagnostic("E0402", format.span,
-                          {dimension_phrase(number->dim), "shown in", std::string(format.unit)});
-      diagnostic.mark.label = dimension_name(unit->dim);
-      diagnostic.related.push_back({value->span, dimension_name(number->dim)});
-      checker.report(std::move(diagnostic));
-      return checker.failed(value->span);
-    }
+    if (unit->dim != number->dim && unit->dim.without_angle() != number->dim)
+      return refuse_unit(checker, *value, format, dimension_phrase(number->dim),
+                         dimension_name(number->dim), unit->dim);
     factor = unit->factor;
   }
   return checker.make<hir::ToTextExpr>(hir::ExprKind::kToText, checker.types.text(), value->span,

@@ -85,12 +85,13 @@ struct UnitFamily {
 
 // What a reader may write instead, by one member of each family.
 constexpr auto kFamilies = std::to_array<UnitFamily>({
-    {"m", "lengths can be in um, mm, cm, m or inch"},
+    {"m", "lengths can be in um, mm, cm, m, km or inch"},
     {"rad", "angles can be in deg, rad, mrad or rev"},
     {"s", "times can be in us, ms, s, min or h"},
     {"kg", "masses can be in g or kg"},
-    {"N", "forces can be in N or kN"},
+    {"N", "forces can be in mN, N or kN"},
     {"Hz", "frequencies can be in Hz or kHz"},
+    {"Pa", "pressures can be in Pa, kPa, MPa or bar"},
 });
 
 std::string_view family_sentence(std::string_view unit_name) {
