@@ -25,6 +25,7 @@ OrderedJson shapes_json(const std::vector<LinkShape>& shapes) {
                         {"kind", to_text(shape.kind)},
                         {"role", to_text(shape.role)},
                         {"T", matrix_json(shape.T_link_shape)}};
+    if (shape.given) each["given"] = true;
     if (shape.kind == LinkShapeKind::kBox) {
       each["size"] = {shape.size.x(), shape.size.y(), shape.size.z()};
     } else {
@@ -91,6 +92,8 @@ OrderedJson pictures_json(const RecordedRobot& robot) {
     const LinkPicture& picture = robot.info.pictures[i];
     out.push_back(
         {{"link", picture.link}, {"file", robot.pictures[i]}, {"T", affine_json(picture.T_glb)}});
+    if (!picture.is_drawn) out.back()["use"] = "collision";
+    if (!picture.collides) out.back()["use"] = "picture";
   }
   return out;
 }

@@ -34,7 +34,9 @@ std::vector<LinkPicture> pictures_of(const Robot& robot) {
       if (source.bytes == nullptr) continue;
       pictures.push_back({.link = i,
                           .glb = source.bytes,
-                          .T_glb = T_moved_link(robot, i) * each.T_link_mesh * source.T_mesh_file});
+                          .T_glb = T_moved_link(robot, i) * each.T_link_mesh * source.T_mesh_file,
+                          .is_drawn = each.use != LinkSolidUse::kCollision,
+                          .collides = each.use != LinkSolidUse::kPicture});
     }
   }
   return pictures;

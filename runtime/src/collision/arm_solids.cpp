@@ -157,7 +157,9 @@ void add_bodies(const Robot& robot, std::vector<ArmSolid>& bodies) {
     for (const LinkSolid& each : own.solids) {
       if (each.use != LinkSolidUse::kPicture) add(solid_of(each), each.T_link_solid);
     }
-    for (const LinkMesh& each : own.bodies) add(solid_of(*each.triangles), each.T_link_mesh);
+    for (const LinkMesh& each : own.bodies) {
+      if (each.use != LinkSolidUse::kPicture) add(solid_of(*each.triangles), each.T_link_mesh);
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include <urdf_model/model.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -86,25 +87,7 @@ std::optional<LinkSolid> solid_of(const urdf::Geometry& geometry) {
   }
 }
 
-struct PlacedMesh {
-  std::string file;
-  Isometry3d T_link_mesh;
-  Vector3d scale;
-};
-
-// Those that are compared with other bodies.
-std::vector<PlacedMesh> collision_meshes_of(const urdf::Link& link) {
-  std::vector<PlacedMesh> found;
-  const auto add = [&](const urdf::GeometrySharedPtr& geometry, const urdf::Pose& origin) {
-    if (!geometry || geometry->type != urdf::Geometry::MESH) return;
-    const auto& mesh = static_cast<const urdf::Mesh&>(*geometry);
-    found.push_back({mesh.filename, pose_of(origin), {mesh.scale.x, mesh.scale.y, mesh.scale.z}});
-  };
-  for (const auto& each : link.collision_array) add(each->geometry, each->origin);
-  if (!link.collision_array.empty()) return found;
-  for (const auto& each : link.visual_array) add(each->geometry, each->origin);
-  return found;
-}
+using SharedMesh = std::shared_ptr<const TriangleMesh>;
 
 std::vector<std::string> meshes_of(const urdf::Link& link) {
   std::vector<std::string> names;
@@ -176,50 +159,77 @@ class Reader {
     body.link = without_mass(body.link);
   }
 
-  // Boxes, cylinders and spheres among what is compared with other bodies, and meshes.
+  // The shapes for collisions and those for pictures. Where a link has only one kind, or the shapes
+  // of the other kind cannot be used, those of the one are for both.
   void load_bodies(const urdf::Link& link, Link& body) {
-    // Pictures show the shapes for collisions where those for pictures are meshes, or none.
-    const bool is_apart =
-        !link.collision_array.empty() && !link.visual_array.empty() && meshes_of(link).empty();
-    const auto add = [&](const auto& element, LinkSolidUse use) {
-      auto solid = element.geometry ? solid_of(*element.geometry) : std::nullopt;
-      if (!solid) return;
-      solid->T_link_solid = pose_of(element.origin);
-      if (is_apart) solid->use = use;
-      const auto same = std::ranges::find_if(body.solids, [&](const LinkSolid& each) {
-        return each.use != use && each.kind == solid->kind && each.size == solid->size &&
-               each.T_link_solid.matrix() == solid->T_link_solid.matrix();
-      });
-      if (same == body.solids.end()) return body.solids.push_back(*solid);
-      same->use = LinkSolidUse::kBoth;
+    for (const auto& each : link.collision_array)
+      add_shape(link, body, *each, LinkSolidUse::kCollision);
+    for (const auto& each : link.visual_array) add_shape(link, body, *each, LinkSolidUse::kPicture);
+    const auto is_there = [&](LinkSolidUse use) {
+      const auto has_use = [&](const auto& each) {
+        return each.use == use || each.use == LinkSolidUse::kBoth;
+      };
+      return std::ranges::any_of(body.solids, has_use) || std::ranges::any_of(body.bodies, has_use);
     };
-    for (const auto& each : link.collision_array) add(*each, LinkSolidUse::kCollision);
-    for (const auto& each : link.visual_array) {
-      if (is_apart || link.collision_array.empty()) add(*each, LinkSolidUse::kPicture);
+    const bool has_both = is_there(LinkSolidUse::kCollision) && is_there(LinkSolidUse::kPicture);
+    if (has_both) return;
+    for (LinkSolid& each : body.solids) each.use = LinkSolidUse::kBoth;
+    for (LinkMesh& each : body.bodies) each.use = LinkSolidUse::kBoth;
+  }
+
+  // A visual or a collision element. What is there for the other use already is for both.
+  void add_shape(const urdf::Link& link, Link& body, const auto& element, LinkSolidUse use) {
+    if (!element.geometry) return;
+    const Isometry3d T = pose_of(element.origin);
+    if (element.geometry->type == urdf::Geometry::MESH) {
+      const auto& mesh = static_cast<const urdf::Mesh&>(*element.geometry);
+      return add_mesh(link, body, mesh, T, use);
     }
-    if (!options_.load_mesh) return;
-    const auto unused = [&](const std::string& file, std::string_view why) {
-      spec_.notes.push_back(
-          fmt::format("the mesh \"{}\" of link `{}` cannot be used: {}", file, link.name, why));
-    };
-    for (const PlacedMesh& each : collision_meshes_of(link)) {
-      if (is_missing(each.file)) continue;
-      auto mesh = options_.load_mesh(each.file);
-      if (!mesh.ok()) {
-        unused(each.file, mesh.error().message);
-        continue;
-      }
-      if (*mesh == nullptr) continue;
+    auto solid = solid_of(*element.geometry);
+    if (!solid) return;
+    solid->T_link_solid = T;
+    solid->use = use;
+    const auto same = std::ranges::find_if(body.solids, [&](const LinkSolid& each) {
+      return each.use != use && each.kind == solid->kind && each.size == solid->size &&
+             each.T_link_solid.matrix() == T.matrix();
+    });
+    if (same == body.solids.end()) return body.solids.push_back(*solid);
+    same->use = LinkSolidUse::kBoth;
+  }
+
+  void add_mesh(const urdf::Link& link, Link& body, const urdf::Mesh& given, const Isometry3d& T,
+                LinkSolidUse use) {
+    if (!options_.load_mesh || is_missing(given.filename)) return;
+    const Result<SharedMesh> mesh = loaded(given);
+    if (!mesh.ok()) {
+      const std::string note = fmt::format("the mesh \"{}\" of link `{}` cannot be used: {}",
+                                           given.filename, link.name, mesh.error().message);
+      if (std::ranges::find(spec_.notes, note) == spec_.notes.end()) spec_.notes.push_back(note);
+      return;
+    }
+    if (*mesh == nullptr) return;
+    const auto same = std::ranges::find_if(body.bodies, [&](const LinkMesh& each) {
+      return each.use != use && each.triangles == *mesh && each.T_link_mesh.matrix() == T.matrix();
+    });
+    if (same == body.bodies.end()) return body.bodies.push_back({*mesh, T, use});
+    same->use = LinkSolidUse::kBoth;
+  }
+
+  // A mesh in its size, which is read once.
+  Result<SharedMesh> loaded(const urdf::Mesh& given) {
+    const std::array<double, 3> scale{given.scale.x, given.scale.y, given.scale.z};
+    const auto known = meshes_.find({given.filename, scale});
+    if (known != meshes_.end()) return known->second;
+    Result<SharedMesh> mesh = options_.load_mesh(given.filename);
+    if (mesh.ok() && *mesh != nullptr && scale != std::array{1.0, 1.0, 1.0}) {
       try {
-        body.bodies.push_back(
-            {each.scale == Vector3d::Ones()
-                 ? *mesh
-                 : std::make_shared<const TriangleMesh>((*mesh)->scaled(each.scale)),
-             each.T_link_mesh});
+        const Vector3d factors(scale[0], scale[1], scale[2]);
+        mesh = std::make_shared<const TriangleMesh>((*mesh)->scaled(factors));
       } catch (const ArgumentError& error) {
-        unused(each.file, error.what());
+        mesh = Error{"mesh", error.what()};
       }
     }
+    return meshes_.emplace(std::pair(given.filename, scale), std::move(mesh)).first->second;
   }
 
   // From the root outwards without recursion: chains may be long.
@@ -346,7 +356,8 @@ class Reader {
   const urdf::ModelInterface& model_;
   const UrdfOptions& options_;
   MechanismSpec spec_;
-  std::set<std::string> looked_for_;        // meshes that were looked for
+  std::set<std::string> looked_for_;  // meshes that were looked for
+  std::map<std::pair<std::string, std::array<double, 3>>, Result<SharedMesh>> meshes_;  // loaded
   std::vector<const urdf::Joint*> joints_;  // those that move, in the order of the bodies
 };
 

@@ -52,10 +52,13 @@ struct ToolInfo {
 //
 // glb    bytes of a GLB, shared with the mesh of the link; never null.
 // T_glb  from the coordinates of the file, z up, to that frame.
+// is_drawn, collides  whether it is a shape for pictures, and one for collisions.
 struct LinkPicture {
   int link = 1;
   std::shared_ptr<const std::string> glb;
   Eigen::Affine3d T_glb = Eigen::Affine3d::Identity();
+  bool is_drawn = true;
+  bool collides = true;
 };
 
 // A robot of the run, as one needs it to draw it. Its index in RunInfo names it in what follows.

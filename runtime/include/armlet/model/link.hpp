@@ -27,18 +27,20 @@ struct Friction {
   double stribeck_speed = 0.0;  // rad/s at the motor, > 0; 0: none
 };
 
+// A description may give a link other shapes for pictures than for collisions.
+enum class LinkSolidUse { kBoth, kPicture, kCollision };
+
 // A mesh fixed to a link; shared by all copies of the robot.
 struct LinkMesh {
   std::shared_ptr<const TriangleMesh> triangles;
   Eigen::Isometry3d T_link_mesh = Eigen::Isometry3d::Identity();
+  LinkSolidUse use = LinkSolidUse::kBoth;
 };
 
 // A simple body fixed to a link, its middle in its frame; a cylinder lies along z.
 //
 // size  m: the sides of a box; (radius, length, 0) of a cylinder; (radius, 0, 0) of a sphere.
-// use   a description may give a link other shapes for pictures than for collisions.
 enum class LinkSolidKind { kBox, kCylinder, kSphere };
-enum class LinkSolidUse { kBoth, kPicture, kCollision };
 struct LinkSolid {
   LinkSolidKind kind = LinkSolidKind::kBox;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
@@ -65,6 +67,18 @@ struct Link {
 
   // Whether its shape was given, so that none is made from the joint table.
   bool has_shape() const { return !bodies.empty() || !solids.empty(); }
+  // Whether pictures show one of its meshes, or of its simple bodies.
+  bool draws_mesh() const { return any_drawn(bodies); }
+  bool draws_solid() const { return any_drawn(solids); }
+
+ private:
+  template <class Parts>
+  static bool any_drawn(const Parts& parts) {
+    for (const auto& each : parts) {
+      if (each.use != LinkSolidUse::kCollision) return true;
+    }
+    return false;
+  }
 };
 
 // A rigid body fixed to the flange, besides the last link: what a hand holds.

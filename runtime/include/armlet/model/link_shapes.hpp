@@ -35,6 +35,7 @@ struct LinkShape {
   double length = 0.0;                             // m, the same
   double thickness = 0.0;                          // m, of rings
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  // m, of boxes: along x, y and z
+  bool given = false;  // by a description: drawn beside the meshes of its link, not in their place
 };
 
 // The shapes of an arm, of its base, and of the tool in its hand. Boxes, cylinders and spheres that

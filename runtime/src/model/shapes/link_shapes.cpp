@@ -53,7 +53,7 @@ class ShapesOfArm {
     if (!robot_.has_shapes()) base();
     for (int i = 0; i < robot_.n(); ++i) {
       // Of a link of meshes alone the table's shapes stand in until its meshes are there.
-      if (robot_.link(i).solids.empty()) link_of_joint(i);
+      if (!robot_.link(i).draws_solid()) link_of_joint(i);
       given(i + 1);
     }
     flange();
@@ -106,6 +106,7 @@ class ShapesOfArm {
           round(link, LinkShapeKind::kCapsule, role, T, solid.size.x(), 0.0);
           break;
       }
+      shapes_.back().given = true;
     }
   }
 

@@ -47,7 +47,7 @@ Isometry3d moved_by(const Robot& robot, int i, double q) {
 
 // Whether the shapes of a link stand in for its meshes.
 bool is_stand_in(const Robot& robot, int link) {
-  return link <= robot.n() && robot.body(link).solids.empty() && !robot.body(link).bodies.empty();
+  return link <= robot.n() && !robot.body(link).draws_solid() && robot.body(link).draws_mesh();
 }
 
 }  // namespace
@@ -84,9 +84,11 @@ GlbScene robot_scene(const Robot& robot) {
     const Isometry3d T_node_link = standard && link > 0
                                        ? dh_pose(DhConvention::kStandard, robot.joint(link - 1).dh)
                                        : Isometry3d::Identity();
-    for (const LinkMesh& each : robot.body(link).bodies)
+    for (const LinkMesh& each : robot.body(link).bodies) {
+      if (each.use == LinkSolidUse::kCollision) continue;
       add_triangles(*each.triangles, T_node_link * each.T_link_mesh,
                     parts[static_cast<std::size_t>(link)][kLight]);
+    }
   }
   for (std::size_t link = 0; link < parts.size(); ++link) {
     for (std::size_t look = 0; look < kLooks; ++look) {

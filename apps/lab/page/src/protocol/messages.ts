@@ -48,12 +48,14 @@ export interface Shape {
   length?: number;
   thickness?: number;
   size?: number[];
+  given?: boolean; // by a description: drawn beside the pictures of its link, not in their place
 }
 // What is drawn in the place of the shapes of a link: a GLB file, turned so that z is up and moved by T.
 export interface LinkPicture {
   link: number;
   file: string;
   T: Matrix;
+  use?: "picture" | "collision"; // both, where it is missing
 }
 export interface ToolInfo {
   kind: string;

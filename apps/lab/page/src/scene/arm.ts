@@ -10,6 +10,7 @@ import type { MeshLibrary } from "./meshes.ts";
 import type { Palette } from "./palette.ts";
 import { surface, type Surface } from "./surface.ts";
 
+const NONE: Shape[] = [];
 const ROUND = 48; // faces of a full circle
 
 // A cylinder about z whose edges are rounded a little, so that they catch the light.
@@ -100,7 +101,7 @@ export class ArmView {
   private readonly opacity: number;
   private readonly library: MeshLibrary | null;
   private shapes: Shape[] | null = null;
-  // Links whose pictures are there; their shapes are not drawn.
+  // Links whose pictures are there; shapes that stood in for them are not drawn.
   private pictured = new Map<number, Group>();
   private fingers: Mesh[] = [];
   // Whether it is drawn as the bodies with which collisions are found.
@@ -127,9 +128,10 @@ export class ArmView {
 
   // Puts the arm where the joints are `q`.
   stand(q: readonly number[], change?: RobotChange): void {
-    const solids = this.asSolids ? (change?.solids ?? this.robot.solids ?? []) : [];
-    this.build(solids.length ? solids : (change?.shapes ?? this.robot.shapes), solids.length > 0);
-    if (!solids.length) this.takePictures();
+    const solids = this.asSolids ? (change?.solids ?? this.robot.solids ?? NONE) : NONE;
+    const areSolids = solids.length > 0 || (this.asSolids && (this.robot.pictures ?? []).some((each) => each.use === "collision"));
+    this.build(areSolids ? solids : (change?.shapes ?? this.robot.shapes), areSolids);
+    this.takePictures(areSolids ? "collision" : "picture");
     const frames = shapeFrames(this.robot, q, change?.T_world_base);
     frames.forEach((frame, i) => this.links[i]?.matrix.fromArray(frame));
     this.group.updateMatrixWorld(true);
@@ -206,22 +208,24 @@ export class ArmView {
       mesh.castShadow = !this.ghost;
       mesh.receiveShadow = !this.ghost;
       mesh.userData["robot"] = this.robot.name;
+      mesh.userData["given"] = shape.given === true;
       this.links[shape.link]?.add(mesh);
       if (shape.role.startsWith("finger_")) this.fingers.push(mesh);
       if (shape.role === "mark" && !this.ghost) this.marks.push({ joint: shape.link - 1, material: mesh.material });
     }
   }
 
-  // Pictures of links that have come since, in the place of their shapes.
-  private takePictures(): void {
-    for (const { link, file, T } of this.robot.pictures ?? []) {
+  // Pictures of links that have come since, of this use or of both, in the place of the shapes that stood in for them.
+  private takePictures(wanted: "picture" | "collision"): void {
+    for (const { link, file, T, use = wanted } of this.robot.pictures ?? []) {
+      if (use !== wanted) continue;
       const host = this.links[link];
       const model = host && this.library?.model(file);
       if (!host || !model) continue;
       let place = this.pictured.get(link);
       if (!place) {
         this.pictured.set(link, (place = new Group()));
-        for (const shape of host.children) shape.visible = false;
+        for (const shape of host.children) shape.visible = wanted === "collision" || shape.userData["given"] === true;
         host.add(place);
       }
       if (place.children.some((each) => each.userData["file"] === file && each.userData["T"] === T)) continue;

@@ -103,7 +103,7 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     if (robots.options.length !== names.length) robots.replaceChildren(...names.map((name, i) => el("option", { value: i }, name)));
     robots.hidden = names.length < 2;
     clearance.hidden = !intents.live && !run?.looks.length;
-    solids.hidden = !run?.robots.some((robot) => robot.solids?.length);
+    solids.hidden = !run?.robots.some((robot) => robot.solids?.length || robot.pictures?.some((each) => each.use === "collision"));
     torques.hidden = !names.some((_, i) => run?.sharesAt(i, s.t).some((share) => share !== null));
     torques.setAttribute("aria-pressed", String(scene.showTorques ?? run?.elements.some((row) => row.kind === "torques") ?? false));
     setText(where, pose ? `${names[scene.active] ?? ""} at ${pose.slice(0, 3).map((v) => fixed(1000 * v, 1)).join(", ")} mm` : "");
