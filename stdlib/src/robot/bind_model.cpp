@@ -222,7 +222,8 @@ Answer<void> load_meshes(Vm& vm, RobotSpec& spec) {
 Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> joints,
                              const PosC* base, const ToolValue* tool, Numbers gravity,
                              std::string_view convention, const PosJ* home, const PosC* tcp,
-                             std::string_view inertias, NamePairs allow, NamePairs watch) try {
+                             std::string_view inertias, NamePairs allow, NamePairs watch,
+                             HostList<BodyRow> bodies) try {
   constexpr int kGravity = 4;
   RobotSpec spec;
   spec.name = name;
@@ -242,7 +243,9 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
   spec.inertia_check = inertia_check_of(inertias);
   check_meshes(vm, spec);
   if (!load_meshes(vm, spec)) return Failed{};
-  if (!has_forces) spec.links.clear();
+  const auto has_bodies = add_bodies(vm, bodies, spec);
+  if (!has_bodies) return Failed{};
+  if (!has_forces && !*has_bodies) spec.links.clear();
   if (!read_vector3(vm, gravity, kGravity, "gravity", spec.gravity)) return Failed{};
   if (home != nullptr) spec.home = home->vector();
   Robot robot = finished(Robot(std::move(spec)), base, tool);
@@ -356,7 +359,7 @@ constexpr NativeFunction kModelFunctions[] = {
     def<robot_block>(
         "robot{}(name: string, joint: jointRow[], base: posC?, tool: tool?, gravity: accel[]?, "
         "convention: string = \"standard\", home: posJ?, tcp: posC?, inertias: string = \"rigid\", "
-        "allow: string[][]?, watch: string[][]?) -> robot",
+        "allow: string[][]?, watch: string[][]?, body: bodyRow[]) -> robot",
         "A robot made of joints; tcp: the tool point seen from the flange, if the hand does not "
         "say it; inertias: \"published\" keeps numbers that no rigid body has; allow, watch: pairs "
         "of links that are never, or always, compared with each other, [[\"base\", \"link 3\"]].",

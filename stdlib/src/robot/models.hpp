@@ -46,4 +46,9 @@ Answer<Inertia> inertia_argument(Vm& vm, NumberRows rows, int parameter);
 Answer<Inertia> inertia_argument(Vm& vm, const MatrixObj& matrix, int parameter);
 Answer<void> read_friction(Vm& vm, Numbers values, int parameter, Link& link);
 
+// Shapes that the rows of a block give its links, which are there; whether a link besides the base
+// has one.
+// throws  ArgumentError for a link or a mesh that is not there.
+Answer<bool> add_bodies(Vm& vm, HostList<BodyRow> rows, RobotSpec& spec);
+
 }  // namespace armlet::bind

@@ -41,6 +41,7 @@ std::span<const NativeFunction> dynamics_functions();
 std::span<const NativeFunction> identification_functions();
 std::span<const NativeFunction> simulation_functions();
 std::span<const NativeFunction> model_functions();
+std::span<const NativeFunction> body_functions();
 std::span<const NativeFunction> dh_functions();
 std::span<const NativeFunction> view_functions();
 std::span<const NativeFunction> motion_functions();

@@ -48,6 +48,7 @@ std::span<const Chapter> chapters() {
       mathematics("Positions and frames", pose_functions()),
       mathematics("Positions and frames: orientations", rotation_functions()),
       mathematics("Robots: models", model_functions()),
+      {.title = "Robots: shapes of links", .functions = body_functions(), .only_values = true},
       mathematics("Robots: tables", dh_functions()),
       {.title = "Robots: variables of the 2011 platform", .functions = view_functions()},
       mathematics("Robots: state and kinematics", robot_functions()),
@@ -86,7 +87,7 @@ std::span<const Chapter> chapters() {
 void install(Engine& engine) {
   for (const HostType* type :
        {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject, &bind::kFrame, &bind::kShape,
-        &bind::kTool, &bind::kJointRow, &bind::kLab, &bind::kLabRow, &bind::kCamera, &bind::kImage,
+        &bind::kTool, &bind::kJointRow, &bind::kBodyRow, &bind::kLab, &bind::kLabRow, &bind::kCamera, &bind::kImage,
         &bind::kTrajectory, &bind::kFinger}) {
     engine.add_type(*type);
   }

@@ -70,6 +70,8 @@ void text_row(const void* value, std::string& out) {
   out += as<JointRow>(value).joint.is_revolute() ? "revolute joint" : "prismatic joint";
 }
 
+void text_body_row(const void*, std::string& out) { out += "shape of a link"; }
+
 // The orientation in words: about one axis if it is a rotation about x, y or z alone, else roll,
 // pitch and yaw.
 std::string orientation_text(const Eigen::Matrix3d& R) {
@@ -173,6 +175,11 @@ const HostType kJointRow{.name = "jointRow",
                          .destroy = destroy_as<JointRow>,
                          .text = text_row,
                          .help = "One joint of a robot block."};
+const HostType kBodyRow{.name = "bodyRow",
+                        .size = sizeof(BodyRow),
+                        .destroy = destroy_as<BodyRow>,
+                        .text = text_body_row,
+                        .help = "One shape of a link in a robot block."};
 
 PosJ make_posj(const Robot& robot, const Eigen::VectorXd& q) {
   PosJ p;

@@ -71,6 +71,16 @@ struct JointRow {
   Link link;
 };
 
+// A shape of a link, 0: the base. `mesh` is a file in the place of the kind and the size of the
+// solid; `unit` 0: as the file says.
+struct BodyRow {
+  std::int64_t link = 0;
+  LinkSolid solid{};
+  std::string mesh{};
+  double unit = 0.0;
+  double scale = 1.0;
+};
+
 // A robot as failures and what waits for it name it.
 [[nodiscard]] Resource robot_called(std::string name);
 
@@ -82,6 +92,7 @@ extern const HostType kFrame;
 extern const HostType kShape;
 extern const HostType kTool;
 extern const HostType kJointRow;
+extern const HostType kBodyRow;
 extern const HostType kTrajectory;
 extern const HostType kFinger;
 // Without values of their own yet (bind_later.cpp).
@@ -119,4 +130,6 @@ template <>
 inline constexpr const HostType* kHostType<bind::ToolValue> = &bind::kTool;
 template <>
 inline constexpr const HostType* kHostType<bind::JointRow> = &bind::kJointRow;
+template <>
+inline constexpr const HostType* kHostType<bind::BodyRow> = &bind::kBodyRow;
 }  // namespace armlet

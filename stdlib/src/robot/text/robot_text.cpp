@@ -71,6 +71,13 @@ std::string pose_text(const Eigen::Isometry3d& T) {
                      angle(rpy.y()), angle(rpy.z()));
 }
 
+std::string quoted(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '"' || c == '\\' ? fmt::format("\\{}", c) : std::string(1, c);
+  return '"' + out + '"';
+}
+
 void add_link(std::vector<std::string>& parts, const Link& link) {
   const auto add = [&](std::string_view name, const std::string& value) {
     parts.push_back(fmt::format("{}: {}", name, value));
@@ -90,10 +97,7 @@ void add_link(std::vector<std::string>& parts, const Link& link) {
   if (link.motor_inertia != 0.0) add("motorInertia", real(link.motor_inertia));
   if (link.gear != 1.0) add("gear", real(link.gear));
   if (!link.mesh.empty()) {
-    std::string quoted;
-    for (const char c : link.mesh)
-      quoted += c == '"' || c == '\\' ? fmt::format("\\{}", c) : std::string(1, c);
-    add("mesh", fmt::format("\"{}\"", quoted));
+    add("mesh", quoted(link.mesh));
     if (link.mesh_unit != 0.0) add("meshUnit", with_unit(link.mesh_unit, "m"));
     if (link.mesh_scale != 1.0) add("meshScale", real(link.mesh_scale));
   }
@@ -119,6 +123,50 @@ std::string joint_text(const Joint& joint, const Link& link) {
   add_link(parts, link);
   return fmt::format("    joint {}({})\n", joint.is_revolute() ? "revolute" : "prismatic",
                      fmt::join(parts, ", "));
+}
+
+std::string_view use_text(LinkSolidUse use) {
+  return use == LinkSolidUse::kPicture     ? ", use: \"picture\""
+         : use == LinkSolidUse::kCollision ? ", use: \"collision\""
+                                           : "";
+}
+
+// The boxes, cylinders and spheres of a link, and the mesh of a base.
+//
+// T_frame_body  from the frame in which its shapes are given to that of the block.
+std::string body_text(int number, const Link& link, const Eigen::Isometry3d& T_frame_body) {
+  const std::string of = number == 0 ? std::string() : fmt::format(", link: {}", number);
+  std::string text;
+  const auto add = [&](std::string_view what, const Eigen::Isometry3d& T, LinkSolidUse use) {
+    const Eigen::Isometry3d at = T_frame_body * T;
+    const bool is_there = at.isApprox(Eigen::Isometry3d::Identity(), 0.0);
+    text += fmt::format("    body {}{}{}{})\n", what, of,
+                        is_there ? std::string() : ", at: " + pose_text(at), use_text(use));
+  };
+  for (const LinkSolid& each : link.solids) {
+    const Eigen::Vector3d& s = each.size;
+    switch (each.kind) {
+      case LinkSolidKind::kBox:
+        add(fmt::format("box({}, {}, {}", with_unit(s[0], "m"), with_unit(s[1], "m"),
+                        with_unit(s[2], "m")),
+            each.T_link_solid, each.use);
+        break;
+      case LinkSolidKind::kCylinder:
+        add(fmt::format("cylinder({}, {}", with_unit(s[0], "m"), with_unit(s[1], "m")),
+            each.T_link_solid, each.use);
+        break;
+      case LinkSolidKind::kSphere:
+        add(fmt::format("sphere({}", with_unit(s[0], "m")), each.T_link_solid, each.use);
+        break;
+    }
+  }
+  // Other links say theirs in the rows of their joints.
+  if (number == 0 && !link.mesh.empty()) {
+    add("mesh(" + quoted(link.mesh),
+        link.bodies.empty() ? Eigen::Isometry3d::Identity() : link.bodies.front().T_link_mesh,
+        link.bodies.empty() ? LinkSolidUse::kBoth : link.bodies.front().use);
+  }
+  return text;
 }
 
 std::string tool_text(const Tool& tool) {
@@ -157,6 +205,9 @@ std::string robot_block(const Robot& robot) {
   if (spec.followers != nullptr)
     text += "    // masses of links whose joints copy joints of the arm are not in this block\n";
   for (int i = 0; i < robot.n(); ++i) text += joint_text(robot.joint(i), robot.link(i));
+  text += body_text(0, robot.body(0), spec.T_base_first.inverse());
+  for (int i = 1; i <= robot.n(); ++i)
+    text += body_text(i, robot.body(i), Eigen::Isometry3d::Identity());
   if (spec.convention == DhConvention::kModified) text += "    convention: \"modified\"\n";
   if (spec.inertia_check == InertiaCheck::kPublished) text += "    inertias: \"published\"\n";
   // A block has no frame between the base and its first row.
