@@ -83,11 +83,14 @@ void add_run(Parcel& parcel, const RunRecord& run, KnownOfRun& known) {
             [&](auto first, auto count) { return write_notes(run, first, count); });
   add_items(parcel, known.advice, run.advice.size(),
             [&](auto first, auto count) { return write_advice(run, first, count); });
+  add_items(parcel, known.drawn, run.drawings.list().size(),
+            [&](auto first, auto count) { return write_drawings(run, first, count); });
   add_rows(parcel, 1, run.number, run.robot_rows, known.robots);
   add_rows(parcel, 2, run.number, run.object_rows, known.objects);
   add_rows(parcel, 3, run.number, run.element_rows, known.elements);
   add_rows(parcel, 4, run.number, run.force_rows, known.forces);
   add_rows(parcel, 5, run.number, run.contact_rows, known.contacts);
+  add_rows(parcel, 7, run.number, run.drawings.rows(), known.drawings);
   if (parcel.is_full()) return;
   if (known.figures != run.figure_changes) {
     for (const RecordedFigure& figure : run.figures) parcel.add(write_figure(run, figure));

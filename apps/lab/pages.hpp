@@ -20,8 +20,9 @@ struct KnownOfRun {
   std::uint64_t changes = 0;
   std::uint64_t described = 0;
   std::uint64_t figures = 0;
-  std::size_t moves = 0, ways = 0, stretches = 0, lines = 0, events = 0, texts = 0, advice = 0;
-  std::vector<std::size_t> robots, objects, elements, forces, contacts;  // rows
+  std::size_t moves = 0, ways = 0, stretches = 0, lines = 0, events = 0, texts = 0, advice = 0,
+              drawn = 0;
+  std::vector<std::size_t> robots, objects, elements, forces, contacts, drawings;  // rows
 };
 
 // Counts of what there is to be told besides runs; a page that knows another count is told again.

@@ -100,6 +100,7 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 [[nodiscard]] Message write_stretches(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_lines(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_events(const RunRecord& run, std::size_t first, std::size_t count);
+[[nodiscard]] Message write_drawings(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_notes(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_advice(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_figure(const RunRecord& run, const RecordedFigure& figure);
@@ -129,7 +130,7 @@ struct Exported {
   int shown = 0;
 };
 [[nodiscard]] Message write_exported(Seq to, const Exported& exported);
-// kind  1 robot, 2 object, 3 element, 4 forces, 5 contact.
+// kind  1 robot, 2 object, 3 element, 4 forces, 5 contact, 7 shapes that are only shown.
 [[nodiscard]] Message write_rows(std::uint32_t kind, int run, std::size_t index, const Rows& rows,
                                  std::size_t first, std::size_t count);
 

@@ -164,6 +164,23 @@ Message write_events(const RunRecord& run, std::size_t first, std::size_t count)
   return message_of(out);
 }
 
+Message write_drawings(const RunRecord& run, std::size_t first, std::size_t count) {
+  OrderedJson out = piece("drawings", run, first);
+  for (std::size_t i = first; i < first + count; ++i) {
+    const RecordedDrawing& each = run.drawings.list()[i];
+    out["items"].push_back({{"t", each.t},
+                            {"name", each.info.name},
+                            {"kind", each.info.kind},
+                            {"text", each.info.text},
+                            {"color", each.info.color},
+                            {"robot", robot_number(each.info.robot)},
+                            {"link", each.info.link},
+                            {"object", each.info.object},
+                            {"span", json_of(each.span)}});
+  }
+  return message_of(out);
+}
+
 Message write_notes(const RunRecord& run, std::size_t first, std::size_t count) {
   OrderedJson out = piece("notes", run, first);
   for (std::size_t i = first; i < first + count; ++i) {

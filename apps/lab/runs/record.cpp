@@ -26,7 +26,7 @@ std::size_t RunRecord::bytes() const {
   for (const RecordedFigure& each : figures) sum += each.svg.size();
   for (const RecordedWay& each : ways)
     sum += sizeof(each) + each.path.size() * sizeof(Eigen::Vector3d) + each.arms.size() * 64;
-  return sum + file_bytes + stretches.size() * sizeof(RecordedStretch) +
+  return sum + drawings.bytes() + file_bytes + stretches.size() * sizeof(RecordedStretch) +
          moves.size() * sizeof(RecordedMove) + lines.size() * sizeof(RecordedLine) +
          events.size() * sizeof(RecordedChange);
 }

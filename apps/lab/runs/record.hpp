@@ -20,34 +20,11 @@
 #include "messages/request.hpp"
 #include "messages/text_message.hpp"
 #include "messages/text_places.hpp"
+#include "recorded_drawings.hpp"
+#include "rows.hpp"
 #include "shown_files.hpp"
 
 namespace armlet::lab {
-
-// Rows of numbers over time, `columns` each. Of long ones only some are kept: of every further
-// kMost rows half as many as of those before.
-class Rows {
- public:
-  static constexpr std::size_t kMost = 60'000;
-
-  explicit Rows(std::size_t columns) : columns_(columns) {}
-
-  // `is_kept`: whatever the number of rows is.
-  void add(std::span<const double> row, bool is_kept = false);
-
-  [[nodiscard]] std::size_t columns() const { return columns_; }
-  [[nodiscard]] std::size_t count() const { return values_.size() / columns_; }
-  [[nodiscard]] std::span<const double> rows(std::size_t first, std::size_t count) const {
-    return {values_.data() + first * columns_, count * columns_};
-  }
-  [[nodiscard]] std::size_t bytes() const { return values_.size() * sizeof(double); }
-
- private:
-  std::size_t columns_;
-  std::size_t stride_ = 1;
-  std::size_t skipped_ = 0;
-  std::vector<double> values_;
-};
 
 // Names of the files that pages draw (shown_files.hpp); empty: none.
 struct ObjectFiles {
@@ -166,8 +143,9 @@ struct RunHead {
   std::string hash;
   std::optional<TextMessage> error;
   std::vector<TextMessage> advice;  // that it gave, with times; only the first of very many
-  std::uint64_t changes = 1;    // counts what has happened to the fields above
-  std::uint64_t described = 0;  // to the robots and objects
+  RecordedDrawings drawings;        // shapes that are only shown
+  std::uint64_t changes = 1;        // counts what has happened to the fields above
+  std::uint64_t described = 0;      // to the robots and objects
   std::uint64_t figure_changes = 0;
 };
 
@@ -237,6 +215,7 @@ class Recording : public Backend {
   void take(const ObjectSample& sample);
   void take(const ObjectEvent& event);
   void take(const Note& note);
+  void take(const DrawingChanged& changed);
   void add_robot(const RobotInfo& robot);
   void add_object(const ObjectInfo& object, double t);
   void note_line(double t);

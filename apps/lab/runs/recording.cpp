@@ -67,6 +67,7 @@ void Recording::on_wait() {
 
 void Recording::on_end() {
   take_ways();
+  record_.drawings.flush();
   if (session_->host() == nullptr) return;
   const double t = to_seconds(session_->host()->now_ns());
   take_forces_at_rest(t);
@@ -243,6 +244,11 @@ void Recording::take(const ObjectEvent& event) {
   if (!object) return;
   record_.events.push_back(
       {to_seconds(event.t_ns), std::string(to_text(event.change)), *object, event.robot});
+}
+
+void Recording::take(const DrawingChanged& changed) {
+  const double t = to_seconds(changed.t_ns);
+  record_.drawings.take(changed, t, t > 0.0 ? here() : std::nullopt);
 }
 
 // ---- texts and figures ----------------------------------------------------------------------

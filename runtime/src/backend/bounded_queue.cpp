@@ -23,14 +23,14 @@ void BoundedQueue::on(const Event& event) {
     Entry entry{.event = std::make_unique<const OwnedEvent>(event)};
     const std::lock_guard lock(mutex_);
     entry.serial = pushed_++;
-    std::visit(
-        Overload{[&](const JointSample& each) { track(each, entry); },
-                 [&](const ObjectSample& each) { track(each, entry); },
-                 [&](const ObjectAdded& each) { forget_object(each.object.name); },
-                 [&](const ObjectEvent& each) { forget_object(each.name); },
-                 [&](const FigureChanged& each) { track(each, entry); },
-                 Ignore<BeginRun, RobotAdded, RobotChanged, Note, FinalFigure, Undone, EndRun>{}},
-        event);
+    std::visit(Overload{[&](const JointSample& each) { track(each, entry); },
+                        [&](const ObjectSample& each) { track(each, entry); },
+                        [&](const ObjectAdded& each) { forget_object(each.object.name); },
+                        [&](const ObjectEvent& each) { forget_object(each.name); },
+                        [&](const FigureChanged& each) { track(each, entry); },
+                        Ignore<BeginRun, RobotAdded, RobotChanged, Note, FinalFigure, Undone,
+                               EndRun, DrawingChanged>{}},
+               event);
     entries_.push_back(std::move(entry));
     make_room();
   }

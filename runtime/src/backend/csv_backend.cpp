@@ -35,7 +35,8 @@ class CsvBackend final : public Backend {
 
  private:
   // Rows have no place for a mark: what is undone shows where the time of a row goes back.
-  static constexpr Ignore<RobotChanged, FigureChanged, FinalFigure, Undone> kIgnored{};
+  static constexpr Ignore<RobotChanged, FigureChanged, FinalFigure, Undone, DrawingChanged>
+      kIgnored{};
   static constexpr std::size_t kPoseColumns = 7;
 
   void write(const BeginRun& begin) {

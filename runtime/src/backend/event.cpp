@@ -54,6 +54,8 @@ std::string_view to_text(EventKind kind) {
       return "Undone";
     case EventKind::kEndRun:
       return "EndRun";
+    case EventKind::kDrawingChanged:
+      return "DrawingChanged";
   }
   return "";
 }

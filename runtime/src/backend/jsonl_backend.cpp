@@ -132,6 +132,25 @@ class JsonlBackend final : public Backend {
     end_line();
   }
 
+  void write(const DrawingChanged& changed) {
+    const DrawingInfo& drawing = changed.drawing;
+    begin_line(changed.t_ns, changed.removed ? "undrawn" : "drawn");
+    field("name", drawing.name);
+    if (!changed.removed) {
+      field("kind", drawing.kind);
+      field("size", std::span<const double>(drawing.size));
+      if (!drawing.text.empty()) field("text", drawing.text);
+      field("color", drawing.color);
+      if (drawing.robot >= 0) {
+        field("robot", robots_[static_cast<std::size_t>(drawing.robot)]);
+        field("link", static_cast<double>(drawing.link));
+      }
+      if (!drawing.object.empty()) field("object", drawing.object);
+      pose(drawing.T_on_drawing);
+    }
+    end_line();
+  }
+
   void write(const EndRun& end) {
     begin_line(end.t_ns, "end");
     end_line();

@@ -11,7 +11,7 @@ OwnedEvent::OwnedEvent(const Event& event) : event_(event) {
                       [this](FinalFigure& each) { own(each.figure); },
                       // These hold what they say.
                       [](BeginRun&) {}, [](RobotAdded&) {}, [](RobotChanged&) {},
-                      [](ObjectAdded&) {}, [](Undone&) {}, [](EndRun&) {}},
+                      [](ObjectAdded&) {}, [](Undone&) {}, [](EndRun&) {}, [](DrawingChanged&) {}},
              event_);
 }
 

@@ -3,7 +3,7 @@
 namespace armlet {
 namespace {
 
-constexpr Ignore<FigureChanged, FinalFigure> kNotKept{};
+constexpr Ignore<FigureChanged, FinalFigure, DrawingChanged> kNotKept{};
 
 }  // namespace
 

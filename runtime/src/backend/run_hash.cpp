@@ -104,6 +104,15 @@ void add(Fnv1a& hash, const FinalFigure& final_figure) {
   if (final_figure.figure != nullptr) add(hash, *final_figure.figure);
 }
 void add(Fnv1a&, const EndRun&) {}
+void add(Fnv1a& hash, const DrawingChanged& changed) {
+  const DrawingInfo& drawing = changed.drawing;
+  for (const std::string* text :
+       {&drawing.name, &drawing.kind, &drawing.text, &drawing.color, &drawing.object})
+    hash.add(*text);
+  for (const double size : drawing.size) hash.add(size);
+  for (const int number : {drawing.robot, drawing.link, changed.removed ? 1 : 0}) hash.add(number);
+  add(hash, drawing.T_on_drawing);
+}
 
 }  // namespace
 

@@ -280,6 +280,7 @@ std::vector<Fall> Cell::remove(std::string_view name) {
   std::vector<Fall> falls = world_.remove(removed);
   std::erase(task_objects_, removed);
   weigh_loads();
+  for (const std::string& each : drawings_.on_object(removed)) undraw(each);
   publish_event(ObjectChange::kRemoved, removed, -1);
   publish_falls(falls);
   return falls;
@@ -376,6 +377,12 @@ void Cell::begin() {
   for (const Figure& each : pending_figures_) figure_changed(each);
   pending_figures_.clear();
   for (int i = 0; i < robot_count(); ++i) publish(i);
+  for (const std::string& name : drawings_.names()) publish_drawing(*drawings_.find(name), false);
+}
+
+void Cell::publish_drawing(const Drawing& drawing, bool removed) {
+  if (listening())
+    tell(DrawingChanged{.t_ns = now_ns(), .drawing = drawing_info(drawing), .removed = removed});
 }
 
 void Cell::figure_changed(const Figure& figure) {

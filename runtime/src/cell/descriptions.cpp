@@ -90,6 +90,21 @@ ObjectInfo object_info(const Object& object) {
   return info;
 }
 
+DrawingInfo drawing_info(const Drawing& drawing) {
+  DrawingInfo info{.name = drawing.name,
+                   .kind = std::string(to_text(drawing.kind)),
+                   .size = {drawing.size[0], drawing.size[1], drawing.size[2]},
+                   .text = drawing.text,
+                   .color = drawing.color,
+                   .T_on_drawing = drawing.T_on_drawing};
+  if (drawing.on.base == FrameBase::kObject) info.object = drawing.on.on;
+  if (drawing.on.base == FrameBase::kCarrier) {
+    info.robot = drawing.on.carrier;
+    info.link = drawing.on.frame == kTipFrame ? kDrawingTip : drawing.on.frame;
+  }
+  return info;
+}
+
 RobotInfo robot_info(const CellRobot& robot) {
   const Robot& model = *robot.model;
   const Tool& tool = model.tool();

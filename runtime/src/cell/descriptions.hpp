@@ -8,5 +8,6 @@ namespace armlet {
 
 RobotInfo robot_info(const CellRobot& robot);
 ObjectInfo object_info(const Object& object);
+DrawingInfo drawing_info(const Drawing& drawing);
 
 }  // namespace armlet

@@ -56,6 +56,7 @@ std::span<const NativeFunction> finger_functions();
 std::span<const NativeFunction> world_functions();
 std::span<const NativeFunction> object_functions();
 std::span<const NativeFunction> frame_functions();
+std::span<const NativeFunction> drawing_functions();
 std::span<const NativeFunction> classic_functions();
 std::span<const NativeFunction> time_functions();
 std::span<const NativeFunction> table_functions();

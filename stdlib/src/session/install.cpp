@@ -70,6 +70,7 @@ std::span<const Chapter> chapters() {
       {.title = "Objects", .functions = object_functions()},
       {.title = "World and signals", .functions = world_functions()},
       {.title = "Frames with names", .functions = frame_functions()},
+      {.title = "Shapes that are only shown", .functions = drawing_functions()},
       {.title = "The classic subset", .functions = classic_functions()},
       {.title = "Time", .functions = time_functions()},
       {.title = "Tables", .functions = table_functions()},
@@ -87,8 +88,8 @@ std::span<const Chapter> chapters() {
 void install(Engine& engine) {
   for (const HostType* type :
        {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject, &bind::kFrame, &bind::kShape,
-        &bind::kTool, &bind::kJointRow, &bind::kBodyRow, &bind::kLab, &bind::kLabRow, &bind::kCamera, &bind::kImage,
-        &bind::kTrajectory, &bind::kFinger}) {
+        &bind::kTool, &bind::kJointRow, &bind::kBodyRow, &bind::kLab, &bind::kLabRow,
+        &bind::kCamera, &bind::kImage, &bind::kTrajectory, &bind::kFinger}) {
     engine.add_type(*type);
   }
   engine.add_record("Lu", "L: matrix, U: matrix, P: matrix");

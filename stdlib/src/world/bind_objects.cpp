@@ -32,16 +32,6 @@ struct Fields {
   int first = 0;  // index of the parameter `mass`; the others follow in this order
 };
 
-// W0744: the colour is gray then.
-void report_color(Vm& vm, std::string_view color, int parameter) {
-  Failure advice;
-  advice.headline = {row("W0744"), {std::string(color)}};
-  advice.mark_parameter = parameter;
-  if (const auto meant = similar_color(color))
-    advice.fix = fmt::format("did you mean \"{}\"?", *meant);
-  vm.advise(advice);
-}
-
 // The mass, or that of the density.
 Answer<void> weigh(Vm& vm, const Fields& fields, Object& object) {
   const auto& [mass, density] = std::tie(fields.mass, fields.density);
@@ -289,6 +279,15 @@ Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int6
                .on = arm.name,
                .carrier = on.id,
                .frame = link ? static_cast<int>(*link) : kFlange};
+}
+
+void report_color(Vm& vm, std::string_view color, int parameter) {
+  Failure advice;
+  advice.headline = {row("W0744"), {std::string(color)}};
+  advice.mark_parameter = parameter;
+  if (const auto meant = similar_color(color))
+    advice.fix = fmt::format("did you mean \"{}\"?", *meant);
+  vm.advise(advice);
 }
 
 std::span<const NativeFunction> object_functions() { return kObjectFunctions; }

@@ -19,6 +19,9 @@ void report_overlap(Vm& vm, const std::string& name);
 // Whether the shape tells how a body is turned: a round one has an axis only (ruling 14).
 [[nodiscard]] bool has_orientation(const Object& object);
 
+// W0744: there is no colour of that name, so what has it is gray.
+void report_color(Vm& vm, std::string_view color, int parameter);
+
 // What is on a robot: a link of it, its flange if none is given. Marks argument `parameter` if
 // there is no such link.
 Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link,

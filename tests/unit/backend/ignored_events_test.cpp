@@ -34,6 +34,7 @@ void play_without(std::optional<EventKind> left_out, Backend& backend) {
       FinalFigure{.t_ns = 7, .figure = &figure},
       Undone{.t_ns = 7, .number = 10, .from = 3, .back_ns = 2},
       EndRun{.t_ns = 8},
+      DrawingChanged{.t_ns = 8, .drawing = {.name = "force", .kind = "arrow"}},
   };
   static_assert(std::size(events) == kEventKinds);
   for (const Event& each : events) {

@@ -56,6 +56,16 @@ TEST_CASE("every field that tells runs apart changes the hash") {
       FinalFigure{.index = 1, .figure = &none},
       EndRun{},
       EndRun{.t_ns = 1},
+      DrawingChanged{.drawing = {.name = "a"}},
+      DrawingChanged{.drawing = {.name = "a"}, .removed = true},
+      DrawingChanged{.drawing = {.name = "a", .kind = "line"}},
+      DrawingChanged{.drawing = {.name = "a", .size = {1.0, 0.0, 0.0}}},
+      DrawingChanged{.drawing = {.name = "a", .text = "b"}},
+      DrawingChanged{.drawing = {.name = "a", .color = "red"}},
+      DrawingChanged{.drawing = {.name = "a", .robot = 0}},
+      DrawingChanged{.drawing = {.name = "a", .link = 2}},
+      DrawingChanged{.drawing = {.name = "a", .object = "b"}},
+      DrawingChanged{.drawing = {.name = "a", .T_on_drawing = moved}},
   };
   std::set<std::uint64_t> hashes;
   for (const Event& event : events) hashes.insert(hash_of(event));

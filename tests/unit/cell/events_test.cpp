@@ -33,9 +33,9 @@ class Listener : public Backend {
 };
 
 // Keeps the last description of a robot, and of samples the motions and the frames of the links.
-class Drawing : public Backend {
+class Drawer : public Backend {
  public:
-  explicit Drawing(bool wants) : wants_(wants) {}
+  explicit Drawer(bool wants) : wants_(wants) {}
   void on(const Event& event) override {
     std::visit(Overload{[this](const BeginRun& each) { robots = each.run.robots; },
                         [this](const RobotAdded& each) { robots.push_back(each.robot); },
@@ -81,7 +81,7 @@ double difference(const Eigen::Isometry3d& one, const Eigen::Isometry3d& other) 
   return (one.matrix() - other.matrix()).cwiseAbs().maxCoeff();
 }
 
-void Drawing::draw(const JointSample& sample) {
+void Drawer::draw(const JointSample& sample) {
   motions.push_back(sample.motion);
   frames += sample.T_world_links.size();
   const auto expected = frames_of(robots.at(static_cast<std::size_t>(sample.robot)), sample.q);
@@ -141,7 +141,7 @@ TEST_CASE("the description of an arm gives the frames of its links") {
                                         Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()));
     const auto robot = std::make_shared<const Robot>(make_robot(name)->with_base(base));
     Cell cell;
-    Drawing drawing(false);
+    Drawer drawing(false);
     cell.set_backend(&drawing);
     cell.add_robot(robot);
     cell.begin();
@@ -168,7 +168,7 @@ TEST_CASE("the description of an arm gives the frames of its links") {
 
 TEST_CASE("another tool during the run is told, with the tool point") {
   Cell cell;
-  Drawing drawing(false);
+  Drawer drawing(false);
   cell.set_backend(&drawing);
   cell.add_robot(make_robot("puma560"));
   cell.set_model(
@@ -183,7 +183,7 @@ TEST_CASE("another tool during the run is told, with the tool point") {
 }
 
 TEST_CASE("samples carry the frames of the links for a backend that wants them, and only then") {
-  Drawing with(true), without(false);
+  Drawer with(true), without(false);
   run_two_moves(with);
   run_two_moves(without);
   CHECK(with.motions.size() > 200);
@@ -197,7 +197,7 @@ TEST_CASE("what one backend wants changes no trace of another") {
     std::ostringstream alone, beside;
     const auto one = format.make(alone), other = format.make(beside);
     run_two_moves(*one);
-    Drawing drawing(true);
+    Drawer drawing(true);
     FanOut both({&drawing, other.get()});
     run_two_moves(both);
     CHECK(alone.str() == beside.str());
@@ -237,7 +237,7 @@ TEST_CASE("figures that change before the run are told when it begins, the last 
 }
 
 TEST_CASE("samples say which motion they belong to") {
-  Drawing drawing(false);
+  Drawer drawing(false);
   run_two_moves(drawing);
   // Standing before the first; the second begins half a second after the end of the first.
   CHECK(drawing.motions.front() == -1);

@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "armlet/backend/drawing_info.hpp"
 #include "armlet/backend/robot_info.hpp"
 #include "armlet/plot/figure.hpp"
 
@@ -152,10 +153,19 @@ struct EndRun {
   std::uint64_t number = 0;
 };
 
+// A shape that is only shown has appeared, has changed, or is gone (`removed`): the whole of it as
+// it is now. Those that were there before the run began come behind its beginning.
+struct DrawingChanged {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  DrawingInfo drawing{};
+  bool removed = false;
+};
+
 // What a backend is told. BeginRun comes first, and again behind an Undone from 0; EndRun last.
 using Event =
     std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded, ObjectSample,
-                 ObjectEvent, Note, FigureChanged, FinalFigure, Undone, EndRun>;
+                 ObjectEvent, Note, FigureChanged, FinalFigure, Undone, EndRun, DrawingChanged>;
 
 // The alternatives of Event, in their order.
 enum class EventKind : std::size_t {
@@ -171,6 +181,7 @@ enum class EventKind : std::size_t {
   kFinalFigure,
   kUndone,
   kEndRun,
+  kDrawingChanged,
 };
 inline constexpr std::size_t kEventKinds = std::variant_size_v<Event>;
 

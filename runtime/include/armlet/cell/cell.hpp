@@ -17,6 +17,7 @@
 #include "armlet/math/twist.hpp"
 #include "armlet/model/hands.hpp"
 #include "armlet/model/robot.hpp"
+#include "armlet/world/drawings.hpp"
 #include "armlet/world/world.hpp"
 
 namespace armlet {
@@ -183,6 +184,16 @@ class Cell {
   // throws  ArgumentError if the hand is empty.
   Drop let_go(int robot);
 
+  // --- shapes that are only shown -------------------------------------------------------------
+  // Shows a shape from now on, or changes the one of that name. On a frame of the world it goes
+  // where that is now.
+  // throws  ArgumentError for what Drawings::put refuses, and what it would be on and is not there.
+  void draw(Drawing drawing);
+  bool undraw(std::string_view name);  // false: there is none
+  [[nodiscard]] const Drawings& drawings() const { return drawings_; }
+  // Where its frame is now.
+  [[nodiscard]] Eigen::Isometry3d T_world_drawing(std::string_view name) const;
+
   // --- signals and the outside ----------------------------------------------------------------
   [[nodiscard]] Signals& signals() { return signals_; }
   [[nodiscard]] const Signals& signals() const { return signals_; }
@@ -252,6 +263,7 @@ class Cell {
   void publish(int index, int motion = -1);
   void publish_object(std::string_view name);
   void publish_falls(const std::vector<Fall>& falls);
+  void publish_drawing(const Drawing& drawing, bool removed);
   void refuse_held(std::string_view name, std::string_view what) const;
   template <class Told>
   void tell(Told&& event);
@@ -262,6 +274,7 @@ class Cell {
   [[nodiscard]] std::int64_t next_multiple(std::int64_t period_ns) const;
 
   World world_;
+  Drawings drawings_;
   CellOptions options_;
   Clock clock_;
   Signals signals_;

@@ -95,6 +95,18 @@ export interface ObjectInfo {
   texture?: string;
   span?: Span | null;
 }
+// What a shape that is only shown is, while only its place and its sizes change.
+export interface DrawingInfo {
+  t: number;
+  name: string;
+  kind: string; // "arrow", "line", "text", "disk", "ellipsoid" or "capsule"
+  text: string;
+  color: string;
+  robot: number | null; // with which it moves: at its tool point where `link` is -1, or with a link
+  link: number;
+  object: string; // the name of the object with which it moves; empty: none
+  span?: Span | null;
+}
 export interface Coordinate {
   name: string;
   unit?: string | null;
@@ -334,6 +346,7 @@ export type Incoming = { to?: number | null } & (
   | ({ type: "stretches" } & Grown<Stretch>)
   | ({ type: "statements" } & Grown<[number, number]>)
   | ({ type: "objects" } & Grown<ObjectEvent>)
+  | ({ type: "drawings" } & Grown<DrawingInfo>)
   | ({ type: "notes" } & Grown<NoteItem>)
   | ({ type: "advice" } & Grown<RunAdvice>)
   | { type: "figures"; run: number; index: number; title?: string | null; svg: string }

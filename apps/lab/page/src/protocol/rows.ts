@@ -7,6 +7,7 @@ export const ELEMENT_ROWS = 3;
 export const FORCE_ROWS = 4;
 export const CONTACT_ROWS = 5;
 const FILE = 6;
+export const DRAWING_ROWS = 7;
 
 export interface RowBlock {
   kind: number;

@@ -23,7 +23,7 @@ function geometryOf(object: ObjectInfo): BufferGeometry {
 }
 
 // Colours have the names of CSS or are written as there; anything else is grey.
-function colorOf(name: string): Color {
+export function colorOf(name: string): Color {
   const grey = new Color("#8c939d");
   if (/^#[0-9a-f]{6}$/i.test(name)) return grey.set(name);
   return /^[a-z]+$/i.test(name) && CSS.supports("color", name) ? grey.setStyle(name) : grey;

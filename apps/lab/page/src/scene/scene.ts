@@ -9,6 +9,7 @@ import { isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { ArmView } from "./arm.ts";
 import { ContactShadows, footprintOf, type Footprint } from "./contact.ts";
+import { DrawingsView } from "./drawings.ts";
 import { extent, grasped } from "./fingers.ts";
 import { MeshLibrary } from "./meshes.ts";
 import { overlaps } from "./near.ts";
@@ -45,6 +46,7 @@ export class SceneView {
   private readonly named = new Triads();
   readonly library: MeshLibrary;
   private readonly objects: ObjectsView;
+  private readonly drawings: DrawingsView;
   private readonly clearances = new Clearances();
   private readonly forces = new Forces();
   private readonly ways: WaysView;
@@ -81,12 +83,13 @@ export class SceneView {
     this.library = new MeshLibrary((name) => host.file(name), this.stage.software);
     this.library.changed = () => this.redraw();
     this.objects = new ObjectsView(this.stage.software, this.library);
+    this.drawings = new DrawingsView(this.stage.software);
     this.ways = new WaysView(this.library);
     this.labels = new Labels(host.labels);
     this.handle = new Mesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ transparent: true, opacity: 0.35, depthTest: false, toneMapped: false }));
     this.handle.renderOrder = 5;
     this.stage.content.add(this.objects.group);
-    this.stage.scene.add(this.triads.group, this.named.group, this.ghostGroup, this.handle, this.torques.group, this.contact.mesh, this.clearances.group, this.forces.group, this.ways.group);
+    this.stage.scene.add(this.triads.group, this.named.group, this.ghostGroup, this.handle, this.torques.group, this.contact.mesh, this.clearances.group, this.forces.group, this.ways.group, this.drawings.group);
     this.stage.before = () => this.beforePicture();
     this.stage.controls.addEventListener("start", () => (this.follow = false));
     const scheme = matchMedia("(prefers-color-scheme: dark)");
@@ -152,7 +155,7 @@ export class SceneView {
       return arm;
     });
     const { center } = this.bounds();
-    const picture = vectorPicture([...arms.map((arm) => arm.group), this.objects.group], this.stage.camera, {
+    const picture = vectorPicture([...arms.map((arm) => arm.group), this.objects.group, this.drawings.meshes()], this.stage.camera, {
       width: this.host.stage.clientWidth,
       height: this.host.stage.clientHeight,
       ground: this.palette.ground,
@@ -243,6 +246,7 @@ export class SceneView {
     }
     this.standGhosts(run, hover ? ranges : [], state);
     const labels: Label[] = [];
+    this.drawings.place(run, t, labels);
     this.standFrames(run, t, labels);
     this.standTorques(run, t, labels);
     this.standThings(run, state, labels);

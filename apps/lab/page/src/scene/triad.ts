@@ -9,7 +9,13 @@ export interface Label {
   warning?: boolean;
   // Leaves room for a bar at that point.
   beside?: boolean;
+  // A text of the program: so high in the scene, m, in its colour, and exactly at its place.
+  height?: number;
+  color?: string;
 }
+
+const SMALLEST = 7; // px, of a text of the program
+const LARGEST = 160;
 
 export class Triads {
   readonly group = new Group();
@@ -47,7 +53,9 @@ export class Labels {
     while (this.host.children.length > labels.length) this.host.lastElementChild!.remove();
     labels.forEach((label, i) => {
       const element = (this.host.children[i] as HTMLElement | undefined) ?? this.host.appendChild(document.createElement("span"));
-      element.className = `label${label.warning ? " warning" : ""}${label.beside ? " beside" : ""}`;
+      element.className = `label${label.warning ? " warning" : ""}${label.beside ? " beside" : ""}${label.height ? " drawn" : ""}`;
+      element.style.color = label.color ?? "";
+      if (!label.height) element.style.fontSize = "";
       if (element.textContent !== label.text) element.textContent = label.text;
     });
   }
@@ -58,6 +66,15 @@ export class Labels {
     for (let i = this.labels.length - 1; i >= 0; i--) {
       const p = this.labels[i]!.at.clone().project(camera);
       const element = this.host.children[i] as HTMLElement;
+      const { height: high3d } = this.labels[i]!;
+      if (high3d) {
+        element.hidden = p.z > 1;
+        const depth = -this.labels[i]!.at.clone().applyMatrix4(camera.matrixWorldInverse).z;
+        const pixels = (high3d * camera.projectionMatrix.elements[5]! * height) / (2 * Math.max(1e-6, depth));
+        element.style.fontSize = `${Math.min(LARGEST, Math.max(SMALLEST, pixels)).toFixed(1)}px`;
+        element.style.transform = `translate(${(((p.x + 1) / 2) * width).toFixed(1)}px, ${(((1 - p.y) / 2) * height).toFixed(1)}px) translate(-50%, -50%)`;
+        continue;
+      }
       // What is wrong is told at the edge, too.
       element.hidden = p.z > 1 || (!this.labels[i]!.warning && Math.max(Math.abs(p.x), Math.abs(p.y)) > 1.1);
       if (element.hidden) continue;

@@ -1,7 +1,7 @@
 // Messages of the laboratory into the state.
 import type * as M from "../protocol/messages.ts";
 import type { Incoming, IncomingOf } from "../protocol/messages.ts";
-import { CONTACT_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
+import { CONTACT_ROWS, DRAWING_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
 import { Rows, Track } from "./rows.ts";
 import { grow, Run } from "./run.ts";
 import { shownRun, type State } from "./state.ts";
@@ -68,6 +68,7 @@ const handlers: Handlers = {
   stretches: (state, message) => growList(state, "stretches", message),
   statements: (state, message) => growList(state, "statements", message),
   objects: (state, message) => growList(state, "events", message),
+  drawings: (state, message) => growList(state, "drawings", message),
   notes: (state, message) => growList(state, "notes", message),
   advice: (state, message) => growList(state, "advice", message),
   figures(state, message) {
@@ -126,6 +127,8 @@ export function receiveRows(state: State, block: RowBlock): void {
     rowsIn(run.forceRows, block).add(block);
   } else if (block.kind === CONTACT_ROWS && block.columns === 7) {
     rowsIn(run.contactRows, block).add(block);
+  } else if (block.kind === DRAWING_ROWS) {
+    run.drawingRows.add(block);
   }
   run.version++;
   showAnnounced(state);
@@ -160,7 +163,7 @@ function forgetOld(state: State): void {
   }
 }
 
-function growList<T>(state: State, name: "moves" | "ways" | "stretches" | "statements" | "events" | "notes" | "advice", message: { run: number; first: number; items: T[] }): void {
+function growList<T>(state: State, name: "moves" | "ways" | "stretches" | "statements" | "events" | "drawings" | "notes" | "advice", message: { run: number; first: number; items: T[] }): void {
   const run = runOf(state, message.run);
   grow(run[name] as T[], message.first, message.items);
   run.version++;

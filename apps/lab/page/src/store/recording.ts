@@ -1,6 +1,6 @@
 // A run as the messages that tell it, so that a page can show it again without a laboratory.
 import type { Recording } from "../home/recording.ts";
-import { CONTACT_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, writeRows } from "../protocol/rows.ts";
+import { CONTACT_ROWS, DRAWING_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, writeRows } from "../protocol/rows.ts";
 import type { InstantMessage, Look } from "../protocol/messages.ts";
 import type { Rows } from "./rows.ts";
 import type { Run } from "./run.ts";
@@ -64,7 +64,7 @@ export function recordingOf(state: State, run: Run, files = new Map<string, stri
     { ...head, type: "run", text_version: run.textVersion, inputs: run.inputs, hash: run.hash, error: run.error },
     ...[...files].map(([file, binary]) => ({ file, binary })),
     { type: "description", run: id, world, title, layout, robots, objects, elements },
-    list("objects", run.events), list("moves", run.moves), list("ways", run.ways), list("stretches", run.stretches), list("statements", run.statements), list("notes", run.notes), list("advice", run.advice),
+    list("objects", run.events), list("drawings", run.drawings), list("moves", run.moves), list("ways", run.ways), list("stretches", run.stretches), list("statements", run.statements), list("notes", run.notes), list("advice", run.advice),
     ...[...run.figures].map(([index, figure]) => ({ type: "figures", run: id, index, ...figure })),
     { type: "elements", run: id, t: run.valuesAt, values: run.values },
     ...run.tracks.flatMap((rows, i) => (rows?.count ? [rowsMessage(id, ROBOT_ROWS, i, rows)] : [])),
@@ -72,6 +72,7 @@ export function recordingOf(state: State, run: Run, files = new Map<string, stri
     ...[...run.elementRows].map(([i, rows]) => rowsMessage(id, ELEMENT_ROWS, i, rows)),
     ...[...run.forceRows].map(([i, rows]) => rowsMessage(id, FORCE_ROWS, i, rows)),
     ...[...run.contactRows].map(([i, rows]) => rowsMessage(id, CONTACT_ROWS, i, rows)),
+    ...(run.drawingRows.count ? [rowsMessage(id, DRAWING_ROWS, 0, run.drawingRows)] : []),
     { type: "shown", run: id },
     ...(looks.length ? [{ type: "looks", run: id, items: looks }] : []),
     ...(state.instant?.run === id ? [{ ...state.instant, to: null, cursor: true }] : []),

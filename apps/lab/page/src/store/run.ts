@@ -1,5 +1,6 @@
 // Everything that is known of one run, and questions about it.
 import type * as M from "../protocol/messages.ts";
+import { DrawingRows } from "./drawings.ts";
 import { Rows, Track } from "./rows.ts";
 import { changeAt, matrixPose, multiply, shapeFrames, toolFrame } from "./kinematics.ts";
 
@@ -34,6 +35,8 @@ export class Run {
   stretches: M.Stretch[] = [];
   looks: M.Look[] = []; // of a recording, each whole, in the order of time
   events: M.ObjectEvent[] = [];
+  drawings: M.DrawingInfo[] = [];
+  drawingRows = new DrawingRows();
   notes: M.NoteItem[] = [];
   advice: M.RunAdvice[] = [];
   figures = new Map<number, Figure>();

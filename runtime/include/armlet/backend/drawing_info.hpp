@@ -1,0 +1,36 @@
+// Shapes that are only shown, as backends are told of them.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <string>
+
+namespace armlet {
+
+// The link of a DrawingInfo that is at the tool point.
+inline constexpr int kDrawingTip = -1;
+
+// What a shape is and with what it moves.
+//
+// kind     "arrow", "line", "text", "disk", "ellipsoid" or "capsule".
+// size     m: length along z and width of an arrow or a line; height of a text, which faces the
+//          viewer; radius of a disk, which faces along z; semi-axes of an ellipsoid; radius and
+//          length of a capsule, which is along z and round behind both ends. The frame of an arrow,
+//          a line and a capsule is at their beginning, that of the others in the middle.
+// robot    index of the robot with which it moves; -1: none. `link`: what joint `link` moves, 0:
+//          its base; or kDrawingTip.
+// object   name of the object with which it moves; empty: none.
+// T_on_drawing  where it is in that frame, or in the world.
+struct DrawingInfo {
+  std::string name;
+  std::string kind;
+  std::array<double, 3> size{};
+  std::string text;
+  std::string color = "gray";
+  int robot = -1;
+  int link = kDrawingTip;
+  std::string object;
+  Eigen::Isometry3d T_on_drawing = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace armlet

@@ -1,0 +1,188 @@
+// Shapes that are only shown (language reference, section 14).
+
+#include <fmt/format.h>
+
+#include "armlet/core/similar.hpp"
+#include "armlet/stdlib/host.hpp"
+#include "armlet/world/looks.hpp"
+#include "messages/library_messages.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+#include "world/objects.hpp"
+
+namespace armlet::bind {
+namespace {
+
+// What a shape is on; `parameter` is that of `on`.
+Answer<Mount> shown_on(Vm&, int) { return Mount{}; }
+Answer<Mount> shown_on(Vm& vm, int parameter, const ObjectRef& on) {
+  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, parameter);
+  return Mount{.base = FrameBase::kObject, .on = on.name};
+}
+Answer<Mount> shown_on(Vm& vm, int parameter, const FrameRef& on) {
+  if (!frame_now(vm, on, parameter)) return Failed{};
+  return Mount{.base = FrameBase::kFrame, .on = on.name};
+}
+// Without a link: the tool point.
+Answer<Mount> shown_on(Vm& vm, int parameter, const RobotRef& on,
+                       std::optional<std::int64_t> link) {
+  if (link) return mount_on_robot(vm, on, link, parameter + 1);
+  return Mount{.base = FrameBase::kCarrier,
+               .on = Host::of(vm).cell().robot(on.id).name,
+               .carrier = on.id,
+               .frame = kTipFrame};
+}
+
+// `color_at` is the parameter of the colour.
+Answer<void> show(Vm& vm, Drawing drawing, const Answer<Mount>& on, std::string_view color,
+                  int color_at) try {
+  if (!on) return Failed{};
+  drawing.on = *on;
+  drawing.color = color;
+  if (!is_color(color)) report_color(vm, color, color_at);
+  Host::of(vm).cell().draw(std::move(drawing));
+  return {};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, row("R0672"), error);
+}
+
+Drawing between(DrawingKind kind, std::string_view name, const PosC& from, const PosC& to,
+                double width) {
+  const Eigen::Vector3d begin = from.T.translation();
+  const Eigen::Vector3d end = to.T.translation();
+  return {.name = std::string(name),
+          .kind = kind,
+          .size = {(end - begin).norm(), width, 0.0},
+          .T_on_drawing = frame_between(begin, end)};
+}
+
+// The functions for what a shape is on, whose parameters stand in front of the colour.
+template <class... On>
+struct Shows {
+  static constexpr int kOn = sizeof...(On);
+
+  template <DrawingKind kKind>
+  static Answer<void> stroke(Vm& vm, std::string_view name, const PosC& from, const PosC& to,
+                             On... on, std::string_view color, double width) {
+    return show(vm, between(kKind, name, from, to, width), shown_on(vm, 3, on...), color, 3 + kOn);
+  }
+  static Answer<void> capsule(Vm& vm, std::string_view name, const PosC& from, const PosC& to,
+                              double radius, On... on, std::string_view color) {
+    Drawing drawing = between(DrawingKind::kCapsule, name, from, to, 0.0);
+    // A capsule without a length is a ball.
+    drawing.size = {radius, std::max(drawing.size[0], kSmallest), 0.0};
+    return show(vm, std::move(drawing), shown_on(vm, 4, on...), color, 4 + kOn);
+  }
+  static Answer<void> text(Vm& vm, std::string_view name, std::string_view said, const PosC& at,
+                           On... on, std::string_view color, double height) {
+    return show(vm,
+                {.name = std::string(name),
+                 .kind = DrawingKind::kText,
+                 .size = {height, 0.0, 0.0},
+                 .text = std::string(said),
+                 .T_on_drawing = at.T},
+                shown_on(vm, 3, on...), color, 3 + kOn);
+  }
+  static Answer<void> disk(Vm& vm, std::string_view name, const PosC& at, double radius, On... on,
+                           std::string_view color) {
+    return show(vm,
+                {.name = std::string(name),
+                 .kind = DrawingKind::kDisk,
+                 .size = {radius, 0.0, 0.0},
+                 .T_on_drawing = at.T},
+                shown_on(vm, 3, on...), color, 3 + kOn);
+  }
+  static Answer<void> ellipsoid(Vm& vm, std::string_view name, const PosC& at,
+                                std::span<const double> radii, On... on, std::string_view color) {
+    if (radii.size() != 3) {
+      return failure(vm, "R0613", fmt::format("an ellipsoid has 3 radii, not {}", radii.size()), 2);
+    }
+    return show(vm,
+                {.name = std::string(name),
+                 .kind = DrawingKind::kEllipsoid,
+                 .size = {radii[0], radii[1], radii[2]},
+                 .T_on_drawing = at.T},
+                shown_on(vm, 3, on...), color, 3 + kOn);
+  }
+};
+
+using InWorld = Shows<>;
+using OnObject = Shows<const ObjectRef&>;
+using OnFrame = Shows<const FrameRef&>;
+using OnRobot = Shows<const RobotRef&, std::optional<std::int64_t>>;
+
+Answer<void> remove_drawing(Vm& vm, std::string_view name) {
+  Cell& cell = Host::of(vm).cell();
+  if (cell.undraw(name)) return {};
+  const std::vector<std::string> names = cell.drawings().names();
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const auto meant = most_similar(name, known);
+  return failure(vm, row("R0672"), fmt::format("there is no shape \"{}\"", name), 0,
+                 known.empty() ? "no shapes are drawn" : std::string(),
+                 meant ? fmt::format("did you mean \"{}\"?", *meant) : std::string());
+}
+
+Answer<void> clear_drawings(Vm& vm) {
+  Cell& cell = Host::of(vm).cell();
+  for (const std::string& name : cell.drawings().names()) cell.undraw(name);
+  return {};
+}
+
+constexpr std::string_view kArrowHelp =
+    "Shows an arrow from one place to another, or changes the shape of that name. Shapes are only "
+    "shown: nothing collides with them. On a robot it goes with its tool point, or with a link; on "
+    "an object or a frame with that, and the places are seen from there.";
+constexpr std::string_view kLineHelp =
+    "Shows a straight line, or changes the shape of that name; otherwise as draw.arrow.";
+constexpr std::string_view kCapsuleHelp =
+    "Shows a cylinder that is round behind both ends, or changes the shape of that name; otherwise "
+    "as draw.arrow.";
+constexpr std::string_view kTextHelp =
+    "Shows a text that faces the viewer, or changes the shape of that name; otherwise as "
+    "draw.arrow.";
+constexpr std::string_view kDiskHelp =
+    "Shows a flat disk that faces along z of its pose, or changes the shape of that name; "
+    "otherwise "
+    "as draw.arrow.";
+constexpr std::string_view kEllipsoidHelp =
+    "Shows an ellipsoid with half its widths along x, y and z of its pose, or changes the shape of "
+    "that name; otherwise as draw.arrow.";
+
+#define ARMLET_STYLE(more) "color: string = \"orange\"" more ")"
+#define ARMLET_SHOWN(function, parameters, style, help, example)                                \
+  def<&InWorld::function>(parameters style, help, example, {.acts = true}),                     \
+      def<&OnRobot::function>(parameters "on: robot, link: int?, " style, help, example,        \
+                              {.acts = true}),                                                  \
+      def<&OnObject::function>(parameters "on: object, " style, help, example, {.acts = true}), \
+      def<&OnFrame::function>(parameters "on: frame, " style, help, example, {.acts = true})
+
+constexpr NativeFunction kDrawingFunctions[] = {
+    ARMLET_SHOWN(stroke<DrawingKind::kArrow>, "draw.arrow(name: string, from: posC, to: posC, ",
+                 ARMLET_STYLE(", width: length = 6mm"), kArrowHelp,
+                 "draw.arrow(\"up\", xyz(), xyz(z: 300mm), color: \"red\")"),
+    ARMLET_SHOWN(stroke<DrawingKind::kLine>, "draw.line(name: string, from: posC, to: posC, ",
+                 ARMLET_STYLE(", width: length = 3mm"), kLineHelp,
+                 "draw.line(\"edge\", xyz(), xyz(x: 300mm))"),
+    ARMLET_SHOWN(text, "draw.text(name: string, text: string, at: posC, ",
+                 ARMLET_STYLE(", height: length = 25mm"), kTextHelp,
+                 "draw.text(\"note\", f\"t = {now():.1f s}\", xyz(z: 500mm))"),
+    ARMLET_SHOWN(disk, "draw.disk(name: string, at: posC, radius: length, ", ARMLET_STYLE(""),
+                 kDiskHelp, "draw.disk(\"goal\", xyz(x: 300mm, z: 1mm), 40mm)"),
+    ARMLET_SHOWN(ellipsoid, "draw.ellipsoid(name: string, at: posC, radii: length[], ",
+                 ARMLET_STYLE(""), kEllipsoidHelp,
+                 "draw.ellipsoid(\"reach\", xyz(z: 300mm), [100mm, 60mm, 30mm])"),
+    ARMLET_SHOWN(capsule, "draw.capsule(name: string, from: posC, to: posC, radius: length, ",
+                 ARMLET_STYLE(""), kCapsuleHelp,
+                 "draw.capsule(\"zone\", xyz(), xyz(z: 400mm), 50mm)"),
+    def<remove_drawing>("draw.remove(name: string)", "Takes a shape away that was drawn.",
+                        "draw.line(\"edge\", xyz(), xyz(x: 300mm)); draw.remove(\"edge\")",
+                        {.acts = true}),
+    def<clear_drawings>("draw.clear()", "Takes all shapes away that were drawn.", "draw.clear()",
+                        {.acts = true}),
+};
+
+}  // namespace
+
+std::span<const NativeFunction> drawing_functions() { return kDrawingFunctions; }
+
+}  // namespace armlet::bind
