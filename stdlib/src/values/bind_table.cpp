@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -216,6 +217,13 @@ Failed cannot_load(Vm& vm, std::string_view file, std::string why, std::string f
   return fail(vm, std::move(f));
 }
 
+// As the literal of the same number and unit, to the last bit.
+double in_unit(double number, const std::string& unit) {
+  const auto quantity = parse_quantity(fmt::format("{}{}", std::abs(number), unit));
+  const double si = quantity ? quantity->si : std::abs(number) * parse_unit(unit)->factor;
+  return std::signbit(number) ? -si : si;
+}
+
 // The columns of the file are those that the program was checked with. One without a unit in the
 // file may have got it in the program.
 bool take_columns(std::span<const TableColumn> known, TableText& table) {
@@ -229,8 +237,7 @@ bool take_columns(std::span<const TableColumn> known, TableText& table) {
       return false;
     }
     if (!gets_unit || known[i].unit.empty()) continue;
-    const double factor = parse_unit(known[i].unit)->factor;
-    for (double& number : column.numbers) number *= factor;
+    for (double& number : column.numbers) number = in_unit(number, known[i].unit);
     column.unit = known[i].unit;
     column.dim = known[i].dim;
   }

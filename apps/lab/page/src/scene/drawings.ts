@@ -14,8 +14,8 @@ import type { Label } from "./triad.ts";
 const HALF = Math.PI / 2;
 // Of unit size, along z: from 0 to 1, or about the origin.
 const FORMS = {
-  rod: () => new CylinderGeometry(1, 1, 1, 16).rotateX(HALF).translate(0, 0, 0.5),
-  head: () => new ConeGeometry(1, 1, 24).rotateX(HALF).translate(0, 0, 0.5),
+  rod: () => new CylinderGeometry(1, 1, 1, 10).rotateX(HALF).translate(0, 0, 0.5),
+  head: () => new ConeGeometry(1, 1, 16).rotateX(HALF).translate(0, 0, 0.5),
   disk: () => new CircleGeometry(1, 48),
   ball: () => new SphereGeometry(1, 32, 20).rotateX(HALF),
   wall: () => new CylinderGeometry(1, 1, 1, 32, 1, true).rotateX(HALF).translate(0, 0, 0.5),
