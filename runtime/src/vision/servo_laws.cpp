@@ -1,0 +1,162 @@
+#include "armlet/vision/servo_laws.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "armlet/core/error.hpp"
+#include "armlet/math/decompose.hpp"
+#include "armlet/math/det_math.hpp"
+#include "armlet/math/rotation.hpp"
+
+namespace armlet {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+void check_gain(double gain) {
+  if (!(gain > 0.0) || !std::isfinite(gain))
+    throw ArgumentError(fmt::format("A gain is above 0 and finite, not {} 1/s.", gain));
+}
+
+void check_depth(double depth) {
+  if (!(depth > 0.0) || !std::isfinite(depth)) {
+    throw ArgumentError(
+        fmt::format("The depth of a point in front of the camera is above 0, not {} m.", depth));
+  }
+}
+
+// Singular values that count.
+Index rank_of(const VectorXd& s) {
+  Index rank = 0;
+  while (rank < s.size() && s[rank] > kSmallSingularValue * s[0]) ++rank;
+  return s.size() > 0 && s[0] > 0.0 ? rank : 0;
+}
+
+}  // namespace
+
+MatrixXd point_interaction(const ImagePoints& points, const VectorXd& depths) {
+  if (depths.size() != 1 && depths.size() != points.rows()) {
+    throw ArgumentError(fmt::format("{} points have {} depths; give one for each, or one for all.",
+                                    points.rows(), depths.size()));
+  }
+  if (!points.allFinite()) throw ArgumentError("A point of the image is not finite.");
+  MatrixXd L(2 * points.rows(), 6);
+  for (Index i = 0; i < points.rows(); ++i) {
+    const double x = points(i, 0), y = points(i, 1), Z = depths[depths.size() == 1 ? 0 : i];
+    check_depth(Z);
+    L.row(2 * i) << -1.0 / Z, 0.0, x / Z, x * y, -(1.0 + x * x), y;
+    L.row(2 * i + 1) << 0.0, -1.0 / Z, y / Z, 1.0 + y * y, -x * y, -x;
+  }
+  return L;
+}
+
+MatrixXd law_interaction(ImageLaw law, const ImageGoal& goal) {
+  if (goal.points.rows() != goal.wanted.rows()) {
+    throw ArgumentError(fmt::format("{} points are seen and {} are wanted.", goal.points.rows(),
+                                    goal.wanted.rows()));
+  }
+  switch (law) {
+    case ImageLaw::kCurrent:
+      return point_interaction(goal.points, goal.depths);
+    case ImageLaw::kDesired:
+      return point_interaction(goal.wanted, goal.depths_wanted);
+    case ImageLaw::kMean:
+      break;
+  }
+  return 0.5 * (point_interaction(goal.points, goal.depths) +
+                point_interaction(goal.wanted, goal.depths_wanted));
+}
+
+VectorXd image_error(const ImageGoal& goal) {
+  const ImagePoints difference = goal.points - goal.wanted;
+  return Eigen::Map<const VectorXd>(difference.data(), difference.size());
+}
+
+ServoStep servo_step(const MatrixXd& A, const VectorXd& error, double gain) {
+  check_gain(gain);
+  if (A.rows() != error.size()) {
+    throw ArgumentError(
+        fmt::format("A matrix of {} rows has no error of {} values.", A.rows(), error.size()));
+  }
+  if (!error.allFinite()) throw ArgumentError("The error of the image is not finite.");
+  const SvdParts parts = singular_values(A);
+  ServoStep out;
+  out.rank = rank_of(parts.s);
+  const VectorXd seen = parts.U.leftCols(out.rank).transpose() * error;
+  out.motion = -gain * (parts.V.leftCols(out.rank) * seen.cwiseQuotient(parts.s.head(out.rank)));
+  out.smallest = parts.s.size() > 0 ? parts.s[parts.s.size() - 1] : 0.0;
+  out.condition =
+      out.smallest > 0.0 ? parts.s[0] / out.smallest : std::numeric_limits<double>::infinity();
+  const double whole = error.norm();
+  if (whole > 0.0) out.unreachable = (error - parts.U.leftCols(out.rank) * seen).norm() / whole;
+  return out;
+}
+
+MatrixXd uncontrollable_directions(const MatrixXd& A) {
+  const SvdParts parts = full_singular_values(A);
+  return parts.U.rightCols(A.rows() - rank_of(parts.s));
+}
+
+MatrixXd camera_jacobian(const Eigen::Ref<const MatrixXd>& J_world,
+                         const Eigen::Matrix3d& R_world_tool,
+                         const Eigen::Isometry3d& T_tool_camera) {
+  if (J_world.rows() != 6 || !J_world.allFinite()) {
+    throw ArgumentError(
+        fmt::format("A Jacobian has 6 rows of finite numbers, not {}.", J_world.rows()));
+  }
+  // Of the camera's origin in the axes of the world, then in those of the camera.
+  const Vector3d p = R_world_tool * T_tool_camera.translation();
+  const Eigen::Matrix3d R_camera_world = (R_world_tool * T_tool_camera.linear()).transpose();
+  MatrixXd out(6, J_world.cols());
+  out.topRows(3) = R_camera_world * (J_world.topRows(3) - hat(p) * J_world.bottomRows(3));
+  out.bottomRows(3) = R_camera_world * J_world.bottomRows(3);
+  return out;
+}
+
+Vector6d position_twist(const Eigen::Isometry3d& T_wanted_camera, double gain) {
+  check_gain(gain);
+  const Eigen::Matrix3d R = T_wanted_camera.linear();
+  Vector6d out;
+  out << -gain * (R.transpose() * T_wanted_camera.translation()), -gain * rotation_log(R);
+  return out;
+}
+
+Vector6d hybrid_twist(const Eigen::Vector2d& point, const Eigen::Vector2d& wanted, double depth,
+                      double depth_wanted, const Eigen::Matrix3d& R_wanted_camera, double gain) {
+  check_gain(gain);
+  check_depth(depth);
+  check_depth(depth_wanted);
+  const double x = point.x(), y = point.y();
+  const Vector3d error(x - wanted.x(), y - wanted.y(), det::log(depth / depth_wanted));
+  const Vector3d w = -gain * rotation_log(R_wanted_camera);
+  Eigen::Matrix3d L_v, L_w;
+  L_v << -1.0, 0.0, x, 0.0, -1.0, y, 0.0, 0.0, -1.0;
+  L_w << x * y, -(1.0 + x * x), y, 1.0 + y * y, -x * y, -x, -y, x, 0.0;
+  // L_v is triangular: error' = L_v v / Z + L_w w.
+  const Vector3d rest = depth * (-gain * error - L_w * w);
+  Vector6d out;
+  const double v_z = -rest.z();
+  out << x * v_z - rest.x(), y * v_z - rest.y(), v_z, w;
+  return out;
+}
+
+double AdaptiveGain::at(double largest_error) const {
+  for (const double each : {at_zero, at_infinity, slope}) check_gain(each);
+  if (at_zero < at_infinity) {
+    throw ArgumentError(
+        fmt::format("The gain at the goal is at least that for large errors, not {} and {} 1/s.",
+                    at_zero, at_infinity));
+  }
+  if (!(largest_error >= 0.0) || !std::isfinite(largest_error))
+    throw ArgumentError(fmt::format("An error is 0 or more and finite, not {}.", largest_error));
+  const double range = at_zero - at_infinity;
+  if (range == 0.0) return at_zero;
+  return range * det::exp(-slope * largest_error / range) + at_infinity;
+}
+
+}  // namespace armlet
