@@ -215,17 +215,16 @@ TEST_CASE("the hybrid law takes its point straight through the image and the cam
                       random.uniform(-most, most));
     };
     Isometry3d T = wanted * pose(part(0.8), part(0.15));
-    const Vector3d first = seen(T);
-    const Eigen::Vector2d start(first.x() / first.z(), first.y() / first.z());
     const Eigen::Vector2d end(there.x() / there.z(), there.y() / there.z());
     for (int step = 0; step < 2000; ++step) {
       const Vector3d p = seen(T);
       const Eigen::Vector2d point(p.x() / p.z(), p.y() / p.z());
-      const Eigen::Vector2d way = end - start;
-      CHECK(std::abs(way.x() * (point.y() - start.y()) - way.y() * (point.x() - start.x())) <
-            2e-4 * (1.0 + way.norm()));
       const Vector6d twist =
           hybrid_twist(point, end, p.z(), there.z(), wanted.linear().transpose() * T.linear(), 1.0);
+      const ImagePoints one = point.transpose();
+      const Eigen::Vector2d speed =
+          point_interaction(one, Eigen::VectorXd::Constant(1, p.z())) * twist;
+      CHECK((speed + (point - end)).norm() < 1e-9);  // straight to its place
       T = moved(T, twist, 0.01);
     }
     CHECK((wanted.inverse() * T).translation().norm() < 1e-6);
