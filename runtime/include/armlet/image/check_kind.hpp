@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include "armlet/image/image.hpp"
+
+namespace armlet {
+
+// Throws ArgumentError "`susan_corners` takes a grey picture, not one of red, green and blue." or
+// one that says that the picture has no pixels.
+void check_grey(std::string_view function, const Image& image);
+
+// The same unless the picture is grey or coloured.
+void check_8_bit(std::string_view function, const Image& image);
+
+}  // namespace armlet

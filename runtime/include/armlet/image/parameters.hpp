@@ -1,0 +1,55 @@
+#pragma once
+// The functions of pictures with their parameters as data. Help, completion, messages and sliders
+// are made from this table, and the functions check their arguments against it.
+
+#include <span>
+#include <string_view>
+
+namespace armlet {
+
+// What a value of a parameter may be: any number of the range, a whole number of it, or one of the
+// names in `choices`.
+enum class ParameterKind { kNumber, kWhole, kChoice };
+
+// A parameter of a function of pictures.
+//
+// name           as it is written in a program.
+// least, most    the range, both included; for a choice the first and the last index.
+// default_value  for a choice an index.
+// unit           "px", "grey levels", "rad"; empty for a plain number.
+// sentence       what it does.
+// choices        the names that a choice has; empty for numbers.
+struct PictureParameter {
+  std::string_view name;
+  ParameterKind kind;
+  double least;
+  double most;
+  double default_value;
+  std::string_view unit;
+  std::string_view sentence;
+  std::span<const std::string_view> choices{};
+};
+
+// A function of pictures: what it returns, in one sentence, and its parameters in order.
+struct PictureFunction {
+  std::string_view name;
+  std::string_view sentence;
+  std::span<const PictureParameter> parameters;
+};
+
+// All functions, in the order of the alphabet.
+std::span<const PictureFunction> picture_functions();
+
+// The function of that name, or null.
+const PictureFunction* find_picture_function(std::string_view name);
+
+// The parameter of that name.
+//
+// throws  ArgumentError with the nearest name if there is no such function or parameter.
+const PictureParameter& picture_parameter(std::string_view function, std::string_view parameter);
+
+// throws  ArgumentError with the value, the range and the unit unless the range of the table holds
+//         the value (and the value is whole where whole numbers are expected).
+void check_picture_parameter(std::string_view function, std::string_view parameter, double value);
+
+}  // namespace armlet

@@ -1,0 +1,139 @@
+#include "armlet/image/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "armlet/core/error.hpp"
+#include "armlet/core/similar.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr ParameterKind kNumber = ParameterKind::kNumber;
+constexpr ParameterKind kWhole = ParameterKind::kWhole;
+
+constexpr std::string_view kGrey = "grey levels";
+constexpr std::string_view kPixels = "px";
+
+constexpr std::array<std::string_view, 3> kCornerMethods{"susan", "harris", "fast"};
+constexpr std::array<std::string_view, 2> kTouching{"sides", "corners"};
+constexpr std::array<std::string_view, 2> kSwitch{"false", "true"};
+
+constexpr std::array<PictureParameter, 3> kBlobs{{
+    {"minArea", kWhole, 1, 67'108'864, 20, kPixels, "Smaller regions are left out."},
+    {"tolerance", kWhole, 0, 255, 40, kGrey,
+     "A pixel has the colour if none of red, green and blue differs by more."},
+    {"touching", ParameterKind::kChoice, 0, 1, 1, "",
+     "Whether pixels of one region touch along sides only, or also at corners.", kTouching},
+}};
+
+constexpr std::array<PictureParameter, 1> kBlur{{
+    {"sigma", kNumber, 0, 100, 1, kPixels, "Standard deviation of the Gaussian bell."},
+}};
+
+constexpr std::array<PictureParameter, 1> kBoxBlur{{
+    {"radius", kWhole, 0, 100, 1, kPixels,
+     "Each pixel becomes the mean of a square with 2 radius + 1 pixels on each side."},
+}};
+
+constexpr std::array<PictureParameter, 8> kCorners{{
+    {"method", ParameterKind::kChoice, 0, 2, 0, "", "The detector.", kCornerMethods},
+    {"threshold", kWhole, 1, 255, 20, kGrey,
+     "susan and fast: pixels whose brightness differs by less count as alike."},
+    {"quality", kNumber, 0, 1, 0.01, "",
+     "harris: responses below this share of the strongest one are left out."},
+    {"distance", kNumber, 0, 8192, 10, kPixels, "harris: corners are at least so far apart."},
+    {"sensitivity", kNumber, 0, 0.25, 0.04, "", "harris: k in det(M) - k trace(M)^2."},
+    {"max", kWhole, 0, 1'000'000, 0, "", "At most so many corners, the strongest ones; 0: all."},
+    {"within", kNumber, 0, 8192, 20, kPixels,
+     "How far a corner may be from the one that is looked for."},
+    {"refine", ParameterKind::kChoice, 0, 1, 1, "",
+     "Whether corners are refined to fractions of a pixel.", kSwitch},
+}};
+
+constexpr std::array<PictureParameter, 2> kNoise{{
+    {"sigma", kNumber, 0, 255, 5, kGrey, "Standard deviation of the Gaussian noise."},
+    {"seed", kWhole, 0, 9'007'199'254'740'991, 1, "", "The same seed gives the same noise."},
+}};
+
+constexpr std::array<PictureParameter, 3> kRefineCorners{{
+    {"window", kWhole, 1, 50, 5, kPixels,
+     "Gradients are looked at in a square with 2 window + 1 pixels on each side."},
+    {"iterations", kWhole, 1, 1000, 40, "", "At most so many steps for each corner."},
+    {"precision", kNumber, 0, 1, 0.001, kPixels, "A shorter step is the last one."},
+}};
+
+constexpr std::array<PictureParameter, 1> kScale{{
+    {"factor", kNumber, 0, 1'000'000, 1, "", "Brightness is multiplied by it and ends at 255."},
+}};
+
+constexpr std::array<PictureParameter, 1> kThreshold{{
+    {"level", kWhole, 0, 255, 128, kGrey, "Brighter pixels become 255, all others 0."},
+}};
+
+constexpr std::array<PictureFunction, 9> kFunctions{{
+    {"blobs", "Connected regions of a picture with their centres, areas and angles.", kBlobs},
+    {"blur", "The picture smoothed by a Gaussian bell.", kBlur},
+    {"boxBlur", "The picture smoothed by the mean of a square.", kBoxBlur},
+    {"corners", "Corners of a picture.", kCorners},
+    {"grey", "The picture in shades of grey.", {}},
+    {"noise", "The picture with Gaussian noise.", kNoise},
+    {"refineCorners", "Corners at fractions of a pixel.", kRefineCorners},
+    {"scale", "The picture darker or brighter.", kScale},
+    {"threshold", "A picture of black and white.", kThreshold},
+}};
+
+template <class Row>
+[[noreturn]] void refuse_name(std::string_view what, std::string_view name,
+                              std::span<const Row> rows) {
+  std::vector<std::string_view> names;
+  for (const Row& row : rows) names.push_back(row.name);
+  const auto near = most_similar(name, names);
+  throw ArgumentError(fmt::format("{} `{}` does not exist; {}.", what, name,
+                                  near ? fmt::format("the nearest name is `{}`", *near)
+                                       : fmt::format("the names are {}", fmt::join(names, ", "))));
+}
+
+std::string range_of(const PictureParameter& parameter) {
+  if (parameter.kind == ParameterKind::kChoice)
+    return fmt::format("one of {}", fmt::join(parameter.choices, ", "));
+  return fmt::format("a {} from {} to {}", parameter.kind == kWhole ? "whole number" : "number",
+                     parameter.least, parameter.most);
+}
+
+}  // namespace
+
+std::span<const PictureFunction> picture_functions() { return kFunctions; }
+
+const PictureFunction* find_picture_function(std::string_view name) {
+  const auto found = std::find_if(kFunctions.begin(), kFunctions.end(),
+                                  [&](const PictureFunction& f) { return f.name == name; });
+  return found == kFunctions.end() ? nullptr : &*found;
+}
+
+const PictureParameter& picture_parameter(std::string_view function, std::string_view parameter) {
+  const PictureFunction* row = find_picture_function(function);
+  if (row == nullptr) refuse_name("The function of pictures", function, picture_functions());
+  const auto found = std::find_if(row->parameters.begin(), row->parameters.end(),
+                                  [&](const PictureParameter& p) { return p.name == parameter; });
+  if (found == row->parameters.end())
+    refuse_name(fmt::format("The parameter of `{}`", function), parameter, row->parameters);
+  return *found;
+}
+
+void check_picture_parameter(std::string_view function, std::string_view parameter, double value) {
+  const PictureParameter& row = picture_parameter(function, parameter);
+  const bool must_be_whole = row.kind != kNumber;
+  // A comparison with NaN is false, so that it is refused too.
+  if (value >= row.least && value <= row.most && (!must_be_whole || value == std::floor(value)))
+    return;
+  throw ArgumentError(fmt::format("`{}` of `{}` is {}; expected {}{}{}.", parameter, function,
+                                  value, range_of(row), row.unit.empty() ? "" : " ", row.unit));
+}
+
+}  // namespace armlet
