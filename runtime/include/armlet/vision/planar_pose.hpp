@@ -1,0 +1,43 @@
+#pragma once
+// Where a flat thing is that a camera sees.
+
+#include <Eigen/Geometry>
+
+#include "armlet/core/error.hpp"
+
+namespace armlet {
+
+// A pose and how well it explains what is seen.
+//
+// error  root of the mean square distance between the points seen and those of the pose, in the
+//        unit of normalised coordinates (times the focal length: pixels).
+struct FoundPose {
+  Eigen::Isometry3d T_camera_thing = Eigen::Isometry3d::Identity();
+  double error = 0.0;
+};
+
+// A plane that is small or far away looks nearly the same in two orientations: both are given, the
+// better one first.
+struct PlanarPose {
+  FoundPose best, other;
+
+  // Whether the two explain the picture almost equally well: the error of the other is less than
+  // 20 % larger.
+  [[nodiscard]] bool is_ambiguous() const { return other.error < 1.2 * best.error; }
+};
+
+// The pose of points of a plane from one picture of them, refined by least squares.
+//
+// points  n x 3, n >= 4, of the thing in its own frame, m, all in one plane.
+// seen    n x 2, x = X/Z and y = Y/Z, without distortion.
+// returns the two poses with all points in front of the camera, or an error: "degenerate" if the
+//         points are on a line or their picture is, "not_planar" with the distance of the farthest
+//         point from the plane, "behind" if no pose has all points in front of the camera.
+// throws  ArgumentError for lists of different length, fewer than four points, and numbers that
+//         are not finite.
+// source  T. Collins, A. Bartoli, Infinitesimal plane-based pose estimation, Int. J. Computer
+//         Vision 109, 2014 (IPPE); refined by Gauss-Newton.
+Result<PlanarPose> planar_pose(const Eigen::Matrix<double, Eigen::Dynamic, 3>& points,
+                               const Eigen::Matrix<double, Eigen::Dynamic, 2>& seen);
+
+}  // namespace armlet
