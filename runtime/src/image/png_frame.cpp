@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "image/read_formats.hpp"
+
+namespace armlet {
+namespace {
+
+constexpr std::size_t kSignature = 8;  // bytes
+
+// The checksum of chunks: CRC-32 of ISO 3309, as annex D of the PNG specification has it.
+std::uint32_t checksum(std::string_view bytes) {
+  static constexpr std::array<std::uint32_t, 256> kTable = [] {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t n = 0; n < 256; ++n) {
+      std::uint32_t c = n;
+      for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xedb88320U ^ (c >> 1) : c >> 1;
+      table[n] = c;
+    }
+    return table;
+  }();
+  std::uint32_t c = 0xffffffffU;
+  for (const char byte : bytes) c = kTable[(c ^ static_cast<std::uint8_t>(byte)) & 0xff] ^ (c >> 8);
+  return ~c;
+}
+
+struct Header {
+  std::uint64_t width;
+  std::uint64_t height;
+  std::uint32_t depth;   // bits of a channel
+  std::uint32_t colour;  // 0 grey, 2 RGB, 3 palette, 4 and 6 with opacity
+};
+
+std::optional<Header> header_of(std::string_view bytes) {
+  if (bytes.size() < kSignature + 25 || bytes.substr(kSignature + 4, 4) != "IHDR")
+    return std::nullopt;
+  return Header{big_endian(bytes, 16, 4), big_endian(bytes, 20, 4), big_endian(bytes, 24, 1),
+                big_endian(bytes, 25, 1)};
+}
+
+std::string fault_of_header(const Header& header, std::string_view bytes) {
+  if (std::string fault = fault_of_size("PNG", header.width, header.height); !fault.empty())
+    return fault;
+  constexpr std::uint64_t kChannels[7] = {1, 0, 3, 1, 2, 0, 4};
+  if (header.colour > 6 || kChannels[header.colour] == 0) {
+    return fmt::format("The PNG file has the colour type {}; expected 0, 2, 3, 4 or 6.",
+                       header.colour);
+  }
+  const std::uint64_t bits = header.width * header.height * header.depth * kChannels[header.colour];
+  // Deflate makes at most 1032 bytes of one.
+  if (bits / 8 / 1032 > bytes.size()) {
+    return fmt::format("The PNG file says {} x {} pixels, which take at least {} bytes; it has {}.",
+                       header.width, header.height, bits / 8 / 1032, bytes.size());
+  }
+  return {};
+}
+
+// A name of a chunk, with marks for bytes that are no letters.
+std::string name_of(std::string_view chunk) {
+  std::string name(chunk);
+  for (char& letter : name)
+    if ((letter | 0x20) < 'a' || (letter | 0x20) > 'z') letter = '?';
+  return name;
+}
+
+}  // namespace
+
+std::string fault_of_size(std::string_view format, std::uint64_t width, std::uint64_t height) {
+  constexpr std::uint64_t kMost = Image::kMostSide;
+  if (width >= 1 && height >= 1 && width <= kMost && height <= kMost) return {};
+  return fmt::format("The {} file says {} x {} pixels; expected sides of 1 to {}.", format, width,
+                     height, kMost);
+}
+
+std::string fault_of_png(std::string_view bytes) {
+  const auto header = header_of(bytes);
+  if (!header) {
+    return fmt::format("The PNG file of {} bytes does not begin with the chunk IHDR of 25 bytes.",
+                       bytes.size());
+  }
+  std::size_t at = kSignature;
+  bool has_pixels = false;
+  while (bytes.size() - at >= 12) {
+    const std::size_t length = big_endian(bytes, at, 4);
+    const std::string_view name = bytes.substr(at + 4, 4);
+    if (length > bytes.size() - at - 12) {
+      return fmt::format("The chunk {} at byte {} of the PNG file says {} bytes; {} follow.",
+                         name_of(name), at, length, bytes.size() - at - 12);
+    }
+    const std::uint32_t given = big_endian(bytes, at + 8 + length, 4);
+    const std::uint32_t computed = checksum(bytes.substr(at + 4, 4 + length));
+    if (given != computed) {
+      return fmt::format(
+          "The chunk {} at byte {} of the PNG file is damaged: its checksum is {:08x}, "
+          "its bytes give {:08x}.",
+          name_of(name), at, given, computed);
+    }
+    has_pixels = has_pixels || name == "IDAT";
+    if (name == "IEND")
+      return has_pixels ? fault_of_header(*header, bytes) : "The PNG file has no chunk IDAT.";
+    at += 12 + length;
+  }
+  return fmt::format("The PNG file ends at byte {} before its chunk IEND.", bytes.size());
+}
+
+}  // namespace armlet

@@ -1,0 +1,65 @@
+// The one file in which stb_image is compiled: PNG and JPEG from memory, no files, no other
+// formats. Its vector code is left out so that one path is tested everywhere.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_NO_STDIO
+#define STBI_NO_SIMD
+#define STBI_NO_LINEAR
+#define STBI_NO_HDR
+#define STBI_MAX_DIMENSIONS 8192
+#include <stb/stb_image.h>
+//
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "image/read_formats.hpp"
+
+namespace armlet {
+namespace {
+
+static_assert(STBI_MAX_DIMENSIONS == Image::kMostSide);
+
+std::uint8_t over_white(int value, int alpha) {
+  return static_cast<std::uint8_t>((value * alpha + 255 * (255 - alpha) + 127) / 255);
+}
+
+// Copies pixels; the second or fourth channel is an opacity.
+void copy_pixels(const std::uint8_t* from, int channels, Image& image) {
+  const bool has_alpha = channels % 2 == 0;
+  const int colours = image.channels();
+  for (int y = 0; y < image.height(); ++y) {
+    std::uint8_t* to = image.row(y);
+    for (int x = 0; x < image.width(); ++x, from += channels, to += colours) {
+      for (int c = 0; c < colours; ++c)
+        to[c] = has_alpha ? over_white(from[c], from[channels - 1]) : from[c];
+    }
+  }
+}
+
+}  // namespace
+
+Result<Image> decode_png_or_jpeg(std::string_view format, std::string_view bytes) {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  struct Release {
+    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+  };
+  const std::unique_ptr<stbi_uc, Release> pixels(
+      stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(bytes.data()),
+                            static_cast<int>(bytes.size()), &width, &height, &channels, 0));
+  if (pixels == nullptr) {
+    const char* reason = stbi_failure_reason();
+    return Error{kPictureCode, fmt::format("The pixels of the {} file of {} bytes cannot be "
+                                           "decoded: {}.",
+                                           format, bytes.size(), reason ? reason : "no reason")};
+  }
+  Image image(width, height, channels < 3 ? PixelKind::kGrey : PixelKind::kRgb);
+  copy_pixels(pixels.get(), channels, image);
+  return image;
+}
+
+}  // namespace armlet
