@@ -33,7 +33,7 @@ constexpr std::array<PictureParameter, 3> kBlobs{{
 }};
 
 constexpr std::array<PictureParameter, 1> kBlur{{
-    {"sigma", kNumber, 0, 100, 1, kPixels, "Standard deviation of the Gaussian bell."},
+    {"sigma", kNumber, 0, 30, 1, kPixels, "Standard deviation of the Gaussian bell."},
 }};
 
 constexpr std::array<PictureParameter, 1> kBoxBlur{{
