@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// The part of SUSAN that is compiled for several instruction sets. Plain data only: an inline
+// function would be linked once, with the instructions of whichever file came first.
+namespace armlet {
+
+// Similarities of brightnesses, 0 to 100, by absolute difference.
+//
+// last_alike  the largest difference of similarity 100.
+// steps       the entries from last_alike on, up to the first 0; at most 256 - last_alike.
+struct SusanTable {
+  std::uint8_t similarity[256];
+  int last_alike;
+  int steps;
+};
+
+inline constexpr int kSusanLimit = 1850;  // half of the mask's area, hundredths of a pixel
+
+// Writes for `count` neighbouring pixels the areas n in hundredths of a pixel; for those of
+// kSusanLimit and above any number that is not below it.
+//
+// nucleus  the first pixel; 3 pixels around all of them are read.
+// stride   bytes from row to row.
+using SusanRow = void(const std::uint8_t* nucleus, std::ptrdiff_t stride, int count,
+                      const SusanTable& table, std::uint16_t* areas);
+
+SusanRow susan_row_scalar;
+#if defined(__x86_64__)
+SusanRow susan_row_avx2;
+#else  // other processors are never asked for it (is_supported)
+inline constexpr SusanRow* susan_row_avx2 = susan_row_scalar;
+#endif
+
+}  // namespace armlet
