@@ -1,0 +1,35 @@
+#pragma once
+// Parts of triangles in front of the camera.
+
+#include <Eigen/Core>
+#include <array>
+
+#include "armlet/camera/pinhole.hpp"
+
+namespace armlet::raster {
+
+// Corners of what is left of a triangle, in order: three and one for each plane at most.
+struct Polygon {
+  static constexpr int kMost = 8;
+  std::array<Eigen::Vector3d, kMost> p{};
+  int size = 0;
+};
+
+// Where n . p + d >= 0.
+struct HalfSpace {
+  Eigen::Vector3d n;
+  double d = 0.0;
+  [[nodiscard]] double at(const Eigen::Vector3d& p) const {
+    return n[0] * p[0] + n[1] * p[1] + n[2] * p[2] + d;
+  }
+};
+Polygon cut(const Polygon& whole, const HalfSpace& side);
+
+// The part of a triangle of the camera's frame at z >= near whose pixels are within the guard.
+// Edges that two triangles share are cut at the same points, to the bit.
+//
+// source  I. E. Sutherland and G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM
+//         17(1), 1974.
+Polygon clipped(const std::array<Eigen::Vector3d, 3>& triangle, const Intrinsics& camera);
+
+}  // namespace armlet::raster
