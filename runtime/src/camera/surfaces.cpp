@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <numbers>
 
 #include "armlet/math/det_math.hpp"
@@ -130,12 +132,57 @@ void build(const Mesh& mesh, Builder& out) {
   out.parts().materials.assign(out.parts().corners.size(), kPicturedMaterial);
 }
 
+// Builders repeat points; one that several triangles share is projected once.
+void merge_equal_points(SurfaceParts& parts) {
+  using Key = std::array<double, 8>;
+  std::map<Key, std::uint32_t> numbers;
+  std::vector<std::uint32_t> number_of(parts.positions.size());
+  SurfaceParts merged;
+  for (std::size_t i = 0; i < parts.positions.size(); ++i) {
+    const Vector3d& p = parts.positions[i];
+    const Eigen::Vector3f& n = parts.normals[i];
+    const Eigen::Vector2f& at = parts.on_image[i];
+    const Key key{p[0], p[1], p[2], n[0], n[1], n[2], at[0], at[1]};
+    const auto number = static_cast<std::uint32_t>(merged.positions.size());
+    const auto [found, is_new] = numbers.emplace(key, number);
+    number_of[i] = found->second;
+    if (!is_new) continue;
+    merged.positions.push_back(p);
+    merged.normals.push_back(n);
+    merged.on_image.push_back(at);
+  }
+  for (auto& corners : parts.corners) {
+    for (std::uint32_t& corner : corners) corner = number_of.at(corner);
+  }
+  parts.positions = std::move(merged.positions);
+  parts.normals = std::move(merged.normals);
+  parts.on_image = std::move(merged.on_image);
+}
+
+// Whether every position is a number, as keys need, and has a normal and a place.
+bool can_be_merged(const SurfaceParts& parts) {
+  const auto is_finite = [](const auto& v) { return v.allFinite(); };
+  return parts.normals.size() == parts.positions.size() &&
+         parts.on_image.size() == parts.positions.size() &&
+         std::ranges::all_of(parts.positions, is_finite) &&
+         std::ranges::all_of(parts.normals, is_finite) &&
+         std::ranges::all_of(parts.on_image, is_finite) &&
+         std::ranges::all_of(parts.corners, [&](const auto& corners) {
+           return std::ranges::max(corners) < parts.positions.size();
+         });
+}
+
+Surface merged_surface(SurfaceParts parts) {
+  if (can_be_merged(parts)) merge_equal_points(parts);
+  return Surface(std::move(parts));
+}
+
 }  // namespace
 
 Surface surface_of(const Shape& shape) {
   Builder builder;
   std::visit([&](const auto& each) { build(each, builder); }, shape);
-  return Surface(std::move(builder.parts()));
+  return merged_surface(std::move(builder.parts()));
 }
 
 Surface surface_of(const std::vector<GlbPart>& parts, bool closed) {
@@ -159,7 +206,7 @@ Surface surface_of(const std::vector<GlbPart>& parts, bool closed) {
       out.materials.push_back(static_cast<std::uint8_t>(std::max(part.material, 0)));
     }
   }
-  return Surface(std::move(out));
+  return merged_surface(std::move(out));
 }
 
 std::vector<Body> bodies_of(const GlbScene& scene) {

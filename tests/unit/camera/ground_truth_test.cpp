@@ -49,10 +49,10 @@ TEST_CASE("rays meet the same bodies at the same distances as computed in anothe
   int met = 0;
   for (const Scene& scene : {boxes(), shapes(), hall()}) {
     for (int n = 0; n < 300; ++n) {
-      const Vector3d p(random.uniform(-0.5, 1.2), random.uniform(-0.8, 0.8),
-                       random.uniform(0.01, 1.0));
-      const Vector3d d(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
-                       random.uniform(-1.0, 0.3));
+      const Vector3d p{random.uniform(-0.5, 1.2), random.uniform(-0.8, 0.8),
+                       random.uniform(0.01, 1.0)};
+      const Vector3d d{random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                       random.uniform(-1.0, 0.3)};
       const Met expected = cast(scene, p, d, 0.0);
       const std::optional<RayHit> hit = first_hit(scene, p, d);
       REQUIRE(hit.has_value() == std::isfinite(expected.t));

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 
 namespace {
 
+const Pinhole kLarge(intrinsics_from_fov(640, 480, 0.9));
 const Pinhole kSmall(intrinsics_from_fov(96, 72, 0.9));
 
 // What a ray through a pixel meets; nothing if rays beside it meet something else.
@@ -95,12 +96,12 @@ TEST_CASE("flat faces have the colour of their light, shadows included") {
   for (int n = 0; n < 6; ++n) {
     const Eigen::Isometry3d T = random_eye(random);
     Pictures pictures;
-    renderer.render(scene, kSmall, T, {.samples = n % 2 == 0 ? 1 : 4}, pictures);
-    for (int y = 1; y < 72; y += 3) {
-      for (int x = 1; x < 96; x += 3) {
-        const std::optional<Met> met = met_at(scene, kSmall, T, x, y, 0.6);
+    renderer.render(scene, kLarge, T, {.samples = n % 2 == 0 ? 1 : 4}, pictures);
+    for (int y = 10; y < 480; y += 20) {
+      for (int x = 10; x < 640; x += 20) {
+        const std::optional<Met> met = met_at(scene, kLarge, T, x, y, 0.6);
         if (!met || met->body == -1 || met->t > 5.0) continue;
-        const Vector3d p = T * (met->t * kSmall.ray({x, y}).value());
+        const Vector3d p = T * (met->t * kLarge.ray({x, y}).value());
         const double facing = met->n.dot(l);
         // A square of the map of shadows is 1 to 2 mm long here; two of them count as the border.
         const std::optional<double> share =
@@ -137,7 +138,7 @@ TEST_CASE("with four samples a sheet covers its area, about its centre") {
     scene.background = {1.0F, 1.0F, 1.0F};
     scene.bodies.push_back(
         body_of("sheet", Plane{{0.2, 0.2}}, at(0.4, 0.0, 0.1, random.uniform(0.0, 3.0)), {}));
-    const Vector3d from(0.4 + random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0.6);
+    const Vector3d from{0.4 + random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0.6};
     const Eigen::Isometry3d T = looking_at({0.4, 0.0, 0.1}, from);
     Pictures pictures;
     renderer.render(scene, camera, T, {}, pictures);

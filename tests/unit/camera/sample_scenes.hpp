@@ -116,10 +116,11 @@ inline std::vector<Scene> sample_scenes() {
 
 // A camera somewhere about (0.4, 0, 0.15), which it sees.
 inline Eigen::Isometry3d random_eye(Random& random) {
-  const Eigen::Vector3d from(0.4 + random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9),
-                             random.uniform(0.3, 1.0));
-  const Eigen::Vector3d to(0.4 + random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1),
-                           random.uniform(0.0, 0.3));
+  // One after the other: compilers order the arguments of a call as they like.
+  const Eigen::Vector3d middle(0.4, 0.0, 0.65), size(0.9, 0.9, 0.35);
+  Eigen::Vector3d from, to(0.4, 0.0, 0.15);
+  for (int k = 0; k < 3; ++k) from[k] = middle[k] + random.uniform(-size[k], size[k]);
+  for (int k = 0; k < 3; ++k) to[k] += random.uniform(-0.1, 0.1);
   return looking_at(to, from);
 }
 

@@ -67,13 +67,14 @@ bool ShadowMap::choose_part(const Scene& scene, const View& view, const LightFra
   const Extent part = bodies.common(seen);
   if (part.is_empty()) return false;
   constexpr int kBorder = 2;
+  const int most = std::clamp(std::max(camera.width, camera.height) * 8 / 5, 64, kMostSquares);
   const Vector2d size = part.high - part.low;
-  square_ = std::max(size.x(), size.y()) / (kSide - 2 * kBorder);
+  square_ = std::max(size.x(), size.y()) / (most - 2 * kBorder);
   square_ = std::max(square_, 1e-6);
   corner_ = part.low - Vector2d::Constant(kBorder * square_);
-  columns_ = std::min(kSide, static_cast<int>(size.x() / square_) + 2 * kBorder + 1);
+  columns_ = std::min(most, static_cast<int>(size.x() / square_) + 2 * kBorder + 1);
   grid_ = {0, 0, kOne, columns_,
-           std::min(kSide, static_cast<int>(size.y() / square_) + 2 * kBorder + 1)};
+           std::min(most, static_cast<int>(size.y() / square_) + 2 * kBorder + 1)};
   return true;
 }
 
@@ -84,7 +85,7 @@ void ShadowMap::draw(const Scene& scene, const View& view, const LightFrame& lig
     return;
   }
   rows_.resize(grid_.columns, grid_.rows, false);
-  std::fill(rows_.nearness.begin(), rows_.nearness.end(), -1e30F);
+  std::fill_n(rows_.nearness.begin(), rows_.stride * static_cast<std::size_t>(grid_.rows), -1e30F);
   last_x_ = static_cast<float>(grid_.columns - 1);
   last_y_ = static_cast<float>(grid_.rows - 1);
   bias_ = static_cast<float>(0.75 * square_ + 5e-5);

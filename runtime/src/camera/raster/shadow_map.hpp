@@ -7,14 +7,14 @@
 namespace armlet::raster {
 
 // Heights towards the light of what lies nearest to it, in squares of one size over the part of
-// the scene that is in view.
+// the scene that is in view: along its longer side 1.6 times as many as the picture has pixels.
 //
 // source  L. Williams, Casting curved shadows on curved surfaces, Computer Graphics 12(3), 1978;
 //         the mean of four comparisons: W. T. Reeves, D. H. Salesin, R. L. Cook, Rendering
 //         antialiased shadows with depth maps, Computer Graphics 21(4), 1987.
 class ShadowMap {
  public:
-  static constexpr int kSide = 1024;
+  static constexpr int kMostSquares = 1024;  // along a side
 
   // Draws the bodies that throw shadows.
   void draw(const Scene& scene, const View& view, const LightFrame& light);
