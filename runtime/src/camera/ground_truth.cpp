@@ -37,7 +37,7 @@ double hit(const Surface& surface, const Vector3d& p, const Vector3d& d, double 
 std::optional<RayHit> nearest(const Scene& scene, const Vector3d& p, const Vector3d& d) {
   RayHit first{.t = std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const Body& body = scene.bodies[i];
+    const SceneBody& body = scene.bodies[i];
     const Eigen::Isometry3d T_body_world = body.T_world_body.inverse(Eigen::Isometry);
     const double t = hit(*body.surface, T_body_world * p, T_body_world.linear() * d, first.t);
     if (t < first.t) first = {t, static_cast<int>(i)};
@@ -71,7 +71,7 @@ std::vector<SeenCorner> seen_corners(const Scene& scene, const Pinhole& camera,
                     "the number {}.",
                     scene.bodies.size(), body));
   }
-  const Body& wanted = scene.bodies[static_cast<std::size_t>(body)];
+  const SceneBody& wanted = scene.bodies[static_cast<std::size_t>(body)];
   const Eigen::Isometry3d T_eye_world = T_world_eye.inverse(Eigen::Isometry);
   const Vector3d eye = T_world_eye.translation();
   const std::vector<Vector3d>& features = wanted.surface->parts().features;

@@ -16,7 +16,7 @@ using namespace raster;  // NOLINT: this file is where the parts are put togethe
 class Renderer::Frame {
  public:
   void render(const Scene& scene, const Pinhole& camera, const Eigen::Isometry3d& T_world_eye,
-              const RenderOptions& options, Pictures& out) {
+              const PictureOptions& options, Pictures& out) {
     if (!camera.intrinsics().is_distorted()) {
       render_plain(scene, View(camera.intrinsics(), T_world_eye), options, out);
       return;
@@ -50,7 +50,7 @@ class Renderer::Frame {
     lists_.sort(triangles_.drawn, window);
   }
 
-  void render_plain(const Scene& scene, const View& view, const RenderOptions& options,
+  void render_plain(const Scene& scene, const View& view, const PictureOptions& options,
                     Pictures& out) {
     const Intrinsics& camera = view.camera;
     const Window window{0, 0, camera.width, camera.height};
@@ -80,7 +80,7 @@ class Renderer::Frame {
   }
 
   // Pictures of the right sizes, which are kept if they have them.
-  static void fit(Pictures& out, const Window& window, const RenderOptions& options) {
+  static void fit(Pictures& out, const Window& window, const PictureOptions& options) {
     const auto make = [&](Image& image, PixelKind kind) {
       if (image.width() != window.width || image.height() != window.height || image.kind() != kind)
         image = Image(window.width, window.height, kind);
@@ -151,7 +151,7 @@ class Renderer::Frame {
     for (std::size_t c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(sum[c] / 4);
   }
 
-  void centre_band(const GroundView& ground, const RenderOptions& options, Pictures& out) const {
+  void centre_band(const GroundView& ground, const PictureOptions& options, Pictures& out) const {
     const int width = band_.grid().columns;
     for (int row = 0; row < band_.pixel_rows(); ++row) {
       const int y = band_.first_row() + row;
@@ -212,7 +212,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::render(const Scene& scene, const Pinhole& camera,
-                      const Eigen::Isometry3d& T_world_eye, const RenderOptions& options,
+                      const Eigen::Isometry3d& T_world_eye, const PictureOptions& options,
                       Pictures& pictures) {
   check_scene(scene);
   check_pose("camera", T_world_eye);

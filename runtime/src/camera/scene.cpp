@@ -76,7 +76,7 @@ void check_scene(const Scene& scene) {
   check_finite("light of the sky", scene.light.sky_up);
   check_finite("light from below", scene.light.sky_down);
   check_finite("height of the ground", scene.ground.z);
-  for (const Body& body : scene.bodies) {
+  for (const SceneBody& body : scene.bodies) {
     if (!body.surface)
       throw ArgumentError(fmt::format("The body `{}` of a scene has no surface.", body.name));
     const auto given = static_cast<int>(body.materials.size());

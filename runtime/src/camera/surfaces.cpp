@@ -209,7 +209,7 @@ Surface surface_of(const std::vector<GlbPart>& parts, bool closed) {
   return merged_surface(std::move(out));
 }
 
-std::vector<Body> bodies_of(const GlbScene& scene) {
+std::vector<SceneBody> bodies_of(const GlbScene& scene) {
   std::vector<Material> materials;
   for (const GlbMaterial& look : scene.materials)
     materials.push_back(
@@ -217,7 +217,7 @@ std::vector<Body> bodies_of(const GlbScene& scene) {
                    static_cast<float>(look.color[2])}});
   if (materials.empty()) materials.emplace_back();
   std::vector<Eigen::Isometry3d> poses;
-  std::vector<Body> bodies;
+  std::vector<SceneBody> bodies;
   for (const GlbNode& node : scene.nodes) {
     if (node.parent >= static_cast<int>(poses.size()))
       throw ArgumentError(fmt::format("The node `{}` comes before its parent.", node.name));

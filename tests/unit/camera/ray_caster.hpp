@@ -24,7 +24,7 @@ inline Met cast(const Scene& scene, const Eigen::Vector3d& p, const Eigen::Vecto
                 double from = 1e-9, bool shadow = false) {
   Met first;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const Body& body = scene.bodies[i];
+    const SceneBody& body = scene.bodies[i];
     if (shadow && !body.casts_shadow) continue;
     const SurfaceParts& parts = body.surface->parts();
     for (std::size_t k = 0; k < parts.corners.size(); ++k) {

@@ -11,7 +11,7 @@ TEST_CASE("pictures of one size after the first allocate nothing") {
   Renderer renderer;
   Pictures pictures;
   const Scene scene = pictured();
-  const RenderOptions all{.depth = true, .bodies = true};
+  const PictureOptions all{.depth = true, .bodies = true};
   for (const bool distorted : {false, true}) {
     Intrinsics i = intrinsics_from_fov(160, 120, 0.9);
     if (distorted) i.distortion[0] = -0.2;

@@ -17,8 +17,8 @@ inline Eigen::Isometry3d at(double x, double y, double z, double yaw = 0.0, doub
   return pose_from_rpy({x, y, z}, {0.0, pitch, yaw});
 }
 
-inline Body body_of(std::string name, const Shape& shape, const Eigen::Isometry3d& T,
-                    LinearRgb color, std::shared_ptr<const Texture> picture = nullptr) {
+inline SceneBody body_of(std::string name, const Shape& shape, const Eigen::Isometry3d& T,
+                         LinearRgb color, std::shared_ptr<const Texture> picture = nullptr) {
   return {.name = std::move(name),
           .surface = std::make_shared<const Surface>(surface_of(shape)),
           .T_world_body = T,

@@ -80,7 +80,7 @@ TEST_CASE("features of a box are its upper corners, then its lower ones") {
 
 TEST_CASE("an arm is a body for each link, where its nodes are") {
   const GlbScene scene = robot_scene(*make_robot("puma560"));
-  const std::vector<Body> bodies = bodies_of(scene);
+  const std::vector<SceneBody> bodies = bodies_of(scene);
   CHECK(bodies.size() == 8);
   CHECK(bodies[0].name == "base");
   CHECK_NOTHROW(check_scene({.bodies = bodies}));

@@ -18,7 +18,7 @@ inline constexpr std::int32_t kGroundBody = -2;
 // samples  of the coloured picture in each pixel: 1, in its centre, or 4, in two rows of two.
 // Depths
 //          and bodies are always those at the centre.
-struct RenderOptions {
+struct PictureOptions {
   int samples = 4;
   bool color = true;
   bool depth = false;
@@ -59,7 +59,7 @@ class Renderer {
   // 22(4),
   //              1988 (edges and their rule); shadows: L. Williams, 1978.
   void render(const Scene& scene, const Pinhole& camera, const Eigen::Isometry3d& T_world_eye,
-              const RenderOptions& options, Pictures& pictures);
+              const PictureOptions& options, Pictures& pictures);
 
   // Share of the pixels of a body that is not hidden by others and lies in the picture, 0 to 1: of
   // those that it covers alone, up to one picture beyond each border. 0 if it covers none. Of a

@@ -61,7 +61,7 @@ struct Material {
 };
 
 // surface  shared by bodies of the same shape and by pictures; never null when it is drawn.
-struct Body {
+struct SceneBody {
   std::string name;
   std::shared_ptr<const Surface> surface;
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
@@ -98,7 +98,7 @@ struct Ground {
 };
 
 struct Scene {
-  std::vector<Body> bodies{};
+  std::vector<SceneBody> bodies{};
   Light light{};
   Ground ground{};
   LinearRgb background{0.78F, 0.81F, 0.85F};

@@ -33,6 +33,6 @@ Surface surface_of(const std::vector<GlbPart>& parts, bool closed = true);
 // materials. Pictures are left out: they have to be read first.
 //
 // throws  ArgumentError as surface_of, and for a parent that does not come before its node.
-std::vector<Body> bodies_of(const GlbScene& scene);
+std::vector<SceneBody> bodies_of(const GlbScene& scene);
 
 }  // namespace armlet

@@ -83,7 +83,7 @@ void LensTable::color_row(const Image& wide, int y, std::uint8_t* out) const {
   }
 }
 
-void LensTable::resample(const Pictures& wide, const RenderOptions& options, Pictures& out) const {
+void LensTable::resample(const Pictures& wide, const PictureOptions& options, Pictures& out) const {
   const int width = camera_.width, height = camera_.height;
   if (options.color) {
     fitting(out.color, width, height, PixelKind::kRgb);

@@ -16,7 +16,7 @@ class LensTable {
   void prepare(const Pinhole& camera);
 
   [[nodiscard]] const Intrinsics& wide() const { return wide_; }
-  void resample(const Pictures& wide, const RenderOptions& options, Pictures& out) const;
+  void resample(const Pictures& wide, const PictureOptions& options, Pictures& out) const;
 
  private:
   struct Place {

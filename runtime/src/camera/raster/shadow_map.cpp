@@ -45,7 +45,7 @@ bool ShadowMap::choose_part(const Scene& scene, const View& view, const LightFra
   const Intrinsics& camera = view.camera;
   double farthest = camera.near;
   const bool has_ground = scene.ground.drawn && light.towards.z() > 1e-3;
-  for (const Body& body : scene.bodies) {
+  for (const SceneBody& body : scene.bodies) {
     for (int i = 0; i < 8; ++i) {
       const Vector3d p = body.T_world_body * box_corner(*body.surface, i);
       if (body.casts_shadow) bodies.add(p, light);
@@ -89,7 +89,7 @@ void ShadowMap::draw(const Scene& scene, const View& view, const LightFrame& lig
   last_x_ = static_cast<float>(grid_.columns - 1);
   last_y_ = static_cast<float>(grid_.rows - 1);
   bias_ = static_cast<float>(0.75 * square_ + 5e-5);
-  for (const Body& body : scene.bodies) {
+  for (const SceneBody& body : scene.bodies) {
     if (body.casts_shadow) draw_body(body, light);
   }
   const Eigen::Matrix3d R = view.T_eye_world.linear();
@@ -101,7 +101,7 @@ void ShadowMap::draw(const Scene& scene, const View& view, const LightFrame& lig
              (dot(eye, light.y) - corner_.y()) / square_, dot(eye, light.towards)};
 }
 
-void ShadowMap::draw_body(const Body& body, const LightFrame& light) {
+void ShadowMap::draw_body(const SceneBody& body, const LightFrame& light) {
   const SurfaceParts& parts = body.surface->parts();
   const Eigen::Matrix3d& R = body.T_world_body.linear();
   const Vector3d t = body.T_world_body.translation();

@@ -51,7 +51,7 @@ class ShadowMap {
  private:
   struct Extent;
   [[nodiscard]] bool choose_part(const Scene& scene, const View& view, const LightFrame& light);
-  void draw_body(const Body& body, const LightFrame& light);
+  void draw_body(const SceneBody& body, const LightFrame& light);
   void add_triangle(const SurfaceParts& parts, std::size_t i);
   void fill_part(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& p,
                  const Eigen::Vector3d& n);

@@ -15,7 +15,7 @@ double dot(const Vector3d& a, const Vector3d& b) { return a[0] * b[0] + a[1] * b
 // One body on its way into the list.
 class BodyTriangles {
  public:
-  BodyTriangles(const Body& body, std::int32_t number, const View& view, const Window& window,
+  BodyTriangles(const SceneBody& body, std::int32_t number, const View& view, const Window& window,
                 const Lighting& lighting, const LightFrame& light, SceneTriangles& out)
       : body_(body),
         parts_(body.surface->parts()),
@@ -187,7 +187,7 @@ class BodyTriangles {
     return view_.along_ray(g);
   }
 
-  const Body& body_;
+  const SceneBody& body_;
   const SurfaceParts& parts_;
   std::int32_t number_;
   const View& view_;
@@ -236,7 +236,7 @@ bool may_be_seen(const Vector3d& middle, double radius, const Intrinsics& camera
          !is_outside(middle.y(), top, 1.0) && !is_outside(middle.y(), bottom, -1.0);
 }
 
-void SceneTriangles::add(const Body& body, std::int32_t number, const View& view,
+void SceneTriangles::add(const SceneBody& body, std::int32_t number, const View& view,
                          const Window& window, const Lighting& lighting, const LightFrame& light) {
   const Vector3d middle = view.T_eye_world * (body.T_world_body * body.surface->middle());
   if (!may_be_seen(middle, body.surface->radius() * (1.0 + 1e-9) + 1e-9, view.camera, window))

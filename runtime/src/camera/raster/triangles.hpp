@@ -75,7 +75,7 @@ struct SceneTriangles {
 
   void clear();
   // Adds the triangles of a body that face the camera and whose box meets the window.
-  void add(const Body& body, std::int32_t number, const View& view, const Window& window,
+  void add(const SceneBody& body, std::int32_t number, const View& view, const Window& window,
            const Lighting& lighting, const LightFrame& light);
 };
 
