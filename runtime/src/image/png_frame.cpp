@@ -98,6 +98,8 @@ std::string fault_of_png(std::string_view bytes) {
           "its bytes give {:08x}.",
           name_of(name), at, given, computed);
     }
+    if (name == "IDAT" && length == 0 && !has_pixels)
+      return fmt::format("The first chunk IDAT at byte {} of the PNG file is empty.", at);
     has_pixels = has_pixels || name == "IDAT";
     if (name == "IEND")
       return has_pixels ? fault_of_header(*header, bytes) : "The PNG file has no chunk IDAT.";

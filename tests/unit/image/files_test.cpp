@@ -1,6 +1,7 @@
 #include "armlet/image/files.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,6 +198,14 @@ TEST_CASE("damage is described with its position and numbers") {
   other[frame + 5] = '\x1f';
   other[frame + 7] = '\x1f';
   CHECK(message_of(other).find("pixels, which take at least ") != std::string::npos);
+  // More codes than a Huffman table holds, which stb_image would write behind its table.
+  const std::size_t tables = jpeg.find("\xff\xc4");
+  REQUIRE(tables != std::string::npos);
+  other = jpeg;
+  other[tables + 5 + 8] = '\xff';
+  other[tables + 5 + 9] = '\xff';
+  CHECK(message_of(other).starts_with(
+      fmt::format("The Huffman table at byte {} of the JPEG file says ", tables + 4)));
 }
 
 TEST_CASE("any bytes give a picture or a sentence") {
