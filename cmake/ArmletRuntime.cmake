@@ -1,28 +1,30 @@
 # What the runtime needs besides its sources.
 
-# Sources that differ: what a platform provides (core/platform.hpp), and what reads robot descriptions. That of
+# Sources that differ: what a platform provides (core/platform.hpp), what reads robot descriptions, and files of pictures. That of
 # WebAssembly is a C++ library and nothing else, and small.
 if(EMSCRIPTEN)
   set(platform src/core/bare/ fork_lock)
   set(urdf_read urdf_none)
   set(urdf_library)
+  set(image_files)
 else()
   set(platform src/core/posix/ ample_stack fork_lock)
   set(urdf_read urdf_read)
   set(urdf_library urdf_library)
+  set(image_files jpeg_frame jpeg_write netpbm png_frame png_write read_image stb_decode)
 endif()
 
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
 function(armlet_compile_wide_kernels)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    foreach(kernels kinematics/batch/batch kinematics/closed_form/closed dynamics/batch/dynamics)
+    foreach(kernels kinematics/batch/batch kinematics/closed_form/closed dynamics/batch/dynamics vision/susan)
       set_source_files_properties(src/${kernels}_avx2.cpp PROPERTIES
         COMPILE_OPTIONS -mavx2 SKIP_PRECOMPILE_HEADERS ON)
       set_source_files_properties(src/${kernels}_avx512.cpp PROPERTIES
         COMPILE_OPTIONS "-mavx512f;-mavx512dq" SKIP_PRECOMPILE_HEADERS ON)
     endforeach()
   else()  # other processors have no such registers
-    foreach(kernels kinematics/batch/batch kinematics/closed_form/closed dynamics/batch/dynamics)
+    foreach(kernels kinematics/batch/batch kinematics/closed_form/closed dynamics/batch/dynamics vision/susan)
       set_source_files_properties(src/${kernels}_avx2.cpp src/${kernels}_avx512.cpp PROPERTIES HEADER_FILE_ONLY ON)
     endforeach()
   endif()
@@ -38,16 +40,23 @@ function(armlet_tune_native_kernels)
   endif()
 endfunction()
 
-# What meshes and robot descriptions are read with. Of urdfdom only the headers are needed here; the library is loaded when the
+# What pictures, meshes and robot descriptions are read with. Of urdfdom only the headers are needed here; the library is loaded when the
 # first robot description is read.
 function(armlet_use_file_formats)
   target_link_libraries(armlet_layer_mesh PRIVATE nlohmann_json::nlohmann_json)
   if(urdf_read STREQUAL "urdf_none")
     return()
   endif()
+  find_package(PNG REQUIRED)
+  find_path(ARMLET_STB_HEADERS stb/stb_image.h REQUIRED)
+  target_link_libraries(armlet_layer_image PRIVATE PNG::PNG)
+  armlet_compile_apart(src/image/jpeg_write.cpp src/image/png_write.cpp src/image/stb_decode.cpp)
+  # Of corrupt files it adds numbers that overflow.
+  set_source_files_properties(src/image/stb_decode.cpp PROPERTIES COMPILE_OPTIONS -fwrapv SKIP_PRECOMPILE_HEADERS ON)
+  target_link_libraries(armlet_runtime PRIVATE PNG::PNG)
   find_path(ARMLET_URDFDOM_HEADERS urdf_model/model.h PATH_SUFFIXES urdfdom_headers REQUIRED)
   find_library(ARMLET_URDFDOM_MODEL urdfdom_model REQUIRED)
-  mark_as_advanced(ARMLET_URDFDOM_HEADERS ARMLET_URDFDOM_MODEL)
+  mark_as_advanced(ARMLET_STB_HEADERS ARMLET_URDFDOM_HEADERS ARMLET_URDFDOM_MODEL)
   file(REAL_PATH ${ARMLET_URDFDOM_MODEL} urdfdom_library)
   cmake_path(GET urdfdom_library FILENAME urdfdom_library)
   set_source_files_properties(src/model/descriptions/urdf_library.cpp PROPERTIES

@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-RUNTIME = ["core", "math", "mesh", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "collision", "planning", "grasp", "vision", "plot", "backend"]
+RUNTIME = ["core", "math", "mesh", "chain", "model", "kinematics", "trajectory", "dynamics", "world", "image", "camera", "vision", "collision", "planning", "grasp", "plot", "backend"]
 
 # layer: the layers whose public headers it may include, besides its own.
 MAY_INCLUDE = {
@@ -25,7 +25,9 @@ MAY_INCLUDE = {
     "collision": ["core", "math", "mesh", "chain", "model", "kinematics", "trajectory", "world"],
     "planning": ["core", "math", "chain", "model", "kinematics", "trajectory", "world", "collision"],
     "grasp": ["core", "math"],
-    "vision": ["core", "math", "world"],
+    "image": ["core", "math"],
+    "vision": ["core", "math", "chain", "image"],
+    "camera": ["core", "math", "mesh", "world", "image"],
     "plot": ["core", "math"],
     "backend": ["core", "math", "plot"],
     "cell": RUNTIME,
@@ -44,6 +46,8 @@ FENCES = {
     "Coin": (r"^Inventor/", ["apps/mesh/converter/vrml_import.cpp"]),
     "TinyXML-2": (r"^tinyxml2", ["apps/mesh/converter/xml_check.cpp"]),
     "OpenSSL": (r"^openssl/", ["apps/mesh/client/sha256.cpp"]),
+    "libpng": (r"^png\.h", ["runtime/src/image/png_write.cpp"]),
+    "stb": (r"^stb/", ["runtime/src/image/stb_decode.cpp", "runtime/src/image/jpeg_write.cpp"]),
     "OpenCV": (r"opencv2/", ["runtime/src/vision/", "runtime/src/backend/"]),
     "the system": (r"^(sys/.*|(dirent|dlfcn|fcntl|poll|pthread|sched|signal|termios|time|ucontext|unistd)\.h"
                    r"|csignal|ctime|fstream|future|semaphore|thread|emscripten.*)$",

@@ -168,7 +168,7 @@ bool can_be_merged(const SurfaceParts& parts) {
          std::ranges::all_of(parts.normals, is_finite) &&
          std::ranges::all_of(parts.on_image, is_finite) &&
          std::ranges::all_of(parts.corners, [&](const auto& corners) {
-           return std::ranges::max(corners) < parts.positions.size();
+           return *std::max_element(corners.begin(), corners.end()) < parts.positions.size();
          });
 }
 

@@ -73,7 +73,8 @@ TEST_CASE("corners, responses and directions equal the lists of another detector
         found << c.x << ',' << c.y << ',' << c.response << ',' << 51 * c.sum_x / n << ','
               << 51 * c.sum_y / n << ',' << c.brightness << '\n';
       }
-      std::string expected = vision_reference(name + "_t" + std::to_string(threshold) + ".csv");
+      std::string expected =
+          vision_reference("susan/" + name + "_t" + std::to_string(threshold) + ".csv");
       std::erase(expected, '\r');
       CHECK(found.str() == expected);
       ++lists;
