@@ -50,7 +50,7 @@ function(armlet_use_file_formats)
   find_package(PNG REQUIRED)
   find_path(ARMLET_STB_HEADERS stb/stb_image.h REQUIRED)
   target_link_libraries(armlet_layer_image PRIVATE PNG::PNG)
-  armlet_compile_apart(src/image/jpeg_write.cpp src/image/png_write.cpp src/image/stb_decode.cpp)
+  armlet_compile_apart(src/image/jpeg_write.cpp src/image/png_write.cpp src/image/stb_decode.cpp src/image/png_frame.cpp)
   # Of corrupt files it adds numbers that overflow.
   set_source_files_properties(src/image/stb_decode.cpp PROPERTIES COMPILE_OPTIONS -fwrapv SKIP_PRECOMPILE_HEADERS ON)
   target_link_libraries(armlet_runtime PRIVATE PNG::PNG)
