@@ -1,17 +1,15 @@
 # What the runtime needs besides its sources.
 
-# Sources that differ: what a platform provides (core/platform.hpp), what reads robot descriptions, and files of pictures. That of
+# Sources that differ: what a platform provides (core/platform.hpp), and what reads robot descriptions. That of
 # WebAssembly is a C++ library and nothing else, and small.
 if(EMSCRIPTEN)
   set(platform src/core/bare/ fork_lock)
   set(urdf_read urdf_none)
   set(urdf_library)
-  set(image_files)
 else()
   set(platform src/core/posix/ ample_stack fork_lock)
   set(urdf_read urdf_read)
   set(urdf_library urdf_library)
-  set(image_files jpeg_frame jpeg_write netpbm png_frame png_write read_image stb_decode)
 endif()
 
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
@@ -50,7 +48,7 @@ function(armlet_use_file_formats)
   find_package(PNG REQUIRED)
   find_path(ARMLET_STB_HEADERS stb/stb_image.h REQUIRED)
   target_link_libraries(armlet_layer_image PRIVATE PNG::PNG)
-  armlet_compile_apart(src/image/jpeg_write.cpp src/image/png_write.cpp src/image/stb_decode.cpp src/image/png_frame.cpp)
+  armlet_target_sources(armlet_layer_image src/image/ jpeg_frame jpeg_write netpbm png_frame png_write read_image stb_decode)
   # Of corrupt files it adds numbers that overflow.
   set_source_files_properties(src/image/stb_decode.cpp PROPERTIES COMPILE_OPTIONS -fwrapv SKIP_PRECOMPILE_HEADERS ON)
   target_link_libraries(armlet_runtime PRIVATE PNG::PNG)

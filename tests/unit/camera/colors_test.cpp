@@ -7,7 +7,7 @@
 
 using namespace armlet;
 
-// Rows of the table of CSS Color Module Level 4, section 6.1, where names of X11 differ, and
+// Rows of the table of CSS Color Module Level 4 (named colours), where names of X11 differ, and
 // others.
 TEST_CASE("names and codes of colours have the values of CSS") {
   constexpr auto kRows = std::to_array<std::pair<const char*, std::array<std::uint8_t, 3>>>({

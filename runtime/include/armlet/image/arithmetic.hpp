@@ -9,7 +9,7 @@ namespace armlet {
 // 0.299 r + 0.587 g + 0.114 b to the nearest grey level. A grey picture stays as it is.
 //
 // throws  ArgumentError for a picture of depths or without pixels.
-// source  ITU-R BT.601-7, section 2.5.1.
+// source  ITU-R Recommendation BT.601-7, 2011, 2.5.1.
 Image to_grey(const Image& image);
 
 // 255 where a grey picture is brighter than `level`, else 0.
