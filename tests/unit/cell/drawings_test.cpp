@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 namespace {
 
 // Keeps what a run says of shapes.
-class Listener : public Backend {
+class DrawingListener : public Backend {
  public:
   void on(const Event& event) override {
     if (const auto* changed = std::get_if<DrawingChanged>(&event)) heard.push_back(*changed);
@@ -36,7 +36,7 @@ Drawing line(std::string name, const Mount& on,
           .T_on_drawing = T};
 }
 
-double apart(const Isometry3d& a, const Isometry3d& b) {
+double distance_of_poses(const Isometry3d& a, const Isometry3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
@@ -60,16 +60,16 @@ TEST_CASE("shapes go with the world, a body, a link and the tool point") {
   }
   cell.draw(line("tip", {.base = FrameBase::kCarrier, .carrier = arm, .frame = kTipFrame}));
   const auto check = [&] {
-    CHECK(apart(cell.T_world_drawing("world"), T) == 0.0);
+    CHECK(distance_of_poses(cell.T_world_drawing("world"), T) == 0.0);
     const Isometry3d T_world_cube = cell.world().at("cube").T_world_obj;
-    CHECK(apart(cell.T_world_drawing("cube"), T_world_cube * T) < 1e-14);
-    CHECK(apart(cell.T_world_drawing("corner"), T_world_cube * make_translation({0.1, 0.0, 0.02})) <
-          1e-14);
+    CHECK(distance_of_poses(cell.T_world_drawing("cube"), T_world_cube * T) < 1e-14);
+    CHECK(distance_of_poses(cell.T_world_drawing("corner"),
+                            T_world_cube * make_translation({0.1, 0.0, 0.02})) < 1e-14);
     for (int frame = 0; frame <= 6; ++frame) {
-      CHECK(apart(cell.T_world_drawing("link" + std::to_string(frame)),
-                  cell.T_world_link(arm, frame) * T) < 1e-14);
+      CHECK(distance_of_poses(cell.T_world_drawing("link" + std::to_string(frame)),
+                              cell.T_world_link(arm, frame) * T) < 1e-14);
     }
-    CHECK(apart(cell.T_world_drawing("tip"), cell.T_world_tool(arm) * T) < 1e-14);
+    CHECK(distance_of_poses(cell.T_world_drawing("tip"), cell.T_world_tool(arm) * T) < 1e-14);
   };
   check();
   Eigen::VectorXd q = cell.robot(arm).q;
@@ -94,7 +94,7 @@ TEST_CASE("shapes are no bodies: the world, and what collides, is as without the
 
 TEST_CASE("a backend is told of shapes behind the beginning, and when they change or go") {
   Cell cell;
-  Listener listener;
+  DrawingListener listener;
   cell.set_backend(&listener);
   const int arm = cell.add_robot(make_robot("puma560"), "arm");
   cell.insert({.name = "cube", .shape = Box{}});

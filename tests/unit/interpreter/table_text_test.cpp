@@ -21,7 +21,7 @@ std::vector<double> numbers_of(std::string_view text, std::size_t column = 0) {
   return table->columns[column].numbers;
 }
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + '"';
@@ -82,7 +82,7 @@ TEST_CASE("whatever texts there are come back as they were") {
     std::string file = "n,text\n";
     for (std::size_t i = 0; i < texts.size(); ++i) {
       for (auto k = random() % 6; k > 0; --k) texts[i] += pieces[random() % std::size(pieces)];
-      file += std::to_string(i) + ',' + quoted(texts[i]) + '\n';
+      file += std::to_string(i) + ',' + in_quotes(texts[i]) + '\n';
     }
     const Result<TableText> table = read_table_text(file);
     REQUIRE(table.ok());
