@@ -1,9 +1,6 @@
 // Values that come from somewhere else: calls, elements, fields, choices, lists that give something
 // up.
 
-#include <algorithm>
-#include <cctype>
-
 #include "random/program.hpp"
 
 namespace armlet::oracle {
@@ -79,12 +76,10 @@ std::string RandomProgram::call_value(const Ty* type, int depth) {
   return function.name + "(" + out + ")";
 }
 
-// As an index: one below 0 that the text shows is refused before the run, so a variable comes in.
+// As an index: what the text shows to be below 0 is refused before the run, so a call hides it.
 std::string RandomProgram::index(const std::string& number) {
-  const bool is_shown = std::ranges::none_of(
-      number, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
-  return is_shown && number.find('-') != std::string::npos ? "(" + number + " + 0 * counter)"
-                                                           : number;
+  const bool is_written = number.find_first_not_of("0123456789") == std::string::npos;
+  return is_written ? number : "as_index(" + number + ")";
 }
 
 // Mostly an index that exists.

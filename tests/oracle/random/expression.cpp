@@ -266,7 +266,7 @@ std::string RandomProgram::text_expr(int depth) {
       return "(" + a + ")[" + (one_in(2) ? "0" : index(expr(int_, depth - 1))) + "]";
     case 4:
       return "(" + a + ")[" + (one_in(2) ? "" : std::to_string(below(3))) + ":" +
-             (one_in(2) ? "" : expr(int_, 0)) + "]";
+             (one_in(2) ? "" : index(expr(int_, 0))) + "]";
     case 5:
       return "(" + a + ")." + (one_in(2) ? "upper()" : "trim()");
     case 6:
@@ -335,7 +335,7 @@ std::string RandomProgram::list(const Ty* type, int depth) {
     }
     case 1:
       return "(" + expr(type, depth - 1) + ")[" + (one_in(2) ? "" : std::to_string(below(3))) +
-             ":" + (one_in(2) ? "" : expr(int_, 0)) + "]";
+             ":" + (one_in(2) ? "" : index(expr(int_, 0))) + "]";
     case 2:
       return "reverse(" + expr(type, depth - 1) + ")";
     case 3:

@@ -153,6 +153,7 @@ void RandomProgram::declare_struct() {
 
 void RandomProgram::declare_globals() {
   line("var counter = 0");
+  line("fn as_index(i: int) -> int { return i }");
   line("var pile = [5, 6, 7, 8]");
   vars_ = {{"counter", int_, true}, {"pile", list_of(int_), true}};
   const bool with_grid = one_in(4);

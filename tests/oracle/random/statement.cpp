@@ -246,7 +246,7 @@ void RandomProgram::mutation() {
 
 // "1:3", ":2", ":"
 std::string RandomProgram::stretch() {
-  return (one_in(2) ? "" : std::to_string(below(2))) + ":" + (one_in(2) ? "" : leaf(int_));
+  return (one_in(2) ? "" : std::to_string(below(2))) + ":" + (one_in(2) ? "" : index(leaf(int_)));
 }
 
 // Parts of the matrix, and of lists.

@@ -33,8 +33,8 @@ void play_without(std::optional<EventKind> left_out, Backend& backend) {
       FigureChanged{.t_ns = 7, .figure = &figure},
       FinalFigure{.t_ns = 7, .figure = &figure},
       Undone{.t_ns = 7, .number = 10, .from = 3, .back_ns = 2},
-      EndRun{.t_ns = 8},
       DrawingChanged{.t_ns = 8, .drawing = {.name = "force", .kind = "arrow"}},
+      EndRun{.t_ns = 8},
   };
   static_assert(std::size(events) == kEventKinds);
   for (const Event& each : events) {
