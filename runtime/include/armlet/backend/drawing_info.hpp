@@ -5,6 +5,8 @@
 #include <array>
 #include <string>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 // The link of a DrawingInfo that is at the tool point.

@@ -6,6 +6,7 @@
 
 #include "armlet/camera/pinhole.hpp"
 #include "armlet/camera/scene.hpp"
+#include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 

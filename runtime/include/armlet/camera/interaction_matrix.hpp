@@ -2,6 +2,7 @@
 // How points of a picture move when the camera moves.
 
 #include "armlet/camera/pinhole.hpp"
+#include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 

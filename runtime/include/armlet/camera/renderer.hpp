@@ -8,6 +8,7 @@
 #include "armlet/camera/pinhole.hpp"
 #include "armlet/camera/scene.hpp"
 #include "armlet/image/image.hpp"
+#include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 

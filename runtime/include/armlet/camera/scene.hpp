@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "armlet/camera/texture.hpp"
+#include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "armlet/math/eigen_layout.hpp"
+
 namespace armlet {
 
 using PixelPoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 

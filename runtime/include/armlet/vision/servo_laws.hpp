@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "armlet/math/eigen_layout.hpp"
 #include "armlet/math/twist.hpp"
 
 namespace armlet {
