@@ -28,7 +28,7 @@ PAGE = ROOT / "apps" / "lab" / "page"
 OTHERS = re.compile(r"^(tests|bench)/|/make_tables\.dir/")
 # What the copyright files of Debian call a licence.
 DEBIAN_SAYS = {"BSD-3-Clause": r"BSD", "MIT": r"Expat|MIT", "MPL-2.0": r"MPL-2", "Apache-2.0": r"Apache-2\.0", "BSL-1.0": r"BSL|Boost",
-               "Zlib": r"zlib", "LGPL-2.1-or-later": r"LGPL|Lesser", "GPL-3.0-or-later WITH GCC-exception-3.1": r"GCC Runtime Library Exception"}
+               "Zlib": r"zlib", "libpng-2.0": r"libpng", "LGPL-2.1-or-later": r"LGPL|Lesser", "GPL-3.0-or-later WITH GCC-exception-3.1": r"GCC Runtime Library Exception"}
 
 
 def check(is_so, message):

@@ -9,17 +9,16 @@
 #include "robot/models.hpp"
 #include "robot/rules_settings.hpp"
 #include "session/bind.hpp"
+#include "session/setting_words.hpp"
 #include "values/values.hpp"
 #include "world/meshes.hpp"
 
 namespace armlet::bind {
 namespace {
 
-constexpr std::string_view kUses[] = {"both", "picture", "collision"};
-
 Answer<LinkSolidUse> use_of(Vm& vm, std::string_view word, int parameter) {
-  for (std::size_t i = 0; i < std::size(kUses); ++i) {
-    if (word == kUses[i]) return static_cast<LinkSolidUse>(i);
+  for (std::size_t i = 0; i < std::size(kShapeUses); ++i) {
+    if (word == kShapeUses[i]) return static_cast<LinkSolidUse>(i);
   }
   return failure(
       vm, row("R0630"),
@@ -82,18 +81,18 @@ constexpr NativeFunction kBodyFunctions[] = {
     def<box_row>("robot.body.box(x: length, y: length, z: length, " ARMLET_BODY ARMLET_USE,
                  kShapeHelp,
                  "joint revolute(a: 300mm); body box(400mm, 400mm, 20mm, at: xyz(z: -10mm))",
-                 {.check = check_word<5, kUses>}),
+                 {.check = check_word<5, kShapeUses>}),
     def<cylinder_row>("robot.body.cylinder(radius: length, height: length, " ARMLET_BODY ARMLET_USE,
                       kShapeHelp, "joint revolute(a: 300mm); body cylinder(60mm, 120mm)",
-                      {.check = check_word<4, kUses>}),
+                      {.check = check_word<4, kShapeUses>}),
     def<sphere_row>("robot.body.sphere(radius: length, " ARMLET_BODY ARMLET_USE, kShapeHelp,
                     "joint revolute(a: 300mm); body sphere(40mm, link: 1)",
-                    {.check = check_word<3, kUses>}),
+                    {.check = check_word<3, kShapeUses>}),
     def<mesh_row>("robot.body.mesh(file: string, " ARMLET_BODY
                   "unit: length?, scale: double = 1.0, " ARMLET_USE,
                   "A mesh as a shape of a link of the robot, 0: its base; the rest as for boxes.",
                   "joint revolute(a: 300mm); body mesh(\"base.glb\")",
-                  {.check = check_word<5, kUses>}),
+                  {.check = check_word<5, kShapeUses>}),
 };
 
 }  // namespace

@@ -22,6 +22,9 @@ inline constexpr std::array<std::string_view, 3> kDirections = {"both", "rising"
 inline constexpr std::array<std::string_view, 2> kAxisSides = {"left", "right"};
 inline constexpr std::array<std::string_view, 4> kLogarithmicAxes = {"x", "y", "xy", "yx"};
 
+// What the shape of a link is for, in the order of LinkSolidUse.
+inline constexpr std::array<std::string_view, 3> kShapeUses = {"both", "picture", "collision"};
+
 inline constexpr std::array<std::string_view, 2> kPictureEndings = {".svg", ".txt"};
 inline constexpr std::array<std::string_view, 1> kTableEndings = {".csv"};
 

@@ -114,7 +114,7 @@ TEST_CASE("columns, slices, elements and maps of numbers for joints keep their u
       {"plot(run.t, run.qd, yUnit: \"steps\")", "steps:1234 | :"},
   };
   for (const auto& [call, sides] : kinds) {
-    CAPTURE(call);
+    CAPTURE(std::string(call));
     const auto figures = curves_of(std::string(kScaraRecord) + call + "\n");
     REQUIRE(figures.size() == 1);
     CHECK(sides_of(figures[0]) == sides);
