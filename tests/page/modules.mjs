@@ -21,6 +21,7 @@ export async function source(name) {
     format: "esm",
     platform: "node",
     target: "node18",
+    nodePaths: [join(process.env.ARMLET_PAGE_MODULES ?? here, "node_modules")],
     write: false,
   });
   const file = join(mkdtempSync(join(tmpdir(), "armlet-page-")), "source.mjs");
