@@ -69,7 +69,8 @@ std::string with_setting(const NativeFunction& function, const std::string& sett
   return "";
 }
 
-std::vector<std::string> codes_of(const std::string& program) {
+std::vector<std::string> codes_of(std::string program) {
+  if (program.starts_with("joint ")) program = "robot one { " + program + " }";
   Session session(library_engine(), at_the_table());
   static_cast<void>(session.compile(program + '\n', "cell.rbt"));
   std::vector<std::string> out;
