@@ -1,7 +1,5 @@
 #include "armlet/camera/ground_truth.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 
@@ -65,12 +63,7 @@ std::vector<SeenCorner> seen_corners(const Scene& scene, const Pinhole& camera,
   constexpr double kNearly = 1.0 - 1e-5;
   check_scene(scene);
   check_pose("camera", T_world_eye);
-  if (body < 0 || static_cast<std::size_t>(body) >= scene.bodies.size()) {
-    throw ArgumentError(
-        fmt::format("The scene has {} bodies, counted from 0; there is none with "
-                    "the number {}.",
-                    scene.bodies.size(), body));
-  }
+  check_body(scene, body);
   const SceneBody& wanted = scene.bodies[static_cast<std::size_t>(body)];
   const Eigen::Isometry3d T_eye_world = T_world_eye.inverse(Eigen::Isometry);
   const Vector3d eye = T_world_eye.translation();

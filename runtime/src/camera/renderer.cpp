@@ -226,12 +226,7 @@ double Renderer::visible_share(const Scene& scene, const Pinhole& camera,
                                const Eigen::Isometry3d& T_world_eye, int body) {
   check_scene(scene);
   check_pose("camera", T_world_eye);
-  if (body < 0 || static_cast<std::size_t>(body) >= scene.bodies.size()) {
-    throw ArgumentError(
-        fmt::format("The scene has {} bodies, counted from 0; there is none with "
-                    "the number {}.",
-                    scene.bodies.size(), body));
-  }
+  check_body(scene, body);
   return frame_->visible_share(scene, camera.intrinsics(), T_world_eye, body);
 }
 

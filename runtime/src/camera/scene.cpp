@@ -94,4 +94,11 @@ void check_scene(const Scene& scene) {
   }
 }
 
+void check_body(const Scene& scene, int body) {
+  if (body >= 0 && static_cast<std::size_t>(body) < scene.bodies.size()) return;
+  throw ArgumentError(
+      fmt::format("The scene has {} bodies, counted from 0; there is none with the number {}.",
+                  scene.bodies.size(), body));
+}
+
 }  // namespace armlet

@@ -225,22 +225,28 @@ void Cell::insert(Object object) {
   if (listening()) tell(ObjectAdded{.t_ns = now_ns(), .object = object_info(inserted)});
 }
 
-void Cell::insert(Object object, const Mount& on) {
-  Mount to = on;
-  Eigen::Isometry3d T_world_on = Eigen::Isometry3d::Identity();
-  if (on.base == FrameBase::kFrame) {
-    to = world_.mount_of_frame(on.on);
-    const auto T = world_.T_world_frame(on.on);
-    if (!T) {
-      throw ArgumentError(
-          fmt::format("The frame \"{}\" is on \"{}\", which was removed.", on.on, to.on));
-    }
-    T_world_on = *T;
-  } else if (on.base == FrameBase::kObject) {
-    T_world_on = world_.at(on.on).T_world_obj;
-  } else if (on.base == FrameBase::kCarrier) {
-    T_world_on = T_world_link(on.carrier, on.frame);
+// Throws ArgumentError for what is not there, or was removed.
+Eigen::Isometry3d Cell::T_world_mount(const Mount& on) const {
+  switch (on.base) {
+    case FrameBase::kWorld:
+      return Eigen::Isometry3d::Identity();
+    case FrameBase::kObject:
+      return world_.at(on.on).T_world_obj;
+    case FrameBase::kCarrier:
+      return on.frame == kTipFrame ? T_world_tool(on.carrier) : T_world_link(on.carrier, on.frame);
+    case FrameBase::kFrame:
+      break;
   }
+  if (const auto T = world_.T_world_frame(on.on)) return *T;
+  throw ArgumentError(fmt::format("The frame \"{}\" is on \"{}\", which was removed.", on.on,
+                                  world_.mount_of_frame(on.on).on));
+}
+
+void Cell::insert(Object object, const Mount& on) {
+  const Mount to = on.base == FrameBase::kFrame ? world_.mount_of_frame(on.on) : on;
+  // Bodies are not mounted at the tool point.
+  const Eigen::Isometry3d T_world_on =
+      on.base == FrameBase::kCarrier ? T_world_link(on.carrier, on.frame) : T_world_mount(on);
   check_object(object);  // its pose on what it is on
   object.T_world_obj = T_world_on * object.T_world_obj;
   settle_contacts();

@@ -20,7 +20,7 @@ constexpr ParameterKind kWhole = ParameterKind::kWhole;
 constexpr std::string_view kGrey = "grey levels";
 constexpr std::string_view kPixels = "px";
 
-constexpr std::array<std::string_view, 3> kCornerMethods{"susan", "harris", "fast"};
+constexpr std::array<std::string_view, 2> kCornerMethods{"susan", "harris"};
 constexpr std::array<std::string_view, 2> kTouching{"sides", "corners"};
 constexpr std::array<std::string_view, 2> kSwitch{"false", "true"};
 
@@ -42,9 +42,9 @@ constexpr std::array<PictureParameter, 1> kBoxBlur{{
 }};
 
 constexpr std::array<PictureParameter, 8> kCorners{{
-    {"method", ParameterKind::kChoice, 0, 2, 0, "", "The detector.", kCornerMethods},
+    {"method", ParameterKind::kChoice, 0, 1, 0, "", "The detector.", kCornerMethods},
     {"threshold", kWhole, 1, 255, 20, kGrey,
-     "susan and fast: pixels whose brightness differs by less count as alike."},
+     "susan: pixels whose brightness differs by less count as alike."},
     {"quality", kNumber, 0, 1, 0.01, "",
      "harris: responses below this share of the strongest one are left out."},
     {"distance", kNumber, 0, 8192, 10, kPixels, "harris: corners are at least so far apart."},

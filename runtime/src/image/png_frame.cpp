@@ -1,7 +1,6 @@
 #include <fmt/format.h>
+#include <zlib.h>
 
-#include <algorithm>
-#include <array>
 #include <optional>
 
 #include "image/read_formats.hpp"
@@ -11,20 +10,10 @@ namespace {
 
 constexpr std::size_t kSignature = 8;  // bytes
 
-// The checksum of chunks: CRC-32 of ISO 3309, as annex D of the PNG specification has it.
+// The checksum of chunks.
 std::uint32_t checksum(std::string_view bytes) {
-  static constexpr std::array<std::uint32_t, 256> kTable = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-      std::uint32_t c = n;
-      for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xedb88320U ^ (c >> 1) : c >> 1;
-      table[n] = c;
-    }
-    return table;
-  }();
-  std::uint32_t c = 0xffffffffU;
-  for (const char byte : bytes) c = kTable[(c ^ static_cast<std::uint8_t>(byte)) & 0xff] ^ (c >> 8);
-  return ~c;
+  const auto* const first = reinterpret_cast<const Bytef*>(bytes.data());
+  return static_cast<std::uint32_t>(crc32(0, first, static_cast<uInt>(bytes.size())));
 }
 
 struct Header {

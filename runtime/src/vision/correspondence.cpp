@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 
 namespace armlet {
 namespace {
@@ -15,22 +16,15 @@ namespace {
 using Eigen::Index;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void check_points(const PixelPoints& points, const char* which) {
+void check_points(const PlanePoints& points, const char* which) {
   if (points.rows() > kMostMatched) {
     throw ArgumentError(fmt::format("At most {} points are matched, not {} {}.", kMostMatched,
                                     points.rows(), which));
   }
-  if (!points.allFinite())
-    throw ArgumentError(fmt::format("One of the {} points is not finite.", which));
+  check_finite(which, points);
 }
 
-void check_distance(double within) {
-  if (!(within > 0.0) || !std::isfinite(within))
-    throw ArgumentError(
-        fmt::format("Points are matched within a distance above 0, not {}.", within));
-}
-
-double distance_of(const PixelPoints& a, Index i, const PixelPoints& b, Index j) {
+double distance_of(const PlanePoints& a, Index i, const PlanePoints& b, Index j) {
   const double dx = a(i, 0) - b(j, 0), dy = a(i, 1) - b(j, 1);
   return std::sqrt(dx * dx + dy * dy);
 }
@@ -115,10 +109,10 @@ std::vector<int> Matches::lost() const {
   return out;
 }
 
-Matches match_points(const PixelPoints& points, const PixelPoints& wanted, double within) {
+Matches match_points(const PlanePoints& points, const PlanePoints& wanted, double within) {
   check_points(points, "seen");
   check_points(wanted, "wanted");
-  check_distance(within);
+  check_positive("within", within);
   const Index n = points.rows(), k = wanted.rows();
   Matches out;
   out.index.assign(static_cast<std::size_t>(k), -1);
@@ -145,27 +139,27 @@ Matches match_points(const PixelPoints& points, const PixelPoints& wanted, doubl
   return out;
 }
 
-PointTracker::PointTracker(PixelPoints start, double gate, int patience)
+PointTracker::PointTracker(PlanePoints start, double gate, int patience)
     : points_(std::move(start)),
-      moved_(PixelPoints::Zero(points_.rows(), 2)),
+      moved_(PlanePoints::Zero(points_.rows(), 2)),
       missed_(static_cast<std::size_t>(points_.rows()), 0),
       gate_(gate),
       patience_(patience) {
   check_points(points_, "first");
-  check_distance(gate);
+  check_positive("gate", gate);
   if (patience < 0) {
     throw ArgumentError(
         fmt::format("A point is waited for in 0 pictures or more, not in {}.", patience));
   }
 }
 
-const PixelPoints& PointTracker::update(const PixelPoints& points, const PixelPoints& predicted) {
+const PlanePoints& PointTracker::update(const PlanePoints& points, const PlanePoints& predicted) {
   const bool is_given = predicted.rows() > 0;
   if (is_given && predicted.rows() != points_.rows()) {
     throw ArgumentError(fmt::format("{} points are tracked and {} are predicted.", points_.rows(),
                                     predicted.rows()));
   }
-  const PixelPoints expected = is_given ? predicted : PixelPoints(points_ + moved_);
+  const PlanePoints expected = is_given ? predicted : PlanePoints(points_ + moved_);
   const Matches matches = match_points(points, expected, gate_);
   for (Index i = 0; i < points_.rows(); ++i) {
     const auto label = static_cast<std::size_t>(i);

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/decompose.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -47,8 +48,7 @@ MatrixXd triangle_of_equations(const PlanePoints& a, const PlanePoints& b) {
       rows.row(9 + 2 * i) << -x, -y, -1, 0, 0, 0, u * x, u * y, u;
       rows.row(10 + 2 * i) << 0, 0, 0, -x, -y, -1, v * x, v * y, v;
     }
-    const Eigen::HouseholderQR<MatrixXd> qr(rows);
-    triangle = qr.matrixQR().topRows(9).triangularView<Eigen::Upper>();
+    triangle = triangle_of(rows);
   }
   return triangle;
 }
@@ -69,7 +69,8 @@ Result<Matrix3d> homography(const PlanePoints& from, const PlanePoints& to) {
   if (from.rows() < 4) {
     throw ArgumentError(fmt::format("A homography needs at least 4 points, not {}.", from.rows()));
   }
-  if (!from.allFinite() || !to.allFinite()) throw ArgumentError("A point is not finite.");
+  check_finite("from", from);
+  check_finite("to", to);
   const Error degenerate{"degenerate",
                          "the points do not determine a homography: three of any four of them "
                          "must not be on one line"};

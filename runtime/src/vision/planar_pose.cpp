@@ -2,17 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/decompose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/math/twist.hpp"
 #include "armlet/vision/homography.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -24,14 +25,13 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Points3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-using Points2 = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
-constexpr double kFlat = 1e-6;  // of the size of the thing
+constexpr double kFlat = 1e-6;  // of the size of the object
 constexpr int kRefinements = 20;
 
 // The frame of a plane through points: z is its normal.
 struct Plane {
-  Isometry3d T_thing_plane = Isometry3d::Identity();
+  Isometry3d T_obj_plane = Isometry3d::Identity();
   PlanePoints flat;       // in the plane
   double size = 0.0;      // the root of the mean square distance from the middle, m
   double width = 0.0;     // the same across the longest direction
@@ -48,8 +48,8 @@ Plane plane_of(const Points3& points) {
   // Planes that lie in z = 0 already keep their axes.
   if (around.col(2).isZero(0.0)) axes = Matrix3d::Identity();
   if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
-  out.T_thing_plane.linear() = axes;
-  out.T_thing_plane.translation() = middle;
+  out.T_obj_plane.linear() = axes;
+  out.T_obj_plane.translation() = middle;
   const Points3 turned = around * axes;
   out.flat = turned.leftCols(2);
   out.farthest = turned.col(2).cwiseAbs().maxCoeff();
@@ -60,7 +60,7 @@ Plane plane_of(const Points3& points) {
 }
 
 // The translation that explains the points best for an orientation: its equations are linear.
-Vector3d translation_for(const Matrix3d& R, const PlanePoints& flat, const Points2& seen) {
+Vector3d translation_for(const Matrix3d& R, const PlanePoints& flat, const PlanePoints& seen) {
   Matrix3d A = Matrix3d::Zero();
   Vector3d b = Vector3d::Zero();
   for (Index i = 0; i < flat.rows(); ++i) {
@@ -71,11 +71,11 @@ Vector3d translation_for(const Matrix3d& R, const PlanePoints& flat, const Point
     A += rows.transpose() * rows;
     b += rows.transpose() * Vector2d(x * p.z() - p.x(), y * p.z() - p.y());
   }
-  return A.ldlt().solve(b);
+  return SymmetricFactors<3>(A).solve(b);
 }
 
 // Root mean square distance in the picture; infinity with a point that is not in front.
-double error_of(const Isometry3d& T, const PlanePoints& flat, const Points2& seen) {
+double error_of(const Isometry3d& T, const PlanePoints& flat, const PlanePoints& seen) {
   double sum = 0.0;
   for (Index i = 0; i < flat.rows(); ++i) {
     const Vector3d p = T * Vector3d(flat(i, 0), flat(i, 1), 0.0);
@@ -86,24 +86,24 @@ double error_of(const Isometry3d& T, const PlanePoints& flat, const Points2& see
 }
 
 // Steps of Gauss and Newton while they make the error smaller.
-FoundPose refined(const Isometry3d& start, const PlanePoints& flat, const Points2& seen) {
+FoundPose refined(const Isometry3d& start, const PlanePoints& flat, const PlanePoints& seen) {
   FoundPose best{start, error_of(start, flat, seen)};
   for (int step = 0; step < kRefinements && std::isfinite(best.error); ++step) {
     Matrix6d A = Matrix6d::Zero();
     Vector6d b = Vector6d::Zero();
     for (Index i = 0; i < flat.rows(); ++i) {
-      const Vector3d p = best.T_camera_thing * Vector3d(flat(i, 0), flat(i, 1), 0.0);
+      const Vector3d p = best.T_camera_obj * Vector3d(flat(i, 0), flat(i, 1), 0.0);
       const double x = p.x() / p.z(), y = p.y() / p.z(), w = 1.0 / p.z();
       Eigen::Matrix<double, 2, 3> by_point;
       by_point << w, 0, -w * x, 0, w, -w * y;
       Eigen::Matrix<double, 2, 6> rows;
-      rows << by_point, -by_point * hat(p - best.T_camera_thing.translation());
+      rows << by_point, -by_point * hat(p - best.T_camera_obj.translation());
       A += rows.transpose() * rows;
       b += rows.transpose() * Vector2d(seen(i, 0) - x, seen(i, 1) - y);
     }
-    const Vector6d change = A.ldlt().solve(b);
+    const Vector6d change = SymmetricFactors<6>(A).solve(b);
     if (!change.allFinite()) break;
-    Isometry3d next = best.T_camera_thing;
+    Isometry3d next = best.T_camera_obj;
     next.translation() += change.head<3>();
     next.linear() = renormalised(rotation_exp(change.tail<3>()) * next.linear());
     const double error = error_of(next, flat, seen);
@@ -163,23 +163,24 @@ std::optional<Candidates> candidates(const Matrix3d& H) {
   return out;
 }
 
-void check(const Points3& points, const Points2& seen) {
+void check(const Points3& points, const PlanePoints& seen) {
   if (points.rows() != seen.rows()) {
     throw ArgumentError(
-        fmt::format("A thing of {} points is seen in {}.", points.rows(), seen.rows()));
+        fmt::format("An object of {} points is seen in {}.", points.rows(), seen.rows()));
   }
   if (points.rows() < 4)
     throw ArgumentError(fmt::format("A pose needs at least 4 points, not {}.", points.rows()));
-  if (!points.allFinite() || !seen.allFinite()) throw ArgumentError("A point is not finite.");
+  check_finite("points", points);
+  check_finite("seen", seen);
 }
 
 }  // namespace
 
-Result<PlanarPose> planar_pose(const Points3& points, const Points2& seen) {
+Result<PlanarPose> planar_pose(const Points3& points, const PlanePoints& seen) {
   check(points, seen);
   const Plane plane = plane_of(points);
   if (!(plane.width > kFlat * plane.size))
-    return Error{"degenerate", "the points of the thing lie on one line"};
+    return Error{"degenerate", "the points of the object lie on one line"};
   if (plane.farthest > 1e-4 * plane.size) {
     return Error{"not_planar",
                  fmt::format("the points do not lie in one plane: one is {:.3g} mm beside it",
@@ -194,11 +195,11 @@ Result<PlanarPose> planar_pose(const Points3& points, const Points2& seen) {
     Isometry3d T = Isometry3d::Identity();
     T.linear() = starts->R_camera_plane[k];
     T.translation() = translation_for(T.linear(), plane.flat, seen);
-    Isometry3d other = T;  // for pictures so noisy that the equations put the thing behind
+    Isometry3d other = T;  // for pictures so noisy that the equations put the object behind
     other.translation() = starts->middle;
     const bool is_worse = error_of(T, plane.flat, seen) > error_of(other, plane.flat, seen);
     found[k] = refined(is_worse ? other : T, plane.flat, seen);
-    found[k].T_camera_thing = found[k].T_camera_thing * plane.T_thing_plane.inverse();
+    found[k].T_camera_obj = found[k].T_camera_obj * plane.T_obj_plane.inverse();
   }
   if (found[1].error < found[0].error) std::swap(found[0], found[1]);
   if (!std::isfinite(found[0].error))

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "armlet/core/error.hpp"
+#include "armlet/math/check_finite.hpp"
 #include "armlet/math/decompose.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/rotation.hpp"
@@ -18,18 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-void check_gain(double gain) {
-  if (!(gain > 0.0) || !std::isfinite(gain))
-    throw ArgumentError(fmt::format("A gain is above 0 and finite, not {} 1/s.", gain));
-}
-
-void check_depth(double depth) {
-  if (!(depth > 0.0) || !std::isfinite(depth)) {
-    throw ArgumentError(
-        fmt::format("The depth of a point in front of the camera is above 0, not {} m.", depth));
-  }
-}
-
 // Singular values that count.
 Index rank_of(const VectorXd& s) {
   Index rank = 0;
@@ -39,16 +28,16 @@ Index rank_of(const VectorXd& s) {
 
 }  // namespace
 
-MatrixXd point_interaction(const ImagePoints& points, const VectorXd& depths) {
+MatrixXd point_interaction(const PlanePoints& points, const VectorXd& depths) {
   if (depths.size() != 1 && depths.size() != points.rows()) {
     throw ArgumentError(fmt::format("{} points have {} depths; give one for each, or one for all.",
                                     points.rows(), depths.size()));
   }
-  if (!points.allFinite()) throw ArgumentError("A point of the image is not finite.");
+  check_finite("points", points);
   MatrixXd L(2 * points.rows(), 6);
   for (Index i = 0; i < points.rows(); ++i) {
     const double x = points(i, 0), y = points(i, 1), Z = depths[depths.size() == 1 ? 0 : i];
-    check_depth(Z);
+    check_positive("depth", Z);
     L.row(2 * i) << -1.0 / Z, 0.0, x / Z, x * y, -(1.0 + x * x), y;
     L.row(2 * i + 1) << 0.0, -1.0 / Z, y / Z, 1.0 + y * y, -x * y, -x;
   }
@@ -73,17 +62,17 @@ MatrixXd law_interaction(ImageLaw law, const ImageGoal& goal) {
 }
 
 VectorXd image_error(const ImageGoal& goal) {
-  const ImagePoints difference = goal.points - goal.wanted;
+  const PlanePoints difference = goal.points - goal.wanted;
   return Eigen::Map<const VectorXd>(difference.data(), difference.size());
 }
 
 ServoStep servo_step(const MatrixXd& A, const VectorXd& error, double gain) {
-  check_gain(gain);
+  check_positive("gain", gain);
   if (A.rows() != error.size()) {
     throw ArgumentError(
         fmt::format("A matrix of {} rows has no error of {} values.", A.rows(), error.size()));
   }
-  if (!error.allFinite()) throw ArgumentError("The error of the image is not finite.");
+  check_finite("error", error);
   const SvdParts parts = singular_values(A);
   ServoStep out;
   out.rank = rank_of(parts.s);
@@ -105,10 +94,9 @@ MatrixXd uncontrollable_directions(const MatrixXd& A) {
 MatrixXd camera_jacobian(const Eigen::Ref<const MatrixXd>& J_world,
                          const Eigen::Matrix3d& R_world_tool,
                          const Eigen::Isometry3d& T_tool_camera) {
-  if (J_world.rows() != 6 || !J_world.allFinite()) {
-    throw ArgumentError(
-        fmt::format("A Jacobian has 6 rows of finite numbers, not {}.", J_world.rows()));
-  }
+  if (J_world.rows() != 6)
+    throw ArgumentError(fmt::format("A Jacobian has 6 rows, not {}.", J_world.rows()));
+  check_finite("J_world", J_world);
   // Of the camera's origin in the axes of the world, then in those of the camera.
   const Vector3d p = R_world_tool * T_tool_camera.translation();
   const Eigen::Matrix3d R_camera_world = (R_world_tool * T_tool_camera.linear()).transpose();
@@ -119,7 +107,7 @@ MatrixXd camera_jacobian(const Eigen::Ref<const MatrixXd>& J_world,
 }
 
 Vector6d position_twist(const Eigen::Isometry3d& T_wanted_camera, double gain) {
-  check_gain(gain);
+  check_positive("gain", gain);
   const Eigen::Matrix3d R = T_wanted_camera.linear();
   Vector6d out;
   out << -gain * (R.transpose() * T_wanted_camera.translation()), -gain * rotation_log(R);
@@ -128,9 +116,9 @@ Vector6d position_twist(const Eigen::Isometry3d& T_wanted_camera, double gain) {
 
 Vector6d hybrid_twist(const Eigen::Vector2d& point, const Eigen::Vector2d& wanted, double depth,
                       double depth_wanted, const Eigen::Matrix3d& R_wanted_camera, double gain) {
-  check_gain(gain);
-  check_depth(depth);
-  check_depth(depth_wanted);
+  check_positive("gain", gain);
+  check_positive("depth", depth);
+  check_positive("depth_wanted", depth_wanted);
   const double x = point.x(), y = point.y();
   const Vector3d error(x - wanted.x(), y - wanted.y(), det::log(depth / depth_wanted));
   const Vector3d w = -gain * rotation_log(R_wanted_camera);
@@ -146,7 +134,9 @@ Vector6d hybrid_twist(const Eigen::Vector2d& point, const Eigen::Vector2d& wante
 }
 
 double AdaptiveGain::at(double largest_error) const {
-  for (const double each : {at_zero, at_infinity, slope}) check_gain(each);
+  check_positive("at_zero", at_zero);
+  check_positive("at_infinity", at_infinity);
+  check_positive("slope", slope);
   if (at_zero < at_infinity) {
     throw ArgumentError(
         fmt::format("The gain at the goal is at least that for large errors, not {} and {} 1/s.",

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "armlet/core/error.hpp"
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -56,8 +57,7 @@ Eigen::Isometry3d frame_between(const Eigen::Vector3d& from, const Eigen::Vector
   const Eigen::Vector3d along = to - from;
   const double length = along.norm();
   if (!(length > 0.0) || !std::isfinite(length)) return T;
-  T.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along / length)
-                   .toRotationMatrix();
+  T.linear() = rotation_from_z(along);
   return T;
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("points and depths that do not fit are refused") {
   const Pinhole camera(intrinsics_from_focal(640, 480, 600.0));
   const MatrixXd s = MatrixXd::Constant(3, 2, 200.0);
   CHECK(refusal_of([&] { (void)interaction_matrix(camera, s, Eigen::Vector2d(1.0, 1.0)); }) ==
-        "2 depths for 3 points; expected one for each, or one for all.");
+        "3 points have 2 depths; give one for each, or one for all.");
   CHECK(refusal_of([&] {
           (void)interaction_matrix(camera, s.transpose(), Eigen::Vector3d(1.0, 1.0, 1.0));
         }) == "Points of a picture are rows of two pixels, not a matrix of 2 x 3.");

@@ -44,7 +44,7 @@ TEST_CASE("messages say the value, the range, the unit and the nearest name") {
   CHECK(refusal_of([] { check_picture_parameter("corners", "threshold", 300); }) ==
         "`threshold` of `corners` is 300; expected a whole number from 1 to 255 grey levels.");
   CHECK(refusal_of([] { check_picture_parameter("corners", "method", 3); }) ==
-        "`method` of `corners` is 3; expected one of susan, harris, fast.");
+        "`method` of `corners` is 3; expected one of susan, harris.");
   CHECK(refusal_of([] { picture_parameter("corners", "treshold"); }) ==
         "The parameter of `corners` `treshold` does not exist; the nearest name is `threshold`.");
   CHECK(refusal_of([] { picture_parameter("zzzz", "sigma"); }) ==

@@ -15,12 +15,12 @@ using Eigen::Index;
 
 namespace {
 
-PixelPoints random_points(Random& random, Index n, double side) {
-  return PixelPoints::NullaryExpr(n, 2, [&] { return random.uniform(0.0, side); });
+PlanePoints random_points(Random& random, Index n, double side) {
+  return PlanePoints::NullaryExpr(n, 2, [&] { return random.uniform(0.0, side); });
 }
 
 // Most pairs, then the smallest sum, by trying all orders of the points.
-std::pair<int, double> best_by_trying(const PixelPoints& points, const PixelPoints& wanted,
+std::pair<int, double> best_by_trying(const PlanePoints& points, const PlanePoints& wanted,
                                       double within) {
   // A point more for each wanted one, which means none.
   std::vector<int> order(static_cast<std::size_t>(points.rows() + wanted.rows()));
@@ -49,8 +49,8 @@ std::pair<int, double> best_by_trying(const PixelPoints& points, const PixelPoin
 TEST_CASE("most points are matched, and of those choices the nearest ones") {
   Random random(3);
   for (int trial = 0; trial < 150; ++trial) {
-    const PixelPoints points = random_points(random, static_cast<Index>(random.below(4)), 40);
-    const PixelPoints wanted = random_points(random, static_cast<Index>(1 + random.below(3)), 40);
+    const PlanePoints points = random_points(random, static_cast<Index>(random.below(4)), 40);
+    const PlanePoints wanted = random_points(random, static_cast<Index>(1 + random.below(3)), 40);
     const double within = random.uniform(3.0, 40.0);
     const Matches matches = match_points(points, wanted, within);
     int pairs = 0;
@@ -74,13 +74,13 @@ TEST_CASE("most points are matched, and of those choices the nearest ones") {
 
 TEST_CASE("hundreds of points that moved a little are found in whatever order they come") {
   Random random(5);
-  PixelPoints grid(400, 2);
+  PlanePoints grid(400, 2);
   for (Index i = 0; i < 400; ++i)
     grid.row(i) << static_cast<double>(20 * (i % 20)), static_cast<double>(20 * (i / 20));
   std::vector<int> order(400);
   std::iota(order.begin(), order.end(), 0);
   for (std::size_t i = 399; i > 0; --i) std::swap(order[i], order[random.below(i + 1)]);
-  PixelPoints moved(400, 2);
+  PlanePoints moved(400, 2);
   for (Index i = 0; i < 400; ++i)
     moved.row(order[static_cast<std::size_t>(i)]) << grid(i, 0) + random.uniform(-6, 6),
         grid(i, 1) + random.uniform(-6, 6);
@@ -88,14 +88,14 @@ TEST_CASE("hundreds of points that moved a little are found in whatever order th
 }
 
 TEST_CASE("a tracker keeps labels, waits for points that are hidden, and says which are lost") {
-  PixelPoints start(4, 2);
+  PlanePoints start(4, 2);
   start << 100, 100, 200, 100, 200, 200, 100, 200;
   PointTracker tracker(start, 12.0, 3);
   const auto picture = [&](int step, bool hides_second) {
     // Moves 9 pixels a picture; the points come in another order each time.
-    PixelPoints now = start;
+    PlanePoints now = start;
     now.col(0).array() += 9.0 * step;
-    PixelPoints out(hides_second ? 3 : 4, 2);
+    PlanePoints out(hides_second ? 3 : 4, 2);
     Index row = 0;
     for (Index i = 0; i < 4; ++i) {
       const Index label = (i + step) % 4;
@@ -114,23 +114,23 @@ TEST_CASE("a tracker keeps labels, waits for points that are hidden, and says wh
   tracker.update(picture(8, false));  // where it was predicted
   CHECK(tracker.lost().empty());
   // A jump of a camera is followed by its prediction.
-  PixelPoints far = start;
+  PlanePoints far = start;
   far.col(1).array() += 300.0;
   tracker.update(far, far);
   CHECK(tracker.points() == far);
 }
 
 TEST_CASE("lists that cannot be matched are refused with their numbers") {
-  const PixelPoints two = PixelPoints::Zero(2, 2);
-  CHECK(refusal_of([&] { match_points(PixelPoints::Zero(501, 2), two, 5.0); }) ==
+  const PlanePoints two = PlanePoints::Zero(2, 2);
+  CHECK(refusal_of([&] { match_points(PlanePoints::Zero(501, 2), two, 5.0); }) ==
         "At most 500 points are matched, not 501 seen.");
   CHECK(refusal_of([&] { match_points(two, two, 0.0); }) ==
-        "Points are matched within a distance above 0, not 0.");
-  CHECK(refusal_of([&] { match_points(two, PixelPoints::Constant(1, 2, std::nan("")), 5.0); }) ==
-        "One of the wanted points is not finite.");
+        "`within` is 0; it must be greater than zero.");
+  CHECK(refusal_of([&] { match_points(two, PlanePoints::Constant(1, 2, std::nan("")), 5.0); }) ==
+        "Element (0, 0) of `wanted` is nan; it must be a finite number.");
   PointTracker tracker(two, 5.0);
-  CHECK(refusal_of([&] { tracker.update(two, PixelPoints::Zero(3, 2)); }) ==
+  CHECK(refusal_of([&] { tracker.update(two, PlanePoints::Zero(3, 2)); }) ==
         "2 points are tracked and 3 are predicted.");
-  CHECK(match_points(PixelPoints(0, 2), two, 5.0).lost() == std::vector<int>{0, 1});
-  CHECK(match_points(two, PixelPoints(0, 2), 5.0).index.empty());
+  CHECK(match_points(PlanePoints(0, 2), two, 5.0).lost() == std::vector<int>{0, 1});
+  CHECK(match_points(two, PlanePoints(0, 2), 5.0).index.empty());
 }

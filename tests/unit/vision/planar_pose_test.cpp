@@ -17,7 +17,6 @@ using namespace armlet;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Points3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-using Points2 = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
 namespace {
 
@@ -39,8 +38,8 @@ Isometry3d random_pose(Random& random, double near, double far) {
   return T;
 }
 
-Points2 seen_from(const Isometry3d& T, const Points3& points) {
-  Points2 out(points.rows(), 2);
+PlanePoints seen_from(const Isometry3d& T, const Points3& points) {
+  PlanePoints out(points.rows(), 2);
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const Vector3d p = T * Vector3d(points.row(i));
     out.row(i) << p.x() / p.z(), p.y() / p.z();
@@ -94,31 +93,32 @@ TEST_CASE("points that do not determine a homography are refused with the reason
         "5 points cannot be taken to 4.");
   PlanePoints broken = square_points;
   broken(1, 1) = std::numeric_limits<double>::infinity();
-  CHECK(refusal_of([&] { (void)homography(square_points, broken); }) == "A point is not finite.");
+  CHECK(refusal_of([&] { (void)homography(square_points, broken); }) ==
+        "Element (1, 1) of `to` is inf; it must be a finite number.");
 }
 
 TEST_CASE("the pose of a plane is found again from its picture") {
   Random random(5);
   for (int trial = 0; trial < 500; ++trial) {
     CAPTURE(trial);
-    // Any plane of the thing's own frame.
+    // Any plane of the object's own frame.
     const auto n = static_cast<Eigen::Index>(4 + random.below(20));
-    Isometry3d T_thing_plane = Isometry3d::Identity();
+    Isometry3d T_obj_plane = Isometry3d::Identity();
     const auto any = [&] { return random.uniform(-1, 1); };
-    T_thing_plane.linear() = rotation_exp(Vector3d::NullaryExpr(any) * 2.0);
-    T_thing_plane.translation() = Vector3d::NullaryExpr(any);
+    T_obj_plane.linear() = rotation_exp(Vector3d::NullaryExpr(any) * 2.0);
+    T_obj_plane.translation() = Vector3d::NullaryExpr(any);
     Points3 flat = Points3::Zero(n, 3);
     flat.topLeftCorner(4, 2) = square(0.2).leftCols(2);
     for (Eigen::Index i = 4; i < n; ++i) flat.row(i) << 0.1 * any(), 0.1 * any(), 0.0;
     Points3 points(n, 3);
-    for (Eigen::Index i = 0; i < n; ++i) points.row(i) = T_thing_plane * Vector3d(flat.row(i));
+    for (Eigen::Index i = 0; i < n; ++i) points.row(i) = T_obj_plane * Vector3d(flat.row(i));
     const Isometry3d T_camera_plane = random_pose(random, 0.4, 2.0);
-    const Isometry3d truth = T_camera_plane * T_thing_plane.inverse();
+    const Isometry3d truth = T_camera_plane * T_obj_plane.inverse();
     const auto found = planar_pose(points, seen_from(truth, points));
     REQUIRE(found.ok());
     CHECK(found->best.error < 1e-10);
     CHECK(found->best.error <= found->other.error);
-    CHECK((found->best.T_camera_thing.matrix() - truth.matrix()).cwiseAbs().maxCoeff() < 1e-6);
+    CHECK((found->best.T_camera_obj.matrix() - truth.matrix()).cwiseAbs().maxCoeff() < 1e-6);
   }
 }
 
@@ -134,11 +134,11 @@ TEST_CASE("with noise the pose is as good as the published method") {
     for (int trial = 0; trial < 1000; ++trial) {
       const Points3 marker = square(0.1);
       const Isometry3d truth = random_pose(random, 0.5, 1.5);
-      Points2 seen = seen_from(truth, marker);
+      PlanePoints seen = seen_from(truth, marker);
       for (auto& value : seen.reshaped()) value += row.noise / 600 * normal(random);
       const auto found = planar_pose(marker, seen);
       REQUIRE(found.ok());
-      const Isometry3d& T = found->best.T_camera_thing;
+      const Isometry3d& T = found->best.T_camera_obj;
       mm.push_back(1e3 * (T.translation() - truth.translation()).norm());
       degrees.push_back(180 / kPi * angle_between(T.linear(), truth.linear()));
     }
@@ -154,24 +154,23 @@ TEST_CASE("a small marker far away is told to be ambiguous, and the other pose i
   truth.translation() = Vector3d(0, 0, 3.0);
   truth.linear() = rot_x(kPi + 0.5);
   Random random(23);
-  Points2 seen = seen_from(truth, square(0.05));
+  PlanePoints seen = seen_from(truth, square(0.05));
   for (auto& value : seen.reshaped()) value += 0.3 / 600 * normal(random);
   const auto found = planar_pose(square(0.05), seen);
   REQUIRE(found.ok());
   CHECK(found->is_ambiguous());
   const auto tilt = [](const FoundPose& each) {
-    return std::acos(-each.T_camera_thing.linear()(2, 2));
+    return std::acos(-each.T_camera_obj.linear()(2, 2));
   };
   CHECK(tilt(found->best) == doctest::Approx(tilt(found->other)).epsilon(0.3));
-  CHECK(angle_between(found->best.T_camera_thing.linear(), found->other.T_camera_thing.linear()) >
-        0.5);
+  CHECK(angle_between(found->best.T_camera_obj.linear(), found->other.T_camera_obj.linear()) > 0.5);
 }
 
 TEST_CASE("what has no pose of a plane is refused with the reason") {
   const Points3 four = square(0.1);
   Isometry3d T = Isometry3d::Identity();
   T.translation().z() = 1.0;
-  const Points2 seen = seen_from(T, four);
+  const PlanePoints seen = seen_from(T, four);
   Points3 line = four;
   line.col(1).setZero();
   CHECK(planar_pose(line, seen).error().code == "degenerate");
@@ -180,9 +179,9 @@ TEST_CASE("what has no pose of a plane is refused with the reason") {
   const auto refused = planar_pose(bent, seen);
   CHECK(refused.error().code == "not_planar");
   CHECK(refused.error().message.find("mm beside it") != std::string::npos);
-  CHECK(planar_pose(four, Points2::Zero(4, 2)).error().code == "degenerate");
+  CHECK(planar_pose(four, PlanePoints::Zero(4, 2)).error().code == "degenerate");
   CHECK(refusal_of([&] { (void)planar_pose(four.topRows(3), seen.topRows(3)); }) ==
         "A pose needs at least 4 points, not 3.");
   CHECK(refusal_of([&] { (void)planar_pose(four, seen.topRows(3)); }) ==
-        "A thing of 4 points is seen in 3.");
+        "An object of 4 points is seen in 3.");
 }

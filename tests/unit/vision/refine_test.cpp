@@ -60,7 +60,8 @@ TEST_CASE("refined corners equal those of OpenCV") {
       CAPTURE(x0);
       CAPTURE(y0);
       CHECK(corner.end != RefineEnd::kLeft);
-      // Both stop when a step is shorter than 0.001 px (OpenCV: 0.03); it counts in floats.
+      // Both stop when a step is shorter than 0.001 px, but OpenCV counts in floats and stops early
+      // where rounding hides the last steps.
       CHECK(std::hypot(corner.x - x, corner.y - y) < 0.05);
     }
   }

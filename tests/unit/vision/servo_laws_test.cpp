@@ -44,7 +44,7 @@ Isometry3d moved(const Isometry3d& T, const Vector6d& twist, double dt) {
 
 // A square of 0.2 m in the plane z = 0 of the world, seen by a camera.
 struct Seen {
-  ImagePoints points{4, 2};
+  PlanePoints points{4, 2};
   Eigen::VectorXd depths{4};
 };
 Seen square_seen(const Isometry3d& T_world_camera) {
@@ -102,7 +102,7 @@ TEST_CASE("the interaction matrix is the derivative of the points") {
   for (int trial = 0; trial < 200; ++trial) {
     const Vector3d P(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.3, 3.0));
     const Vector6d twist = Vector6d::NullaryExpr([&] { return random.uniform(-1, 1); });
-    const ImagePoints point = (ImagePoints(1, 2) << P.x() / P.z(), P.y() / P.z()).finished();
+    const PlanePoints point = (PlanePoints(1, 2) << P.x() / P.z(), P.y() / P.z()).finished();
     const Eigen::VectorXd speed =
         point_interaction(point, Eigen::VectorXd::Constant(1, P.z())) * twist;
     const double h = 1e-5;
@@ -221,7 +221,7 @@ TEST_CASE("the hybrid law takes its point straight through the image and the cam
       const Eigen::Vector2d point(p.x() / p.z(), p.y() / p.z());
       const Vector6d twist =
           hybrid_twist(point, end, p.z(), there.z(), wanted.linear().transpose() * T.linear(), 1.0);
-      const ImagePoints one = point.transpose();
+      const PlanePoints one = point.transpose();
       const Eigen::Vector2d speed =
           point_interaction(one, Eigen::VectorXd::Constant(1, p.z())) * twist;
       CHECK((speed + (point - end)).norm() < 1e-9);  // straight to its place
@@ -250,7 +250,7 @@ TEST_CASE("joint speeds give the camera the twist that the Jacobian says") {
 
 TEST_CASE("what a motion cannot reach is told") {
   // Two points: of their four numbers a camera that only slides sideways moves two.
-  const ImagePoints two = (ImagePoints(2, 2) << 0.1, 0.2, -0.3, 0.1).finished();
+  const PlanePoints two = (PlanePoints(2, 2) << 0.1, 0.2, -0.3, 0.1).finished();
   const Eigen::MatrixXd L = point_interaction(two, Eigen::VectorXd::Constant(1, 0.5)).leftCols(2);
   const Eigen::VectorXd apart = (Eigen::VectorXd(4) << 1, 0, -1, 0).finished();
   const ServoStep step = servo_step(L, apart, 1.0);
@@ -278,19 +278,19 @@ TEST_CASE("the adaptive gain goes from one value to the other with the slope tha
 }
 
 TEST_CASE("numbers that no servo has are refused with themselves") {
-  const ImagePoints one = (ImagePoints(1, 2) << 0.1, 0.2).finished();
+  const PlanePoints one = (PlanePoints(1, 2) << 0.1, 0.2).finished();
   const auto depth = [](double Z) { return Eigen::VectorXd::Constant(1, Z); };
   CHECK(refusal_of([&] { point_interaction(one, depth(0.0)); }) ==
-        "The depth of a point in front of the camera is above 0, not 0 m.");
+        "`depth` is 0; it must be greater than zero.");
   CHECK(refusal_of([&] { point_interaction(one, Eigen::VectorXd::Ones(3)); }) ==
         "1 points have 3 depths; give one for each, or one for all.");
   CHECK(refusal_of([&] {
-          law_interaction(ImageLaw::kMean, {one, ImagePoints::Zero(2, 2), depth(1), depth(1)});
+          law_interaction(ImageLaw::kMean, {one, PlanePoints::Zero(2, 2), depth(1), depth(1)});
         }) == "1 points are seen and 2 are wanted.");
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   CHECK(refusal_of([&] {
           servo_step(Eigen::MatrixXd::Ones(2, 6), Eigen::VectorXd::Ones(2), -1);
-        }) == "A gain is above 0 and finite, not -1 1/s.");
+        }) == "`gain` is -1; it must be greater than zero.");
   CHECK_FALSE(refusal_of([&] { point_interaction(one, depth(nothing)); }).empty());
   CHECK_FALSE(refusal_of([&] {
                 servo_step(Eigen::MatrixXd::Constant(2, 6, nothing), Eigen::VectorXd::Ones(2), 1);

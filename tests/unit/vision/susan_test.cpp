@@ -102,7 +102,6 @@ TEST_CASE("every instruction set finds the same corners at every threshold") {
 }
 
 TEST_CASE("the similarity of the formula is the one that the areas are summed from") {
-  // Two flat halves: the area at the edge is 22 pixels alike and 15 of the other brightness.
   for (int threshold = 1; threshold <= 255; threshold += 2) {
     for (int d = 1; d < 256; d += 3) {
       const float u = std::pow(static_cast<float>(d) / static_cast<float>(threshold), 2.0F);

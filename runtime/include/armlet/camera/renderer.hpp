@@ -17,8 +17,7 @@ inline constexpr std::int32_t kNoBody = -1;
 inline constexpr std::int32_t kGroundBody = -2;
 
 // samples  of the coloured picture in each pixel: 1, in its centre, or 4, in two rows of two.
-// Depths
-//          and bodies are always those at the centre.
+//          Depths and bodies are always those at the centre.
 struct PictureOptions {
   int samples = 4;
   bool color = true;
@@ -57,8 +56,7 @@ class Renderer {
   // throws       ArgumentError for what check_scene and check_pose refuse, samples other than 1 and
   //              4, and a distortion whose picture without it has a side above Image::kMostSide.
   // source       J. Pineda, A parallel algorithm for polygon rasterization, Computer Graphics
-  // 22(4),
-  //              1988 (edges and their rule); shadows: L. Williams, 1978.
+  //              22(4), 1988 (edges and their rule); shadows: L. Williams, 1978.
   void render(const Scene& scene, const Pinhole& camera, const Eigen::Isometry3d& T_world_eye,
               const PictureOptions& options, Pictures& pictures);
 

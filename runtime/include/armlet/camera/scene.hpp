@@ -108,5 +108,7 @@ struct Scene {
 // Throws ArgumentError that names the body or number that is wrong: a body without a surface or
 // with fewer materials than that needs, a pose that is none or beyond 10 km, a light from nowhere.
 void check_scene(const Scene& scene);
+// Throws ArgumentError unless the scene has a body of that number, counted from 0.
+void check_body(const Scene& scene, int body);
 
 }  // namespace armlet

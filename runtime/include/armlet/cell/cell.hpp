@@ -264,6 +264,7 @@ class Cell {
   void publish_object(std::string_view name);
   void publish_falls(const std::vector<Fall>& falls);
   void publish_drawing(const Drawing& drawing, bool removed);
+  [[nodiscard]] Eigen::Isometry3d T_world_mount(const Mount& on) const;
   void refuse_held(std::string_view name, std::string_view what) const;
   template <class Told>
   void tell(Told&& event);

@@ -10,17 +10,19 @@
 
 namespace armlet {
 
-// The picture in the bytes of a PNG, JPEG, PGM or PPM file, which is told from the first bytes.
+// Reads the bytes of a PNG, JPEG, PGM or PPM file. The first bytes decide which of them it is.
 //
 // PNG    grey, RGB and palettes of 1 to 16 bits, interlaced or not. 16 bits become 8 by the high
 //        byte. Pixels that are partly transparent are laid over white.
 // JPEG   baseline and progressive, 8 bits; CMYK becomes RGB. Notes on orientation are not followed.
-// PGM, PPM  text and binary (P2, P3, P5, P6), scaled to 0 ... 255 if their largest value is
-// another.
+// PGM, PPM  text and binary (P2, P3, P5, P6); scaled to 0 ... 255 where their largest value
+//        differs.
 //
 // returns  a grey picture for one channel, else RGB, with sides up to Image::kMostSide; or an error
 //          with the code "picture" whose message is a sentence with the position and the numbers.
 //          Memory is asked for only if the file is long enough to fill it.
+//
+// The functions of this file are not there in WebAssembly.
 [[nodiscard]] Result<Image> read_image(std::string_view bytes);
 
 // The bytes of a PNG file, by libpng. Reading them gives the same picture.

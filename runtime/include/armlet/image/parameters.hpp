@@ -1,6 +1,6 @@
 #pragma once
-// The functions of pictures with their parameters as data. Help, completion, messages and sliders
-// are made from this table, and the functions check their arguments against it.
+// The functions of pictures with their parameters as data, for whatever offers, explains or sets
+// them. The functions check their arguments against this table.
 
 #include <span>
 #include <string_view>

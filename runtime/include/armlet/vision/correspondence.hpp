@@ -1,14 +1,11 @@
 #pragma once
 // Which point of one picture is which of another one.
 
-#include <Eigen/Core>
 #include <vector>
 
-#include "armlet/math/eigen_layout.hpp"
+#include "armlet/vision/plane_points.hpp"
 
 namespace armlet {
-
-using PixelPoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 // For each wanted point the one that is taken for it.
 //
@@ -32,7 +29,7 @@ inline constexpr int kMostMatched = 500;  // points of each list
 // source  H. W. Kuhn, The Hungarian method for the assignment problem, Naval Research Logistics
 //         Quarterly 2, 1955; with shortest augmenting paths, R. Jonker, A. Volgenant, Computing 38,
 //         1987.
-Matches match_points(const PixelPoints& points, const PixelPoints& wanted, double within);
+Matches match_points(const PlanePoints& points, const PlanePoints& wanted, double within);
 
 // Keeps the labels of points from picture to picture. A point that is not found stays where it was
 // predicted for at most `patience` pictures; then it is lost.
@@ -41,7 +38,7 @@ class PointTracker {
   // start     k x 2, pixels.
   // gate      how far a point may be from its prediction, pixels.
   // throws    as match_points; and for a negative patience.
-  PointTracker(PixelPoints start, double gate, int patience = 5);
+  PointTracker(PlanePoints start, double gate, int patience = 5);
 
   // Takes the points of the next picture, in any order, to the labels.
   //
@@ -49,17 +46,17 @@ class PointTracker {
   //            by in the picture before.
   // returns    k x 2 in the order of the start.
   // throws     as match_points, and for a prediction of another number of points.
-  const PixelPoints& update(const PixelPoints& points, const PixelPoints& predicted = {});
+  const PlanePoints& update(const PlanePoints& points, const PlanePoints& predicted = {});
 
-  [[nodiscard]] const PixelPoints& points() const { return points_; }
+  [[nodiscard]] const PlanePoints& points() const { return points_; }
   // Labels that have not been found for more pictures than `patience`, in order.
   [[nodiscard]] std::vector<int> lost() const;
   // In how many pictures, one after the other, a label has not been found.
   [[nodiscard]] const std::vector<int>& missed() const { return missed_; }
 
  private:
-  PixelPoints points_;
-  PixelPoints moved_;  // by the last step
+  PlanePoints points_;
+  PlanePoints moved_;  // by the last step
   std::vector<int> missed_;
   double gate_;
   int patience_;

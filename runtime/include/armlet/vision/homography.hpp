@@ -4,11 +4,9 @@
 #include <Eigen/Core>
 
 #include "armlet/core/error.hpp"
-#include "armlet/math/eigen_layout.hpp"
+#include "armlet/vision/plane_points.hpp"
 
 namespace armlet {
-
-using PlanePoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 // The projective map that takes the points `from` to the points `to`, best in the least squares of
 // its equations after both have been centred and scaled.

@@ -1,10 +1,11 @@
 #pragma once
-// Where a flat thing is that a camera sees.
+// The pose of a flat object from one picture of its points.
 
 #include <Eigen/Geometry>
 
 #include "armlet/core/error.hpp"
 #include "armlet/math/eigen_layout.hpp"
+#include "armlet/vision/plane_points.hpp"
 
 namespace armlet {
 
@@ -13,7 +14,7 @@ namespace armlet {
 // error  root of the mean square distance between the points seen and those of the pose, in the
 //        unit of normalised coordinates (times the focal length: pixels).
 struct FoundPose {
-  Eigen::Isometry3d T_camera_thing = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_camera_obj = Eigen::Isometry3d::Identity();
   double error = 0.0;
 };
 
@@ -29,7 +30,7 @@ struct PlanarPose {
 
 // The pose of points of a plane from one picture of them, refined by least squares.
 //
-// points  n x 3, n >= 4, of the thing in its own frame, m, all in one plane.
+// points  n x 3, n >= 4, of the object in its own frame, m, all in one plane.
 // seen    n x 2, x = X/Z and y = Y/Z, without distortion.
 // returns the two poses with all points in front of the camera, or an error: "degenerate" if the
 //         points are on a line or their picture is, "not_planar" with the distance of the farthest
@@ -39,6 +40,6 @@ struct PlanarPose {
 // source  T. Collins, A. Bartoli, Infinitesimal plane-based pose estimation, Int. J. Computer
 //         Vision 109, 2014 (IPPE); refined by Gauss-Newton.
 Result<PlanarPose> planar_pose(const Eigen::Matrix<double, Eigen::Dynamic, 3>& points,
-                               const Eigen::Matrix<double, Eigen::Dynamic, 2>& seen);
+                               const PlanePoints& seen);
 
 }  // namespace armlet

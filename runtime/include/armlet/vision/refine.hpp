@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "armlet/image/image.hpp"
-#include "armlet/vision/homography.hpp"
+#include "armlet/vision/plane_points.hpp"
 
 namespace armlet {
 
@@ -31,15 +31,14 @@ struct RefinedCorner {
 
 // Corners near the starts: the gradient at any point of an edge is perpendicular to the line from
 // the corner to that point, so the corner c minimises the sum of w (g . (p - c))^2 over the points
-// p of the window, with bell-shaped weights w around the last c; brightness
-// between pixels is bilinear.
+// p of the window, with bell-shaped weights w around the last c. Brightness between pixels is
+// bilinear.
 //
 // grey    one channel of 8 bits.
 // starts  n x 2, px, within the picture.
 // throws  ArgumentError for another kind of picture, an option out of range, or a start outside.
 // source  W. Foerstner and E. Guelch, A fast operator for detection and precise location of
-// distinct
-//         points, corners and centres of circular features, ISPRS 1987, eq. 4 to 8.
+//         distinct points, corners and centres of circular features, ISPRS 1987, eq. 4 to 8.
 std::vector<RefinedCorner> refine_corners(const Image& grey, const PlanePoints& starts,
                                           const RefineOptions& options = {});
 

@@ -1,6 +1,6 @@
 #pragma once
-// Visual servoing with a camera on the hand: the motion of the camera that brings what it sees to
-// where it is wanted.
+// Visual servoing with a camera on the tool: the twist of the camera that moves points of its image
+// to their goals.
 //
 // Frames: the camera looks along its z axis, x to the right and y down. Twists are [v; w] of the
 // camera in its own axes, m/s and rad/s. Points are x = X/Z, y = Y/Z, one in each row.
@@ -10,10 +10,9 @@
 
 #include "armlet/math/eigen_layout.hpp"
 #include "armlet/math/twist.hpp"
+#include "armlet/vision/plane_points.hpp"
 
 namespace armlet {
-
-using ImagePoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 // How points move in the image when the camera does: the speeds [x1 y1 x2 y2 ...] are L v.
 //
@@ -24,7 +23,7 @@ using ImagePoints = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 //         number of depths.
 // source  F. Chaumette, S. Hutchinson, Visual servo control I, IEEE Robotics and Automation
 //         Magazine 13(4), 2006, equation 11.
-Eigen::MatrixXd point_interaction(const ImagePoints& points, const Eigen::VectorXd& depths);
+Eigen::MatrixXd point_interaction(const PlanePoints& points, const Eigen::VectorXd& depths);
 
 // Which interaction matrix an image-based law takes: that of now, that of the goal, or the mean of
 // both, which turns about the optical axis without moving along it.
@@ -38,7 +37,7 @@ enum class ImageLaw { kCurrent, kDesired, kMean };
 // points, wanted        k x 2, in the same order.
 // depths, depths_wanted as point_interaction takes them.
 struct ImageGoal {
-  ImagePoints points, wanted;
+  PlanePoints points, wanted;
   Eigen::VectorXd depths, depths_wanted;
 };
 
@@ -100,8 +99,9 @@ Eigen::MatrixXd camera_jacobian(const Eigen::Ref<const Eigen::MatrixXd>& J_world
 // source           Chaumette, Hutchinson 2006, equation 17.
 Vector6d position_twist(const Eigen::Isometry3d& T_wanted_camera, double gain);
 
-// The law of 2 1/2 D servoing: one point goes straight to its place in the image while its depth
-// and the orientation of the camera, which the law takes apart, go to theirs.
+// The law of 2 1/2 D servoing. It controls the image of one point and its depth by the translation
+// of the camera, and the orientation of the camera by its rotation: the point moves straight to its
+// goal in the image.
 //
 // point, wanted  of one and the same point, x and y.
 // depth, depth_wanted  its Z now and at the goal, m.

@@ -80,10 +80,7 @@ bool ShadowMap::choose_part(const Scene& scene, const View& view, const LightFra
 
 void ShadowMap::draw(const Scene& scene, const View& view, const LightFrame& light) {
   columns_ = 0;
-  if (!choose_part(scene, view, light)) {
-    columns_ = 0;
-    return;
-  }
+  if (!choose_part(scene, view, light)) return;
   rows_.resize(grid_.columns, grid_.rows, false);
   std::fill_n(rows_.nearness.begin(), rows_.stride * static_cast<std::size_t>(grid_.rows), -1e30F);
   last_x_ = static_cast<float>(grid_.columns - 1);

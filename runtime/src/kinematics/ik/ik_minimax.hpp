@@ -1,4 +1,4 @@
-// The smallest largest joint change among solutions that are connected in several directions.
+// Slides along a surface of solutions to the one whose largest joint change is smallest.
 #pragma once
 
 #include "kinematics/self_motion/self_motion.hpp"

@@ -62,6 +62,7 @@ void search_surfaces(const Robot& robot, const IkGoal& goal, const IkOptions& op
   IkSolver solver(robot, goal);
   JointArray q = to_array(solutions.front());
   double change = change_of(q, options.seed);
+  bool nearer = false;
   for (int start = 1; start <= kWideStarts; ++start) {
     JointArray found = start_within(robot, options, change, start);
     const bool met = options.respect_limits ? solver.solve_in_box(found, options.iterations)
@@ -71,13 +72,16 @@ void search_surfaces(const Robot& robot, const IkGoal& goal, const IkOptions& op
     if (change_of(found, options.seed) >= change - kNoNearer) continue;
     q = found;
     change = change_of(found, options.seed);
+    nearer = true;
   }
-  solutions.insert(solutions.begin(), to_vector(q, robot.n()));
+  if (nearer) solutions.insert(solutions.begin(), to_vector(q, robot.n()));
 }
 
-// Whether the solutions of an arm with more joints than the goal counts are surfaces.
+// Whether the solutions of an arm of more than six joints are surfaces of as many directions as
+// their search knows. Arms of six joints or fewer keep their quick search.
 bool has_surfaces(const Robot& robot, const IkGoal& goal) {
-  return robot.n() > 6 && (goal.weights.array() != 0.0).count() + 2 <= robot.n();
+  const Eigen::Index idle = robot.n() - (goal.weights.array() != 0.0).count();
+  return robot.n() > 6 && idle >= 2 && idle <= kMostIdle;
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #include "ik_wished.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "math/solvers.hpp"
 
 namespace armlet {
 namespace {
@@ -29,7 +30,7 @@ VectorXd step_to_wished(const Robot& robot, const IkRows& rows, const WishedJoin
         rows.J * spread.asDiagonal();
     Eigen::Matrix<double, 6, 6> A = JS * rows.J.transpose();
     A.diagonal().array() += kRegularised * A.diagonal().maxCoeff() + 1e-300;
-    dq = aim + JS.transpose() * A.ldlt().solve(rows.error - rows.J * aim);
+    dq = aim + JS.transpose() * SymmetricFactors<6>(A).solve(rows.error - rows.J * aim);
     Eigen::Index worst = -1;
     double beyond = 1e-12;
     for (Eigen::Index i = 0; i < n; ++i) {

@@ -246,8 +246,6 @@ std::string xml_fault(std::string_view text) {
     return fmt::format("the file has {} bytes; at most {} are read", text.size(), kMaxBytes);
   }
   if (text.find_first_not_of(kBlank) == std::string_view::npos) return "the file is empty";
-  if (text.find('\0') != std::string_view::npos)
-    return "the file holds a zero byte, so it is no text";
   const auto control = std::ranges::find_if(text, is_forbidden);
   if (control != text.end()) {
     return fmt::format(
