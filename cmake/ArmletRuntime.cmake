@@ -38,11 +38,11 @@ function(armlet_tune_native_kernels)
   endif()
 endfunction()
 
-# What pictures, meshes and robot descriptions are read with. Of urdfdom only the headers are needed here; the library is loaded when the
+# Libraries for pictures, meshes and robot descriptions. Of urdfdom only the headers are needed here; the library is loaded when the
 # first robot description is read.
 function(armlet_use_file_formats)
   target_link_libraries(armlet_layer_mesh PRIVATE nlohmann_json::nlohmann_json)
-  if(urdf_read STREQUAL "urdf_none")
+  if(EMSCRIPTEN)
     return()
   endif()
   find_package(PNG REQUIRED)

@@ -54,7 +54,7 @@ def eigen():
     for place in ("/usr/include/eigen3", "/usr/local/include/eigen3"):
         if Path(place).is_dir():
             return place
-    sys.exit(77)
+    sys.exit("check_layout.py: Eigen was not found")
 
 
 def check_every_header():

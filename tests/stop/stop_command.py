@@ -6,11 +6,9 @@ Programs that were hard to stop, and 200 random ones at random instants.
 
 import random
 import sys
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from stopping import Stop
+from stopping import stop_all
 
 COMMAND = Path(sys.argv[1]).resolve()
 
@@ -128,19 +126,11 @@ def main():
     cases = [(name, text, instants.uniform(0.05, 0.5)) for name, text in PROGRAMS.items() for _ in range(2)]
     cases += [(f"random program {i}", Program(i).text, instants.uniform(0.01, 0.3)) for i in range(RANDOM_PROGRAMS)]
     faults = []
-    with tempfile.TemporaryDirectory() as folder:
-        def stop(item):
-            number, (name, text, after) = item
-            path = Path(folder) / f"program{number}.rbt"
-            path.write_text(text)
-            return name, text, Stop([COMMAND, "run", "--quiet", path], after, folder)
-
-        longest = (0.0, 0.0, "")
-        with ThreadPoolExecutor(2) as pool:
-            for name, text, run in pool.map(stop, enumerate(cases)):
-                longest = max(longest, (run.cpu, run.seconds, name))
-                if run.fault:
-                    faults.append(f"{name}: {run.fault}\n{text}")
+    longest = (0.0, 0.0, "")
+    for name, text, run in stop_all(COMMAND, cases):
+        longest = max(longest, (run.cpu, run.seconds, name))
+        if run.fault:
+            faults.append(f"{name}: {run.fault}\n{text}")
     print(f"{len(cases)} runs; the longest took {longest[0]:.3f} s of the processor and {longest[1]:.3f} s to stop: "
           f"{longest[2]}")
     if faults:

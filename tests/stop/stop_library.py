@@ -9,11 +9,9 @@ import random
 import re
 import subprocess
 import sys
-import tempfile
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from stopping import Stop
+from stopping import stop_all
 
 HERE = Path(__file__).resolve().parent
 COMMAND = Path(sys.argv[1]).resolve()
@@ -181,20 +179,12 @@ def main():
     bodies = list(dict.fromkeys(body for body, _ in rows))
     names = {body: signature for body, signature in reversed(rows)}
     instants = random.Random(42)
-    work = [(i, body, instants.uniform(0.05, 0.4)) for i, body in enumerate(bodies)]
-    with tempfile.TemporaryDirectory() as folder:
-        def stop(item):
-            number, body, after = item
-            path = Path(folder) / f"program{number}.rbt"
-            path.write_text(body)
-            return body, Stop([COMMAND, "run", "--quiet", path], after, folder)
-
-        longest = (0.0, 0.0, "")
-        with ThreadPoolExecutor(2) as pool:
-            for body, run in pool.map(stop, [item for item in work if item[0] % PARTS == PART]):
-                longest = max(longest, (run.cpu, run.seconds, names[body]))
-                if run.fault:
-                    faults.append(f"{names[body]}: {run.fault}\n{body}")
+    work = [(names[body], body, instants.uniform(0.05, 0.4)) for body in bodies]
+    longest = (0.0, 0.0, "")
+    for name, body, run in stop_all(COMMAND, work[PART::PARTS]):
+        longest = max(longest, (run.cpu, run.seconds, name))
+        if run.fault:
+            faults.append(f"{name}: {run.fault}\n{body}")
     print(f"{len(bodies)} programs for {len(rows)} functions; the longest took {longest[0]:.3f} s of the processor and "
           f"{longest[1]:.3f} s to stop: {longest[2]}")
     if faults:
