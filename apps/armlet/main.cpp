@@ -241,8 +241,8 @@ void add_lab_options(CLI::App& command, Asked& asked) {
       ->type_name("ADDRESS");
   command
       .add_option("--token-file", lab.token_file,
-                  "a file with the secret in the page's address, 22 letters, digits, - or _ and "
-                  "more; also in the variable ARMLET_LAB_TOKEN (default: a new one each time)")
+                  "a file with the secret in the page's address, at least 22 letters, digits, - "
+                  "or _; also in the variable ARMLET_LAB_TOKEN (default: a new one each time)")
       ->type_name("FILE");
   command
       .add_option_function<std::string>(

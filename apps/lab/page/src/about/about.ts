@@ -27,7 +27,7 @@ export function aboutDialog(version: () => string): { dialog: HTMLDialogElement;
     el("h2", {}, `Armlet ${version()}`.trim()),
     el("p", {}, "A language for robot arms, under the MIT licence. Copyright © The Armlet authors. It contains software of others:"),
     ...["page", "engine", "command", "planner", "converter"].flatMap((place) => list(`In ${places[place]}`, parts.filter((part) => part.in.includes(place)))),
-    ...list("Loaded from the system by the command, the planners or the converter", parts.filter((part) => !part.in.length)),
+    ...list("Libraries of the system that the command, the planners, the converter or programs of hosts load", parts.filter((part) => !part.in.length)),
     el("h3", {}, "Texts of the licences of what the page and its engine contain"),
     ...Object.entries(texts).map(([name, text]) => el("details", {}, el("summary", {}, name), el("pre", {}, text))),
     el("p", { class: "quiet" }, "armlet --notices prints these and those of the command."),

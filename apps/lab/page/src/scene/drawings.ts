@@ -157,7 +157,7 @@ export class DrawingsView {
 
   // What a shape is on, in the world; null: that is not there. `known` keeps what was asked for this instant.
   private frameOf(run: Run, t: number, { robot, link, object }: DrawingInfo, known: Map<string, Matrix | null>): Matrix | null {
-    const key = robot === null ? object : `${robot} ${link}`;
+    const key = robot === null ? `on ${object}` : `${robot} ${link}`;
     const found = known.get(key);
     if (found !== undefined) return found;
     const frame = robot === null ? this.frameOfObject(run, t, object) : this.frameOfLink(run, t, robot, link);
