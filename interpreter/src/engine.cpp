@@ -150,7 +150,9 @@ std::shared_ptr<const Analysis> Engine::analyse(
                          before != nullptr ? &before->facts() : nullptr));
 }
 
-std::vector<std::string> Engine::check_signatures() const { return vocabulary().check_signatures(); }
+std::vector<std::string> Engine::check_signatures() const {
+  return vocabulary().check_signatures();
+}
 
 // ---- Compilation
 // --------------------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ void FanOut::set_backends(std::vector<Backend*> backends) {
 
 void FanOut::on(const Event& event) {
   if (muted_) return;
-  std::exception_ptr fault;  // the first; the others are told all the same
+  std::exception_ptr fault;  // the first one; every backend gets the event before it is thrown
   for (Backend* each : backends_) {
     try {
       each->on(event);

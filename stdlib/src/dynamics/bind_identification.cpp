@@ -72,7 +72,8 @@ constexpr NativeFunction kIdentificationFunctions[] = {
         "14 values of each link, one link after the other: mass and mass times centre of mass (x, "
         "y, z), inertia about the origin of the link's frame (xx, xy, xz, yy, yz, zz), and at the "
         "joint the inertia of the motor, viscous friction and Coulomb friction forwards and "
-        "backwards. The payload and what the hand holds count to the last link. Behind them stand those "
+        "backwards. The payload and what the hand holds count to the last link. Behind them stand "
+        "those "
         "of links beside the arm whose joints copy its joints.",
         "dynamicParameters().length"),
     def<base_of_links>(

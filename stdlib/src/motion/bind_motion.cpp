@@ -4,12 +4,12 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "trajectory/limit_policy.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_waiting.hpp"
 #include "motion/moves.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "trajectory/splines.hpp"
 #include "trajectory/trajectories.hpp"
 #include "values/values.hpp"

@@ -4,11 +4,11 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "messages/library_messages.hpp"
-#include "trajectory/limit_policy.hpp"
 #include "motion/motion_collisions.hpp"
 #include "motion/motion_torques.hpp"
 #include "robot/grips.hpp"
 #include "session/time_left.hpp"
+#include "trajectory/limit_policy.hpp"
 
 namespace armlet::bind {
 namespace {

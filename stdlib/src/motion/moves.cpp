@@ -11,7 +11,6 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/trajectory/joint_move.hpp"
 #include "messages/library_messages.hpp"
-#include "trajectory/limit_policy.hpp"
 #include "motion/move_around.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_retarget.hpp"
@@ -21,6 +20,7 @@
 #include "robot/goals.hpp"
 #include "session/bind.hpp"
 #include "session/time_left.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "world/objects.hpp"
 
 namespace armlet::bind {

@@ -11,12 +11,12 @@
 #include "armlet/math/format_vector.hpp"
 #include "armlet/trajectory/cartesian_path.hpp"
 #include "messages/library_messages.hpp"
-#include "trajectory/limit_policy.hpp"
 #include "motion/move_failures.hpp"
 #include "motion/move_waiting.hpp"
 #include "robot/goals.hpp"
 #include "session/bind.hpp"
 #include "session/time_left.hpp"
+#include "trajectory/limit_policy.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -87,9 +87,8 @@ Answer<PosJ> inverse_from_position(Vm& vm, const RobotRef& r, Q q0, const PosC& 
   const Robot& robot = model_of(vm, r);
   const auto start = joint_argument(vm, robot, q0, kStart);
   if (!start) return Failed{};
-  const auto q =
-      solve_target(vm, {.function = "IKinematics", .robot = r.id, .target = kX, .moves = false}, p,
-                   *start);
+  const auto q = solve_target(
+      vm, {.function = "IKinematics", .robot = r.id, .target = kX, .moves = false}, p, *start);
   if (!q) return Failed{};
   return make_posj(robot, *q);
 }

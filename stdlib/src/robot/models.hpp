@@ -40,7 +40,8 @@ Answer<void> exchange_model(Vm& vm, const RobotRef& r, const Make& make) try {
 using Numbers = std::optional<std::span<const double>>;
 using NumberRows = std::optional<std::span<const Slot>>;
 Answer<void> read_com(Vm& vm, Numbers values, int parameter, Link& link);
-// An inertia about the centre of mass, as rows of numbers or as a matrix; none where it is left out.
+// An inertia about the centre of mass, as rows of numbers or as a matrix; none where it is left
+// out.
 using Inertia = std::optional<Eigen::Matrix3d>;
 Answer<Inertia> inertia_argument(Vm& vm, NumberRows rows, int parameter);
 Answer<Inertia> inertia_argument(Vm& vm, const MatrixObj& matrix, int parameter);

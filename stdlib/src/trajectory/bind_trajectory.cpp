@@ -10,7 +10,6 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/robot_text.hpp"
 #include "messages/library_messages.hpp"
-#include "trajectory/limit_policy.hpp"
 #include "motion/motion_text.hpp"
 #include "motion/motion_torques.hpp"
 #include "motion/move_around.hpp"
@@ -18,6 +17,7 @@
 #include "robot/own_pairs.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "trajectory/trajectories.hpp"
 
 namespace armlet::bind {

@@ -6,10 +6,10 @@
 
 #include "armlet/core/format.hpp"
 #include "armlet/kinematics/forward.hpp"
-#include "trajectory/limit_policy.hpp"
 #include "motion/move_failures.hpp"
 #include "session/bind.hpp"
 #include "session/time_left.hpp"
+#include "trajectory/limit_policy.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -46,9 +46,8 @@ Answer<ListObj*> range_of_quantities(Vm& vm, double first, double last, double s
     return failure(vm, "R0613",
                    fmt::format("range would have more than {} numbers", kLongestRange));
   const double count = std::max(0.0, std::ceil(steps - kEndOfRange));
-  return numbers_of(vm, static_cast<std::size_t>(count), [=](Slot& to, std::size_t i) {
-    to.d = first + static_cast<double>(i) * step;
-  });
+  return numbers_of(vm, static_cast<std::size_t>(count),
+                    [=](Slot& to, std::size_t i) { to.d = first + static_cast<double>(i) * step; });
 }
 Answer<ListObj*> range_to(Vm& vm, std::int64_t last) { return range(vm, 0, last, 1); }
 

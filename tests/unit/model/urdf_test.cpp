@@ -347,7 +347,7 @@ TEST_CASE("text that is no description, and text that attacks its reader, is ref
   CHECK(refusal("<robot>") != "accepted");
   CHECK(refusal("<html></html>") != "accepted");
   CHECK(refusal("<robot name=\"a\"><link name=\"b\">") != "accepted");
-  CHECK(refusal(std::string("<robot\0name=\"a\"/>", 18)).find("zero byte") != std::string::npos);
+  CHECK(refusal(std::string("<robot\0name=\"a\"/>", 18)).find("U+0000") != std::string::npos);
   CHECK(refusal("<robot name=\"a\">\n<link name=\"b\x02\"/></robot>")
             .find("the control character U+0002, which XML does not allow (line 2)") !=
         std::string::npos);

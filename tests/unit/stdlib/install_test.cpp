@@ -30,7 +30,8 @@ std::string before(std::string_view name) {
 
 void check_example(const NativeFunction& function) {
   std::string text(function.example);
-  if (function.name.starts_with("robot.joint.") || function.name.starts_with("robot.body.")) text = "robot one { " + text + " }";
+  if (function.name.starts_with("robot.joint.") || function.name.starts_with("robot.body."))
+    text = "robot one { " + text + " }";
   if (function.name.starts_with("lab."))
     text = "robot arm = robots.scara()\nlab one { " + text + " }";
   std::string printed;

@@ -177,6 +177,7 @@ TEST_CASE("habits of other languages are named on their line, with a fix that wo
     std::size_t programs, working, leading;
   };
   // What is reached now; it must not become less. Programs with several habits need several fixes.
+  // `print(v(1))` has no sure fix, since round brackets may count from 1.
   for (const Reached& reached :
        {Reached{"habits.txt", 131, 122, 122}, Reached{"more_habits.txt", 79, 59, 71},
         Reached{"toolbox_habits.txt", 81, 72, 72}}) {

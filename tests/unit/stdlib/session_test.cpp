@@ -337,8 +337,7 @@ TEST_CASE("a backend that throws at the end leaves the result, and the others ar
     SessionOptions made = at_the_table();
     made.backends = {&before, &throws, &after};
     Session session(library_engine(), std::move(made));
-    REQUIRE(session.compile("plot([0.0, 1.0], [0.0, 1.0])\nprint(\"here\")\n",
-                            "p.rbt"));
+    REQUIRE(session.compile("plot([0.0, 1.0], [0.0, 1.0])\nprint(\"here\")\n", "p.rbt"));
     for (int run = 1; run <= 2; ++run) {  // it runs again, in a fresh cell
       CHECK_THROWS_WITH(static_cast<void>(session.run()), "the disk is full");
       for (const ThrowsAt* each : {&before, &throws, &after}) {

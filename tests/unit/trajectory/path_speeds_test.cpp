@@ -201,7 +201,8 @@ double time_of(SpeedCase c, Jerk jerk) {
 // come to its highest acceleration. The speed changes at both ends and at each corner, there down
 // and up again.
 TEST_CASE(
-    "survey of paths with unequal speeds: at most 5 % longer than the optimum of their curve") {
+    "survey of paths with unequal speeds: at most 5 % longer than the optimum of their curve and "
+    "what limits on jerk add to each change of speed") {
   std::mt19937_64 generator(survey_seed(81));
   const int count = survey_count(12);
   int tried = 0, above = 0;
@@ -218,7 +219,7 @@ TEST_CASE(
     const double ramp = (c.robot.max_accel().array() / c.robot.max_jerk().array()).maxCoeff();
     const double ramps = ramp * static_cast<double>(2 * c.move.points.size());
     const double free = time_of(c, Jerk::kFree) / least;
-    CHECK(T >= least * 0.995);
+    CHECK(T >= least * 0.995);  // the optimum is found at 2,000 positions
     CHECK(T <= 1.05 * (least + ramps));
     above += T > 1.05 * least ? 1 : 0;
     sum += T / least / count;

@@ -142,7 +142,7 @@ class Engine {
 
  private:
   [[nodiscard]] Vocabulary& vocabulary() const;  // throws ArgumentError if it was moved from
-  std::shared_ptr<Vocabulary> registry_;  // programs keep it too
+  std::shared_ptr<Vocabulary> registry_;         // programs keep it too
 };
 
 struct VmOptions {

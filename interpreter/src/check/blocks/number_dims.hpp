@@ -31,9 +31,9 @@ struct Checker;
 // `lab.plot.NAME(value: fn() -> T, ...)`: a text parameter valueUnits that is left out gets the
 // units of the numbers in the value that have none by their type, as "rad/s,m/s"; those that only
 // the run knows as "@" with NumberDim::later, and "#2" for one of them. Of a matrix these are the
-// units of its columns, of a list of lists those of each list; of a list the unit of all elements, or
-// those of each; of a table those of each column, as "s;rad/s,m/s". When all functions of the text
-// have been checked.
+// units of its columns, of a list of lists those of each list; of a list the unit of all elements,
+// or those of each; of a table those of each column, as "s;rad/s,m/s". When all functions of the
+// text have been checked.
 void finish_units(Checker& checker);
 
 }  // namespace armlet::lang

@@ -80,7 +80,9 @@ Signal sort_by_real(Vm& vm, Slot* args) {
   return sorted(vm, args, [](Slot a, Slot b) { return a.d < b.d; });
 }
 
-Signal sort_by_text(Vm& vm, Slot* args) { return sorted(vm, args, TextOrder(vm), TextOrder::kCost); }
+Signal sort_by_text(Vm& vm, Slot* args) {
+  return sorted(vm, args, TextOrder(vm), TextOrder::kCost);
+}
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Shapes that are only shown, as backends are told of them.
+// What an event says of a shape that is shown and is no body: an arrow, a text, a disk.
 #pragma once
 
 #include <Eigen/Geometry>

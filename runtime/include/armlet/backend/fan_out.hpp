@@ -13,7 +13,8 @@ class FanOut : public Backend {
   // throws    ArgumentError if one of them is null.
   explicit FanOut(std::vector<Backend*> backends);
 
-  // throws    what the first backend threw that did; all are told.
+  // Passes the event to every backend, also behind one that throws; the first exception is thrown
+  // at the end.
   void on(const Event& event) override;
 
   // Others take the place of those that were told so far.

@@ -41,8 +41,8 @@ struct RecordedUndoing {
   bool operator==(const RecordedUndoing&) const = default;
 };
 
-// Keeps a run in memory, with what is undone and the marks that say so, without its figures and
-// drawings. An object that appears is recorded as a sample of its pose.
+// Keeps the events of a run in memory, all but figures and drawings. Events that are undone stay,
+// and undoings() says which they are. An object that appears is recorded as a sample of its pose.
 class Recorder : public Backend {
  public:
   void on(const Event& event) override;

@@ -17,16 +17,16 @@ namespace armlet {
 //   G^2 J                         of the rotor, at the joint, kg m^2
 //   G^2 B, |G| Tc+, |G| Tc-       viscous and Coulomb friction, at the joint
 //
-// the first ten in the link's DH frame. Behind those of the links stand, in the same order, those of
-// each link with a mass or friction whose joint copies joints of the arm (RobotSpec::followers), in
-// its own frame and at its own joint: 14 (n + followers) in all.
+// the first ten in the link's DH frame. Behind those of the links stand, in the same order, those
+// of each link with a mass or friction whose joint copies joints of the arm (RobotSpec::followers),
+// in its own frame and at its own joint: 14 (n + followers) in all.
 inline constexpr int kLinkParameters = 14;
 
 // p, 14 values for each link. A payload counts to the last link.
 Eigen::VectorXd dynamic_parameters(const Robot& robot);
 
-// Y, n x p.size(). It depends on the geometry and on gravity alone. The columns of Tc+ and Tc- are 1
-// while the joint moves in their direction, otherwise 0.
+// Y, n x p.size(). It depends on the geometry and on gravity alone. The columns of Tc+ and Tc- are
+// 1 while the joint moves in their direction, otherwise 0.
 //
 // throws  ArgumentError unless the arguments have n finite elements and the result is finite.
 // source  C. G. Atkeson, C. H. An, J. M. Hollerbach, Estimation of inertial parameters of

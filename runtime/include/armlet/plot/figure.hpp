@@ -23,7 +23,8 @@ struct Series {
 // What an axis shows. `unit` is the SI unit of the values ("m", "rad/s"), empty for plain numbers;
 // pictures choose deg, mm and so on themselves.
 //
-// read  the unit of values whose type has none, as the text of the program shows it; `unit` is empty
+// read  the unit of values whose type has none, as the text of the program shows it; `unit` is
+// empty
 //       if numbers of which nothing is known are beside them.
 struct Axis {
   std::string label{};

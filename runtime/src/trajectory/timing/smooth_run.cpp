@@ -371,8 +371,8 @@ class Run {
     return std::max(most, tighten_forces(run));
   }
 
-  // What travels exceeds the speeds of zones mostly next to their borders: what is not divided
-  // there would make the whole run slower.
+  // Speeds exceed the limits of zones mostly next to the borders of zones. Those cells alone are
+  // tightened; to slow the whole run down for them would take longer.
   void look_at_zones(std::vector<Tight>& worst) const {
     if (zones_.empty()) return;
     std::size_t travels = 0;

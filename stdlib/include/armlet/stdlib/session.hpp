@@ -74,8 +74,8 @@ class Session {
   //
   // throws  ArgumentError if there is nothing to run, for a budget of no steps, or if the session
   //         runs in another thread or in the function that calls this; all stays as it was then.
-  //         What backends and other functions of the host throw outside the program ends the run, of
-  //         which all backends are told; what they throw at its end leaves its result as it is.
+  //         What backends and other functions of the host throw outside the program ends the run,
+  //         of which all backends are told; what they throw at its end leaves its result as it is.
   Progress run(const Budget& budget);
   // The same without a budget.
   [[nodiscard]] RunResult run();

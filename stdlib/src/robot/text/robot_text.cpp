@@ -12,8 +12,8 @@
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
-#include "robot/text/hand_text.hpp"
 #include "robot/own_pairs.hpp"
+#include "robot/text/hand_text.hpp"
 
 namespace armlet {
 namespace {
