@@ -1,0 +1,12 @@
+# What pictures and corners are compared with by bench_vision: Embree, which follows rays, and OpenCV.
+find_package(embree 3 REQUIRED)
+find_path(ARMLET_OPENCV_HEADERS opencv2/features2d.hpp PATH_SUFFIXES opencv4 REQUIRED)
+add_library(picture_peers INTERFACE)
+target_include_directories(picture_peers SYSTEM INTERFACE ${ARMLET_OPENCV_HEADERS})
+target_link_libraries(picture_peers INTERFACE embree)
+foreach(part core imgproc features2d)
+  find_library(ARMLET_OPENCV_${part} opencv_${part} REQUIRED)
+  target_link_libraries(picture_peers INTERFACE ${ARMLET_OPENCV_${part}})
+  mark_as_advanced(ARMLET_OPENCV_${part})
+endforeach()
+mark_as_advanced(ARMLET_OPENCV_HEADERS)
