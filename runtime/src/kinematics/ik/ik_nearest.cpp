@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ik_free.hpp"
+#include "ik_minimax.hpp"
 #include "ik_search.hpp"
 #include "kinematics/self_motion/self_motion.hpp"
 
