@@ -1,6 +1,11 @@
 // The one file in which stb_image is compiled: PNG and JPEG from memory, no files, no other
 // formats. Its vector code is left out so that one path is tested everywhere. Coefficients that no
 // encoder writes overflow in its transforms: the file is compiled with -fwrapv, which defines that.
+// Pixels that a corrupt file leaves out would be whatever the memory held: it is cleared.
+#include <cstdlib>
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(block, size) std::realloc(block, size)
+#define STBI_FREE(block) std::free(block)
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG

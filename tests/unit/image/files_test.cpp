@@ -208,6 +208,30 @@ TEST_CASE("damage is described with its position and numbers") {
       fmt::format("The Huffman table at byte {} of the JPEG file says ", tables + 4)));
 }
 
+TEST_CASE("a scan of a JPEG file needs the tables that it uses before it") {
+  const std::string jpeg = write_jpeg(waves(40, 30, PixelKind::kRgb));
+  // Without the first table of a kind: stb_image would read memory that nothing was written to.
+  const auto without = [&](const char* marker, std::size_t size) {
+    std::string other = jpeg;
+    const std::size_t at = other.find(marker);
+    REQUIRE(at != std::string::npos);
+    return other.erase(at, size);
+  };
+  const std::size_t codes = jpeg.find("\xff\xc4"), sizes = jpeg.find("\xff\xdb");
+  const auto length = [&](std::size_t at) {
+    return 2 + 256 * static_cast<unsigned char>(jpeg[at + 2]) +
+           static_cast<unsigned char>(jpeg[at + 3]);
+  };
+  CHECK(message_of(without("\xff\xc4", length(codes)))
+            .ends_with("needs the Huffman table 0, which no part before it has."));
+  CHECK(message_of(without("\xff\xdb", length(sizes)))
+            .ends_with("needs the quantisation table 0, which no part before it has."));
+  std::string other = jpeg;
+  other[jpeg.find("\xff\xda") + 5] = '\x09';
+  CHECK(message_of(other).ends_with("is of the channel 9, which its frame does not have."));
+  CHECK(message_of(without("\xff\xc0", 2 + 17)).ends_with("stands before its frame."));
+}
+
 TEST_CASE("any bytes give a picture or a sentence") {
   std::mt19937_64 generator(9);
   const std::string seeds[] = {

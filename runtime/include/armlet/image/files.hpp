@@ -31,7 +31,8 @@ namespace armlet {
 // throws   ArgumentError for a picture of depths or without pixels.
 [[nodiscard]] std::string write_png(const Image& image);
 
-// The bytes of a baseline JPEG file; the same on every machine.
+// The bytes of a baseline JPEG file; the same on every machine. It always has three channels, so
+// that a grey picture is read back as RGB.
 //
 // quality  1 to 100.
 // throws   ArgumentError as write_png does, or for a quality out of range.
