@@ -1,5 +1,5 @@
 // Pictures as PNG: read as browsers and this file write them, and written with at most 256 colours, a third as large as those of browsers.
-import { crc32, deflateSync, inflateSync } from "node:zlib";
+import * as zlib from "node:zlib";
 
 // A box of colours, each [r, g, b, how often].
 function halves(colors) {
@@ -27,7 +27,7 @@ function palette(counts) {
   });
 }
 
-const checksum = crc32 ?? ((bytes) => { // Node 18 has none
+const checksum = zlib.crc32 ?? ((bytes) => { // Node 18 has none
   let crc = ~0;
   for (const byte of bytes) {
     crc ^= byte;
@@ -67,7 +67,7 @@ export function smallPng(width, height, rgb) {
   head.set([8, 3, 0, 0, 0], 8);
   return Buffer.concat([
     Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]), chunk("IHDR", head), chunk("PLTE", Buffer.from(colors.flatMap(({ color }) => color))),
-    chunk("IDAT", deflateSync(rows, { level: 9 })), chunk("IEND", Buffer.alloc(0)),
+    chunk("IDAT", zlib.deflateSync(rows, { level: 9 })), chunk("IEND", Buffer.alloc(0)),
   ]);
 }
 
@@ -105,7 +105,7 @@ export function readPng(png) {
   const [width, height, bits, kind, interlaced] = [parts.IHDR.readUInt32BE(0), parts.IHDR.readUInt32BE(4), parts.IHDR[8], parts.IHDR[9], parts.IHDR[12]];
   const step = { 2: 3, 3: 1, 6: 4 }[kind];
   if (bits !== 8 || interlaced || !step) throw new Error(`a PNG of kind ${kind} with ${bits} bits`);
-  const given = unfiltered(inflateSync(Buffer.concat(parts.IDAT)), height, width * step, step);
+  const given = unfiltered(zlib.inflateSync(Buffer.concat(parts.IDAT)), height, width * step, step);
   const data = Buffer.alloc(3 * width * height);
   for (let i = 0; i < width * height; i++) {
     for (let k = 0; k < 3; k++) data[3 * i + k] = kind === 3 ? parts.PLTE[3 * given[i] + k] : given[step * i + k];

@@ -5,10 +5,8 @@
 #include "armlet/model/catalog.hpp"
 #include "catalog_rows.hpp"
 
-namespace armlet {
+namespace armlet::catalog {
 namespace {
-
-using namespace catalog;
 
 // clang-format off
 // P. Corke and B. Armstrong-Helouvry, A search for consensus among model parameters reported for
@@ -136,7 +134,7 @@ constexpr Row kKr6[] = {
 
 }  // namespace
 
-std::span<const Arm> catalog::workshop_arms() {
+std::span<const Arm> workshop_arms() {
   static const Arm arms[] = {
       {.name = "puma560",
        .source = "Corke and Armstrong-Helouvry 1994",
@@ -184,4 +182,4 @@ std::span<const Arm> catalog::workshop_arms() {
   return arms;
 }
 
-}  // namespace armlet
+}  // namespace armlet::catalog

@@ -5,10 +5,8 @@
 #include "armlet/model/catalog.hpp"
 #include "catalog_rows.hpp"
 
-namespace armlet {
+namespace armlet::catalog {
 namespace {
-
-using namespace catalog;
 
 // clang-format off
 // As the UR5: Universal Robots support article and the cylinders of the ROS-Industrial description.
@@ -107,7 +105,7 @@ constexpr Row kIiwa[] = {
 
 }  // namespace
 
-std::span<const Arm> catalog::light_arms() {
+std::span<const Arm> light_arms() {
   static const Arm arms[] = {
       {.name = "ur3",
        .source = "Universal Robots support article",
@@ -148,4 +146,4 @@ std::span<const Arm> catalog::light_arms() {
   return arms;
 }
 
-}  // namespace armlet
+}  // namespace armlet::catalog

@@ -5,10 +5,8 @@
 #include "armlet/model/catalog.hpp"
 #include "catalog_rows.hpp"
 
-namespace armlet {
+namespace armlet::catalog {
 namespace {
-
-using namespace catalog;
 
 // clang-format off
 // Three uniform rods of 2, 1.5 and 1 kg in the horizontal plane.
@@ -89,7 +87,7 @@ constexpr Row kArm7[] = {
 
 }  // namespace
 
-std::span<const Arm> catalog::teaching_arms() {
+std::span<const Arm> teaching_arms() {
   static const Arm arms[] = {
       {.name = "planar2",
        .second_name = "planar2r",
@@ -133,4 +131,4 @@ std::span<const Arm> catalog::teaching_arms() {
   return arms;
 }
 
-}  // namespace armlet
+}  // namespace armlet::catalog
