@@ -104,18 +104,38 @@ export async function withLab(text, work, files = {}) {
   }
 }
 
-// How many pixels of the 3D view have so much more of one colour than of the others: `is` is [0 red, 1 green, 2 blue; how much].
-export async function pixelsLike(page, [channel, above]) {
-  const { data } = readPng(await page.locator(".stage canvas").screenshot());
+// The pixels of the 3D view that have so much more of one colour than of the others: how many, and their middle, which is
+// [NaN, NaN] without any. `is` is [0 red, 1 green, 2 blue; how much].
+export async function spotLike(page, [channel, above]) {
+  const { data, width } = readPng(await page.locator(".stage canvas").screenshot());
   const others = [0, 1, 2].filter((k) => k !== channel);
   let count = 0;
+  const sum = [0, 0];
   for (let i = 0; i < data.length; i += 3) {
-    if (data[i + channel] > above + Math.max(data[i + others[0]], data[i + others[1]])) count++;
+    if (data[i + channel] <= above + Math.max(data[i + others[0]], data[i + others[1]])) continue;
+    count++;
+    sum[0] += (i / 3) % width;
+    sum[1] += Math.floor(i / 3 / width);
   }
-  return count;
+  return { count, middle: sum.map((each) => each / count) };
 }
+export const pixelsLike = async (page, is) => (await spotLike(page, is)).count;
 export const RED = [0, 70];
 export const GREEN = [1, 70];
+export const BLUE = [2, 70];
+
+// Waits until the 3D view has at least so many pixels like `is`, and at most so many.
+export async function shows(page, what, is, least, most = Infinity) {
+  let count = 0;
+  await until(async () => (count = await pixelsLike(page, is)) >= least && count <= most, () => `${count} pixels are ${what}, not ${least} to ${most}`);
+}
+
+// Looks at the instant after this share of the run, by a click on the time bar.
+export async function goTo(page, share) {
+  const bar = await page.locator(".bar").boundingBox();
+  await page.mouse.click(bar.x + 64 + share * (bar.width - 72), bar.y + 40);
+  await page.mouse.move(2, 2);
+}
 
 export const status = (page) => page.locator(".status");
 export const clock = (page) => page.locator("output.time");

@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileS
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test, { after } from "node:test";
-import { ARM, closeBrowser, dropFiles, GREEN, openPage, pixelsLike, recordingFile, RED, SHORT_MOVE, until, untilStatus, viewTool, withLab } from "../laboratory.mjs";
+import { ARM, closeBrowser, dropFiles, goTo, GREEN, openPage, pixelsLike, recordingFile, RED, SHORT_MOVE, shows, until, untilStatus, viewTool, withLab } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
 import { boxGlb, twoColours } from "../small_glb.mjs";
 
@@ -17,17 +17,6 @@ const PROGRAM = `${ARM}object sign { shape: mesh("sign.glb"); at: xyz(-300mm, -4
 ${SHORT_MOVE}`;
 
 const label = (page, text) => page.locator(".labels .label", { hasText: text }).first();
-
-async function shows(page, what, is, least) {
-  let count = 0;
-  await until(async () => (count = await pixelsLike(page, is)) >= least, () => `${count} pixels are ${what}, not ${least}`);
-}
-
-async function goTo(page, share) {
-  const bar = await page.locator(".bar").boundingBox();
-  await page.mouse.click(bar.x + 64 + share * (bar.width - 72), bar.y + 40);
-  await page.mouse.move(2, 2);
-}
 
 test("a mesh is drawn with its picture, and is asked for with the token and once", () =>
   withLab(PROGRAM, async (open, lab) => {
