@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "armlet/mesh/pictures.hpp"
+#include "armlet/image/picture_size.hpp"
 #include "converter/importers.hpp"
 #include "converter/refuse.hpp"
 

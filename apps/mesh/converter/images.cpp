@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "armlet/core/error.hpp"
-#include "armlet/mesh/pictures.hpp"
+#include "armlet/image/picture_size.hpp"
 #include "converter/scene_builder.hpp"
 
 namespace armlet::mesh {

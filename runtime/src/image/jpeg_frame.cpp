@@ -14,11 +14,6 @@ constexpr std::uint8_t kEnd = 0xd9;
 constexpr std::uint8_t kStartOfScan = 0xda;
 constexpr std::uint8_t kQuantisation = 0xdb;
 
-// Frames of 0xc0 to 0xcf, without the tables DHT, JPG and DAC that have numbers among them.
-bool is_frame(std::uint8_t marker) {
-  return (marker & 0xf0) == 0xc0 && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-}
-
 // What the parts of a file have said so far: its frame, and the tables that its scans use.
 struct Parts {
   std::size_t file_size;
@@ -159,7 +154,7 @@ std::size_t next_marker(std::string_view bytes, std::size_t at) {
 
 std::string fault_of_segment(std::uint8_t marker, std::string_view segment, std::size_t position,
                              Parts& parts) {
-  if (is_frame(marker)) return fault_of_frame(marker, segment, parts);
+  if (is_jpeg_frame(marker)) return fault_of_frame(marker, segment, parts);
   if (marker == kHuffman) return fault_of_codes(segment, position, parts);
   if (marker == kQuantisation) return fault_of_quantisers(segment, position, parts);
   return marker == kStartOfScan ? fault_of_scan(segment, position, parts) : std::string();

@@ -1,14 +1,10 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <optional>
-
 #include "image/read_formats.hpp"
 
 namespace armlet {
 namespace {
-
-constexpr std::size_t kSignature = 8;  // bytes
 
 // The checksum of chunks.
 std::uint32_t checksum(std::string_view bytes) {
@@ -16,21 +12,7 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(crc32(0, first, static_cast<uInt>(bytes.size())));
 }
 
-struct Header {
-  std::uint64_t width;
-  std::uint64_t height;
-  std::uint32_t depth;   // bits of a channel
-  std::uint32_t colour;  // 0 grey, 2 RGB, 3 palette, 4 and 6 with opacity
-};
-
-std::optional<Header> header_of(std::string_view bytes) {
-  if (bytes.size() < kSignature + 25 || bytes.substr(kSignature + 4, 4) != "IHDR")
-    return std::nullopt;
-  return Header{big_endian(bytes, 16, 4), big_endian(bytes, 20, 4), big_endian(bytes, 24, 1),
-                big_endian(bytes, 25, 1)};
-}
-
-std::string fault_of_header(const Header& header, std::string_view bytes) {
+std::string fault_of_header(const PngHeader& header, std::string_view bytes) {
   if (std::string fault = fault_of_size("PNG", header.width, header.height); !fault.empty())
     return fault;
   constexpr std::uint64_t kChannels[7] = {1, 0, 3, 1, 2, 0, 4};
@@ -65,12 +47,12 @@ std::string fault_of_size(std::string_view format, std::uint64_t width, std::uin
 }
 
 std::string fault_of_png(std::string_view bytes) {
-  const auto header = header_of(bytes);
+  const auto header = png_header(bytes);
   if (!header) {
     return fmt::format("The PNG file of {} bytes does not begin with the chunk IHDR of 25 bytes.",
                        bytes.size());
   }
-  std::size_t at = kSignature;
+  std::size_t at = kPngSignature.size();
   bool has_pixels = false;
   while (bytes.size() - at >= 12) {
     const std::size_t length = big_endian(bytes, at, 4);

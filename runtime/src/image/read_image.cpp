@@ -24,7 +24,7 @@ Result<Image> read_image(std::string_view bytes) {
     return Error{kPictureCode, fmt::format("The picture's file has {} bytes; expected at most {}.",
                                            bytes.size(), kMostBytes)};
   }
-  if (bytes.starts_with("\x89PNG\r\n\x1a\n")) {
+  if (bytes.starts_with(kPngSignature)) {
     if (std::string fault = fault_of_png(bytes); !fault.empty()) return Error{kPictureCode, fault};
     return decode_png_or_jpeg("PNG", bytes);
   }

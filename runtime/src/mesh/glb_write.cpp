@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "armlet/core/error.hpp"
+#include "armlet/image/picture_size.hpp"
 #include "armlet/mesh/glb.hpp"
-#include "armlet/mesh/pictures.hpp"
 #include "mesh/glb_format.hpp"
 
 namespace armlet {

@@ -8,7 +8,7 @@
 #include <charconv>
 
 #include "armlet/core/similar.hpp"
-#include "armlet/mesh/pictures.hpp"
+#include "armlet/image/picture_size.hpp"
 
 namespace armlet {
 namespace {

@@ -16,8 +16,8 @@ bool is_color(std::string_view text);
 // The name most like a mistyped one; nothing if none is similar.
 std::optional<std::string_view> similar_color(std::string_view text);
 
-// Why bytes are no PNG or JPEG that can be shown (mesh/pictures.hpp), as a sentence without an end;
-// empty if they are one.
+// Why bytes are no PNG or JPEG that can be shown (image/picture_size.hpp), as a sentence without an
+// end; empty if they are one.
 std::string picture_fault(std::string_view bytes);
 
 }  // namespace armlet

@@ -1,26 +1,20 @@
-#include "armlet/mesh/pictures.hpp"
+#include "armlet/image/picture_size.hpp"
+
+#include "image/read_formats.hpp"
 
 namespace armlet {
 namespace {
 
-std::size_t big_endian(std::string_view bytes, std::size_t at, std::size_t count) {
-  std::size_t value = 0;
-  for (std::size_t k = 0; k < count; ++k)
-    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
-  return value;
-}
-
+// Whole chunks up to the last one; their checksums are not looked at.
 std::optional<PictureSize> png_size(std::string_view bytes) {
-  std::optional<PictureSize> size;
-  for (std::size_t at = 8; bytes.size() >= at + 12;) {
+  const auto header = png_header(bytes);
+  if (!header) return std::nullopt;
+  for (std::size_t at = kPngSignature.size(); bytes.size() >= at + 12;) {
     const std::size_t length = big_endian(bytes, at, 4);
     if (length > bytes.size() - at - 12) return std::nullopt;
-    const std::string_view kind = bytes.substr(at + 4, 4);
-    if (!size) {
-      if (kind != "IHDR" || length != 13) return std::nullopt;
-      size = PictureSize{big_endian(bytes, at + 8, 4), big_endian(bytes, at + 12, 4)};
-    }
-    if (kind == "IEND") return size;
+    if (bytes.substr(at + 4, 4) == "IEND")
+      return PictureSize{static_cast<std::size_t>(header->width),
+                         static_cast<std::size_t>(header->height)};
     at += 12 + length;
   }
   return std::nullopt;
@@ -29,18 +23,16 @@ std::optional<PictureSize> png_size(std::string_view bytes) {
 std::optional<PictureSize> jpeg_size(std::string_view bytes) {
   for (std::size_t at = 2; bytes.size() >= at + 4;) {
     if (bytes[at] != '\xff') return std::nullopt;
-    const auto marker = static_cast<unsigned char>(bytes[at + 1]);
+    const auto marker = static_cast<std::uint8_t>(bytes[at + 1]);
     if (marker == 0xff) {
       ++at;
       continue;
     }
     const std::size_t length = big_endian(bytes, at + 2, 2);
     if (length < 2 || length > bytes.size() - at - 2) return std::nullopt;
-    const bool is_frame =
-        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-    if (is_frame && length >= 7)
+    if (is_jpeg_frame(marker) && length >= 7)
       return PictureSize{big_endian(bytes, at + 7, 2), big_endian(bytes, at + 5, 2)};
-    if (marker == 0xda || is_frame) return std::nullopt;
+    if (marker == 0xda || is_jpeg_frame(marker)) return std::nullopt;
     at += 2 + length;
   }
   return std::nullopt;
@@ -48,8 +40,17 @@ std::optional<PictureSize> jpeg_size(std::string_view bytes) {
 
 }  // namespace
 
+std::optional<PngHeader> png_header(std::string_view bytes) {
+  constexpr std::size_t kFirst = kPngSignature.size();
+  if (bytes.size() < kFirst + 25 || big_endian(bytes, kFirst, 4) != 13 ||
+      bytes.substr(kFirst + 4, 4) != "IHDR")
+    return std::nullopt;
+  return PngHeader{big_endian(bytes, 16, 4), big_endian(bytes, 20, 4), big_endian(bytes, 24, 1),
+                   big_endian(bytes, 25, 1)};
+}
+
 std::string_view image_kind(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return "image/png";
+  if (bytes.starts_with(kPngSignature)) return "image/png";
   if (bytes.starts_with("\xff\xd8\xff")) return "image/jpeg";
   return {};
 }

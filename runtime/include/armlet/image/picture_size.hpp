@@ -1,16 +1,20 @@
-// Pictures as they are in their own files, looked at no further than their sizes.
+// Files of pictures that are looked at no further than their sizes. Reading them is
+// image/files.hpp.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string_view>
 
+#include "armlet/image/image.hpp"
+
 namespace armlet {
 
 // "image/png" or "image/jpeg" by the first bytes; empty for other kinds.
 std::string_view image_kind(std::string_view bytes);
 
-inline constexpr std::size_t kMostPixels = 8192;  // of a picture, in each direction
+// Of a picture that can be shown, in each direction.
+inline constexpr std::size_t kMostPixels = Image::kMostSide;
 
 struct PictureSize {
   std::size_t width = 0;
