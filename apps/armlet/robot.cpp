@@ -59,27 +59,23 @@ int refuse(const std::string& message, int exit) {
   return exit;
 }
 
-// A mesh that a description names; null for a kind of file that is not read.
-Result<std::shared_ptr<const TriangleMesh>> read_mesh(const std::string& folder,
-                                                      const std::string& mesh,
-                                                      const PackageFolders& packages) {
-  constexpr std::size_t kMostBytes = 128 << 20;
-  std::shared_ptr<const TriangleMesh> made;
+// A mesh that a description names as GLB; null for a kind of file that is not read.
+Result<std::shared_ptr<const std::string>> read_mesh(const std::string& folder,
+                                                     const std::string& mesh,
+                                                     const PackageFolders& packages) {
+  std::shared_ptr<const std::string> made;
   if (mesh_format(mesh).empty()) return made;
   const std::string path = find_mesh(folder, {}, mesh, packages);
   const std::size_t slash = path.rfind('/');
-  const Result<std::string> bytes =
-      is_glb_name(path)
-          ? armlet::read_file(path, kMostBytes)
-          : mesh_converter()(path.substr(0, slash + 1), path.substr(slash + 1), 0.0, {});
+  Result<std::string> bytes = is_glb_name(path) ? armlet::read_file(path, kMostGlbBytes)
+                                                : mesh_converter()(path.substr(0, slash + 1),
+                                                                   path.substr(slash + 1), 0.0, {});
   if (!bytes.ok() && bytes.error().code == "converter") {
     progress(fmt::format("{} is left out: {}", mesh, bytes.error().message));
     return made;
   }
   if (!bytes.ok()) return bytes.error();
-  Result<TriangleMesh> read = read_glb(*bytes);
-  if (!read.ok()) return read.error();
-  made = std::make_shared<const TriangleMesh>(std::move(read).value());
+  made = std::make_shared<const std::string>(std::move(bytes).value());
   return made;
 }
 
@@ -98,7 +94,7 @@ Found read_description(const RobotOptions& options) {
   urdf.has_mesh = [&](const std::string& mesh) {
     return !find_mesh(folder, {}, mesh, packages).empty();
   };
-  urdf.load_mesh = [&](const std::string& mesh) { return read_mesh(folder, mesh, packages); };
+  urdf.load_glb = [&](const std::string& mesh) { return read_mesh(folder, mesh, packages); };
   Result<Mechanism> read = read_urdf(*text, urdf);
   if (!read.ok()) {
     found.exit = refuse(fmt::format("{}: {}", options.name, read.error().message), kRejected);

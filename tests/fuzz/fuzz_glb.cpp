@@ -28,6 +28,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   glb_notes(bytes);
   const Result<TriangleMesh> mesh = read_glb(bytes);
   if (!mesh.ok()) demand_reason(mesh.error());
+  const auto fault = glb_fault(bytes);
+  fuzz::demand(fault.has_value() != mesh.ok() && (!fault || fault->message == mesh.error().message),
+               "the check of a file says what its reader says");
   const Result<std::vector<GlbThing>> things = read_glb_things(bytes);
   if (!things.ok()) {
     demand_reason(things.error());

@@ -30,7 +30,7 @@ std::vector<LinkPicture> pictures_of(const Robot& robot) {
   std::vector<LinkPicture> pictures;
   for (int i = 0; i <= robot.n(); ++i) {
     for (const LinkMesh& each : robot.body(i).bodies) {
-      const MeshSource& source = each.triangles->source();
+      const MeshSource& source = each.source();
       if (source.bytes == nullptr) continue;
       pictures.push_back({.link = i,
                           .glb = source.bytes,

@@ -11,6 +11,7 @@
 #include "mesh/glb_document.hpp"
 #include "mesh/glb_format.hpp"
 #include "mesh/glb_things.hpp"
+#include "mesh/surface_check.hpp"
 
 namespace armlet {
 namespace {
@@ -130,11 +131,17 @@ class SceneReader {
       : document_(document), binary_(document, binary), seen_(document.count("nodes"), false) {}
 
   TriangleMesh read() {
-    walk([&](const Json& node, std::uint64_t, const Placement& at) {
-      add_mesh(Document::number(node, "mesh"), at.T);
-    });
-    if (triangles_.empty()) refuse("there are no triangles in it");
+    add_all();
     return {std::move(vertices_), std::move(triangles_)};
+  }
+
+  // Whether `read` and then `scaled` would succeed.
+  void check(const Vector3d& factors) {
+    add_all();
+    check_surface(vertices_, triangles_);
+    if (factors == Vector3d::Ones()) return;
+    for (Vector3d& each : vertices_) each = factors.cwiseProduct(each);
+    check_surface(vertices_, triangles_);
   }
 
   std::vector<GlbThing> read_things(const std::string& only) {
@@ -183,6 +190,13 @@ class SceneReader {
     Eigen::Matrix3d R;
     R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
     return R;
+  }
+
+  void add_all() {
+    walk([&](const Json& node, std::uint64_t, const Placement& at) {
+      add_mesh(Document::number(node, "mesh"), at.T);
+    });
+    if (triangles_.empty()) refuse("there are no triangles in it");
   }
 
   // Visits all nodes of the scene that have a mesh.
@@ -374,6 +388,15 @@ Result<std::vector<GlbThing>> read_glb_things(std::string_view bytes, const std:
   const Chunks chunks = chunks_of(bytes);
   const Document document(chunks.json);
   return SceneReader(document, chunks.binary).read_things(only);
+} catch (const ArgumentError& error) {
+  return Error{"mesh", error.what()};
+}
+
+std::optional<Error> glb_fault(std::string_view bytes, const Vector3d& factors) try {
+  const Chunks chunks = chunks_of(bytes);
+  const Document document(chunks.json);
+  SceneReader(document, chunks.binary).check(factors);
+  return std::nullopt;
 } catch (const ArgumentError& error) {
   return Error{"mesh", error.what()};
 }

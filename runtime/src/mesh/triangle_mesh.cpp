@@ -1,15 +1,12 @@
 #include "armlet/mesh/triangle_mesh.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "armlet/core/error.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/rays.hpp"
 #include "mesh/shells.hpp"
+#include "mesh/surface_check.hpp"
 #include "mesh/triangle_tree.hpp"
 
 namespace armlet {
@@ -17,33 +14,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double kFarthest = 1e4;  // m
-
-void check_vertices(const std::vector<Vector3d>& vertices) {
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (!vertices[i].allFinite())
-      throw ArgumentError(fmt::format("vertex {} has a coordinate that is no number", i));
-    if (vertices[i].cwiseAbs().maxCoeff() > kFarthest)
-      throw ArgumentError(
-          fmt::format("vertex {} is more than 10 km from the origin; lengths are metres", i));
-  }
-}
-
-void check_triangles(const std::vector<Corners>& triangles, std::size_t vertices) {
-  if (triangles.empty()) throw ArgumentError("it has no triangles");
-  if (triangles.size() > kMostTriangles) {
-    throw ArgumentError(
-        fmt::format("it has {} triangles; expected {} at most", triangles.size(), kMostTriangles));
-  }
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (const std::uint32_t k : triangles[i]) {
-      if (k < vertices) continue;
-      throw ArgumentError(
-          fmt::format("triangle {} has the corner {}; there are {} vertices", i, k, vertices));
-    }
-  }
-}
 
 bool comes_before(const Vector3d& p, const Vector3d& q) {
   if (p.x() != q.x()) return p.x() < q.x();
@@ -70,10 +40,8 @@ bool lies_behind_all(const TriangleMesh& mesh, double rounding) {
 
 TriangleMesh::TriangleMesh(std::vector<Vector3d> vertices, std::vector<Corners> triangles)
     : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {
-  check_vertices(vertices_);
-  check_triangles(triangles_, vertices_.size());
+  check_surface(vertices_, triangles_);
   drop_doubles();
-  if (triangles_.empty()) throw ArgumentError("none of its triangles has three different corners");
   tree_ = make_tree(vertices_, triangles_);
   for (const Vector3d& each : vertices_) reach_ = std::max(reach_, each.norm());
   look_at_edges();

@@ -4,7 +4,6 @@
 #include <urdf_model/model.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "descriptions/followers.hpp"
 #include "descriptions/urdf_faults.hpp"
 #include "descriptions/urdf_library.hpp"
+#include "descriptions/urdf_meshes.hpp"
 #include "descriptions/xml_guard.hpp"
 #include "math/snapped_rotation.hpp"
 #include "validate.hpp"
@@ -87,8 +87,6 @@ std::optional<LinkSolid> solid_of(const urdf::Geometry& geometry) {
   }
 }
 
-using SharedMesh = std::shared_ptr<const TriangleMesh>;
-
 std::vector<std::string> meshes_of(const urdf::Link& link) {
   std::vector<std::string> names;
   const auto add = [&](const urdf::GeometrySharedPtr& geometry) {
@@ -105,7 +103,7 @@ std::vector<std::string> meshes_of(const urdf::Link& link) {
 class Reader {
  public:
   Reader(const urdf::ModelInterface& model, const UrdfOptions& options)
-      : model_(model), options_(options) {
+      : model_(model), options_(options), meshes_(options.load_glb) {
     spec_.name = model.getName();
     spec_.source = "a URDF file";
     spec_.inertia_check = options.inertia_check;
@@ -164,15 +162,9 @@ class Reader {
   void load_bodies(const urdf::Link& link, Link& body) {
     for (const auto& each : link.collision_array)
       add_shape(link, body, *each, LinkSolidUse::kCollision);
-    for (const auto& each : link.visual_array) add_shape(link, body, *each, LinkSolidUse::kPicture);
-    const auto is_there = [&](LinkSolidUse use) {
-      const auto has_use = [&](const auto& each) {
-        return each.use == use || each.use == LinkSolidUse::kBoth;
-      };
-      return std::ranges::any_of(body.solids, has_use) || std::ranges::any_of(body.bodies, has_use);
-    };
-    const bool has_both = is_there(LinkSolidUse::kCollision) && is_there(LinkSolidUse::kPicture);
-    if (has_both) return;
+    const LinkSolidUse use = body.has_shape() ? LinkSolidUse::kPicture : LinkSolidUse::kBoth;
+    for (const auto& each : link.visual_array) add_shape(link, body, *each, use);
+    if (body.draws_solid() || body.draws_mesh()) return;
     for (LinkSolid& each : body.solids) each.use = LinkSolidUse::kBoth;
     for (LinkMesh& each : body.bodies) each.use = LinkSolidUse::kBoth;
   }
@@ -199,37 +191,29 @@ class Reader {
 
   void add_mesh(const urdf::Link& link, Link& body, const urdf::Mesh& given, const Isometry3d& T,
                 LinkSolidUse use) {
-    if (!options_.load_mesh || is_missing(given.filename)) return;
-    const Result<SharedMesh> mesh = loaded(given);
+    if (is_missing(given.filename)) return;
+    const Vector3d factors(given.scale.x, given.scale.y, given.scale.z);
+    Result<LinkMesh> mesh = use == LinkSolidUse::kPicture ? meshes_.picture(given.filename, factors)
+                                                          : meshes_.body(given.filename, factors);
     if (!mesh.ok()) {
       const std::string note = fmt::format("the mesh \"{}\" of link `{}` cannot be used: {}",
                                            given.filename, link.name, mesh.error().message);
       if (std::ranges::find(spec_.notes, note) == spec_.notes.end()) spec_.notes.push_back(note);
       return;
     }
-    if (*mesh == nullptr) return;
+    if (!mesh->triangles && !mesh->picture.bytes) return;
     const auto same = std::ranges::find_if(body.bodies, [&](const LinkMesh& each) {
-      return each.use != use && each.triangles == *mesh && each.T_link_mesh.matrix() == T.matrix();
+      return each.use != use && each.triangles == mesh->triangles &&
+             each.T_link_mesh.matrix() == T.matrix();
     });
-    if (same == body.bodies.end()) return body.bodies.push_back({*mesh, T, use});
-    same->use = LinkSolidUse::kBoth;
-  }
-
-  // A mesh in its size, which is read once.
-  Result<SharedMesh> loaded(const urdf::Mesh& given) {
-    const std::array<double, 3> scale{given.scale.x, given.scale.y, given.scale.z};
-    const auto known = meshes_.find({given.filename, scale});
-    if (known != meshes_.end()) return known->second;
-    Result<SharedMesh> mesh = options_.load_mesh(given.filename);
-    if (mesh.ok() && *mesh != nullptr && scale != std::array{1.0, 1.0, 1.0}) {
-      try {
-        const Vector3d factors(scale[0], scale[1], scale[2]);
-        mesh = std::make_shared<const TriangleMesh>((*mesh)->scaled(factors));
-      } catch (const ArgumentError& error) {
-        mesh = Error{"mesh", error.what()};
-      }
+    if (same != body.bodies.end()) {
+      same->use = LinkSolidUse::kBoth;
+      return;
     }
-    return meshes_.emplace(std::pair(given.filename, scale), std::move(mesh)).first->second;
+    LinkMesh placed = std::move(mesh).value();
+    placed.T_link_mesh = T;
+    placed.use = use;
+    body.bodies.push_back(std::move(placed));
   }
 
   // From the root outwards without recursion: chains may be long.
@@ -357,7 +341,7 @@ class Reader {
   const UrdfOptions& options_;
   MechanismSpec spec_;
   std::set<std::string> looked_for_;  // meshes that were looked for
-  std::map<std::pair<std::string, std::array<double, 3>>, Result<SharedMesh>> meshes_;  // loaded
+  UrdfMeshes meshes_;
   std::vector<const urdf::Joint*> joints_;  // those that move, in the order of the bodies
 };
 

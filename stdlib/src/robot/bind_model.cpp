@@ -279,7 +279,7 @@ Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::s
   UrdfOptions options;
   options.inertia_check = inertia_check_of(inertias);
   options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
-  options.load_mesh = [&](const std::string& mesh) { return load_link_mesh(vm, path, mesh); };
+  options.load_glb = [&](const std::string& mesh) { return load_link_glb(vm, path, mesh); };
   Result<RobotSpec> spec = serial_arm_of_urdf(*text, options, tip.value_or(""));
   if (!spec.ok()) return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), kPath);
   advise_notes(vm, path, *spec);

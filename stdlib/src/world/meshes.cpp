@@ -57,12 +57,11 @@ Failed fail_unread(Vm& vm, const std::string& path, const Error& error) {
 
 }  // namespace
 
-Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::string& file,
-                                                           const std::string& mesh,
-                                                           const LinkMeshSize& size) try {
-  std::shared_ptr<const TriangleMesh> loaded;
+Result<std::shared_ptr<const std::string>> load_link_glb(Vm& vm, const std::string& file,
+                                                         const std::string& mesh, double unit) {
+  std::shared_ptr<const std::string> loaded;
   if (mesh_format(mesh).empty()) return loaded;
-  const Result<std::string> bytes = Host::of(vm).load_mesh(file, mesh, size.unit);
+  Result<std::string> bytes = Host::of(vm).load_mesh(file, mesh, unit);
   if (!bytes.ok() && bytes.error().code == "converter") {
     Failure advice;
     advice.headline = {row("W0741"), {mesh}};
@@ -73,10 +72,21 @@ Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::st
   }
   if (!bytes.ok()) return bytes.error();
   advise_notes(vm, mesh, *bytes);
-  Result<TriangleMesh> triangles = read_glb(*bytes);
+  loaded = std::make_shared<const std::string>(std::move(bytes).value());
+  return loaded;
+}
+
+Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::string& file,
+                                                           const std::string& mesh,
+                                                           const LinkMeshSize& size) try {
+  std::shared_ptr<const TriangleMesh> loaded;
+  const auto bytes = load_link_glb(vm, file, mesh, size.unit);
+  if (!bytes.ok()) return bytes.error();
+  if (*bytes == nullptr) return loaded;
+  Result<TriangleMesh> triangles = read_glb(**bytes);
   if (!triangles.ok()) return triangles.error();
   TriangleMesh known = std::move(triangles).value();
-  known.set_source(std::make_shared<const std::string>(*bytes));
+  known.set_source(*bytes);
   if (size.scale != 1.0) known = known.scaled(Eigen::Vector3d::Constant(size.scale));
   loaded = std::make_shared<const TriangleMesh>(std::move(known));
   return loaded;

@@ -21,8 +21,15 @@ Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<doubl
                               std::optional<double> unit, std::optional<std::string_view> part,
                               double scale);
 
-// The mesh of a link that `file` names, the program itself if it is empty; null if it is of a kind
-// that is not read, or if it would have to be converted and nothing does that (W0741).
+// The mesh of a link that `file` names, the program itself if it is empty, as the bytes of a GLB;
+// null if it is of a kind that is not read, or if it would have to be converted and nothing does
+// that (W0741).
+//
+// unit  m in one unit of the file, 0: as it says.
+Result<std::shared_ptr<const std::string>> load_link_glb(Vm& vm, const std::string& file,
+                                                         const std::string& mesh,
+                                                         double unit = 0.0);
+// The same with its triangles.
 //
 // unit, scale  m in one unit of the file, 0: as it says; and how much larger the link is, > 0.
 struct LinkMeshSize {

@@ -62,9 +62,13 @@ std::string with_json(std::string json, std::uint32_t binary = 0) {
   return bytes;
 }
 
+// Whether the check of a file says the same as its reader.
 std::string why(const std::string& bytes) {
   const Result<TriangleMesh> read = read_glb(bytes);
-  return read.ok() ? "" : read.error().message;
+  const auto fault = glb_fault(bytes);
+  std::string reason = read.ok() ? "" : read.error().message;
+  CHECK(reason == (fault ? fault->message : ""));
+  return reason;
 }
 
 // With one text in the JSON part in the place of another of the same length.
@@ -121,6 +125,31 @@ TEST_CASE("random bytes in a file make no crash") {
     if (!why(broken).empty()) ++refused;
   }
   CHECK(refused > 10000);
+}
+
+TEST_CASE("a check of a file in another size refuses what its mesh would refuse in that size") {
+  const std::string bytes = file_of(test::angle_iron());
+  const TriangleMesh mesh = *read_glb(bytes);
+  Random random(8);
+  int refused = 0;
+  for (int i = 0; i < 500; ++i) {
+    Vector3d factors;
+    for (double& each : factors)
+      each = random.below(3) == 0
+                 ? 0.0
+                 : std::pow(10.0, random.uniform(-3, 8)) * (random.below(2) == 0 ? -1.0 : 1.0);
+    std::string reason;
+    try {
+      (void)mesh.scaled(factors);
+    } catch (const ArgumentError& error) {
+      reason = error.what();
+    }
+    const auto fault = glb_fault(bytes, factors);
+    REQUIRE(fault.has_value() == !reason.empty());
+    refused += fault ? 1 : 0;
+  }
+  CHECK(refused > 100);
+  CHECK(refused < 450);
 }
 
 TEST_CASE("sizes that the file has not are refused before anything is taken") {

@@ -100,6 +100,12 @@ void add_triangles(const TriangleMesh& mesh, const Eigen::Isometry3d& T_node_mes
 //          needs, and what TriangleMesh refuses.
 // source   as write_glb.
 Result<TriangleMesh> read_glb(std::string_view bytes);
+// The error of read_glb, or of `scaled` of what it gives; nothing if both succeed. No mesh is made,
+// which takes most of the time.
+//
+// factors  along the axes of the mesh.
+std::optional<Error> glb_fault(std::string_view bytes,
+                               const Eigen::Vector3d& factors = Eigen::Vector3d::Ones());
 inline constexpr std::size_t kMostGlbBytes = std::size_t{128}
                                              << 20;  // of a file that a program names
 

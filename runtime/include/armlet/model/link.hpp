@@ -31,11 +31,22 @@ struct Friction {
 enum class LinkSolidUse { kBoth, kPicture, kCollision };
 
 // A mesh fixed to a link; shared by all copies of the robot.
+//
+// triangles  null if it is for pictures alone and they are made where one is drawn (triangles_of).
+// picture    the file that it is drawn from and its scale, if there are no triangles.
 struct LinkMesh {
   std::shared_ptr<const TriangleMesh> triangles;
   Eigen::Isometry3d T_link_mesh = Eigen::Isometry3d::Identity();
   LinkSolidUse use = LinkSolidUse::kBoth;
+  MeshSource picture{};
+
+  const MeshSource& source() const { return triangles ? triangles->source() : picture; }
 };
+
+// Its triangles, or those of its picture.
+//
+// throws  ArgumentError if it has neither, or a file that read_glb refuses.
+std::shared_ptr<const TriangleMesh> triangles_of(const LinkMesh& mesh);
 
 // A simple body fixed to a link, its middle in its frame; a cylinder lies along z.
 //

@@ -16,9 +16,10 @@ struct UrdfOptions {
   // Says whether a mesh exists, by the name that the file gives ("package://arm/link1.stl"). Null:
   // meshes are not looked for.
   std::function<bool(const std::string&)> has_mesh{};
-  // Reads one, or gives null for a kind of file that is not read. Null: no meshes are read. Called
-  // for what the collision elements of a link name, or its visual ones if it has none.
-  std::function<Result<std::shared_ptr<const TriangleMesh>>(const std::string&)> load_mesh{};
+  // Reads one as GLB, or gives null for a kind of file that is not read. Null: no meshes are read.
+  // Called once for each name. Triangles are made of those for collisions; of those that are only
+  // drawn the bytes are kept (LinkMesh::picture).
+  std::function<Result<std::shared_ptr<const std::string>>(const std::string&)> load_glb{};
 };
 
 // The links and joints of a robot description (URDF 1.0) as a mechanism, the root link as its base.

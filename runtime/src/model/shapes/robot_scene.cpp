@@ -86,7 +86,7 @@ GlbScene robot_scene(const Robot& robot) {
                                        : Isometry3d::Identity();
     for (const LinkMesh& each : robot.body(link).bodies) {
       if (each.use == LinkSolidUse::kCollision) continue;
-      add_triangles(*each.triangles, T_node_link * each.T_link_mesh,
+      add_triangles(*triangles_of(each), T_node_link * each.T_link_mesh,
                     parts[static_cast<std::size_t>(link)][kLight]);
     }
   }
