@@ -24,6 +24,15 @@ def in_one_place(n):
     return f'for (i in range({n})) {{ sphere(40mm).spawn(f"ball{{i}}", at: xyz(300mm + i * 0.01mm, 0mm, 300mm)) }}\n'
 
 
+def in_one_place_removed(n):
+    """What lies on each one is looked for as it goes."""
+    return in_one_place(n) + f'for (i in range({n})) {{ remove(object(f"ball{{i}}")) }}\n'
+
+
+def in_one_place_moved(n):
+    return in_one_place(n) + f'for (i in range({n})) {{ object(f"ball{{i}}").setPose(xyz(300mm + (i % 20) * 100mm, (i / 20) * 100mm, 500mm)) }}\n'
+
+
 def boxes_in_each_other(n):
     return (f'for (i in range({n})) {{ box(60mm, 40mm, 50mm).spawn(f"box{{i}}", at: xyz(300mm + (i % 10) * 0.1mm, 0mm, '
             '300mm + (i / 10) * 0.01mm)) }\n')
@@ -64,7 +73,7 @@ def moves(n):
                         '  arm.moveJ(posJ([i % 2 == 0 ? 0.5rad : -0.5rad, -1.2rad, 1.2rad, 0rad, 0.3rad, 0rad]), 2s)\n}\n')
 
 
-SHAPES = [spread, in_one_place, boxes_in_each_other, removed, moved, stacks, on_a_tray, frames, signals, moves]
+SHAPES = [spread, in_one_place, in_one_place_removed, in_one_place_moved, boxes_in_each_other, removed, moved, stacks, on_a_tray, frames, signals, moves]
 
 
 def instructions(folder, program):

@@ -34,8 +34,9 @@ World::Body* World::find_body(std::string_view name) {
 
 void World::has_moved(const Body& body) {
   const Eigen::Vector3d p = body.object.T_world_obj.translation();
-  near_.put(body.id, p, resting_reach(body.object.shape));
-  columns_.put(body.id, p, resting_reach(body.object.shape));
+  const double reach = resting_reach(body.object.shape), core = resting_core(body.object.shape);
+  near_.put(body.id, p, reach, core);
+  columns_.put(body.id, p, reach, core);
 }
 
 void World::carry(Body& body, std::optional<Attachment> attachment) {
@@ -68,12 +69,15 @@ bool World::unfasten(Body& body) {
   return true;
 }
 
+// Bodies that lie deep in one another neither carry each other nor fall on each other.
 std::vector<std::uint32_t> World::touching(const Object& object) const {
-  return near_.touching(object.T_world_obj.translation(), resting_reach(object.shape) + kTouch);
+  return near_.touching(object.T_world_obj.translation(), resting_reach(object.shape) + kTouch,
+                        resting_core(object.shape) - kTouch);
 }
 
 std::vector<std::uint32_t> World::in_column(const Object& object) const {
-  return columns_.touching(object.T_world_obj.translation(), resting_reach(object.shape) + kTouch);
+  return columns_.touching(object.T_world_obj.translation(), resting_reach(object.shape) + kTouch,
+                           resting_core(object.shape) - kTouch);
 }
 
 std::vector<std::size_t> World::carried() const {

@@ -174,6 +174,27 @@ double resting_reach(const Shape& shape) {
   return std::holds_alternative<Sphere>(shape) ? half : std::numbers::sqrt3 * half;
 }
 
+namespace {
+
+struct Core {
+  double operator()(const Box& box) const { return 0.5 * box.size.minCoeff(); }
+  double operator()(const Plane&) const { return 0.0; }
+  double operator()(const Sphere& sphere) const { return sphere.radius; }
+  double operator()(const Mesh&) const { return -std::numeric_limits<double>::infinity(); }
+  double operator()(const Cylinder& cylinder) const {
+    return std::min(cylinder.radius, 0.5 * cylinder.height);
+  }
+  // Half way up; to the base, and across to the side.
+  double operator()(const Cone& cone) const {
+    const double side = 0.5 * cone.radius * cone.height / std::hypot(cone.radius, cone.height);
+    return std::min(0.5 * cone.height, side);
+  }
+};
+
+}  // namespace
+
+double resting_core(const Shape& shape) { return std::visit(Core{}, shape); }
+
 std::optional<double> resting_height(const Object& falling, const Object& below) {
   const Footprint upper = footprint(falling);
   const Footprint lower = footprint(below);

@@ -55,3 +55,50 @@ TEST_CASE("a grid finds the balls that a search through all finds, in the order 
     CHECK(grid.size() == static_cast<std::size_t>(std::ranges::count(there, true)));
   }
 }
+
+TEST_CASE("of balls with cores a grid leaves out those whose cores overlap that of the query") {
+  Random random(6);
+  for (const auto space : {BallGrid::Space::kWhole, BallGrid::Space::kColumns}) {
+    BallGrid grid(space);
+    struct Ball {
+      Vector3d middle;
+      double radius = 0.0, core = BallGrid::kNoCore;
+      bool there = true;
+    };
+    std::vector<Ball> balls;
+    const auto some = [&](double most) {
+      return Vector3d(random.uniform(-most, most), random.uniform(-most, most),
+                      random.uniform(-most, most));
+    };
+    // Nearly in one place, in heaps of every width, and far apart.
+    const auto ball = [&] {
+      Ball made{some(std::pow(10.0, random.uniform(-6, 0)))};
+      made.radius = std::pow(10.0, random.uniform(-3, 0));
+      if (random.below(4) > 0) made.core = made.radius * random.uniform(0.0, 1.0);
+      return made;
+    };
+    for (std::uint32_t round = 0; round < 3000; ++round) {
+      const bool is_new = balls.empty() || round % 3 != 2;
+      const auto i = static_cast<std::uint32_t>(is_new ? balls.size() : random.below(balls.size()));
+      if (is_new) balls.emplace_back();
+      balls[i] = ball();
+      balls[i].there = is_new || random.below(2) == 0;
+      if (balls[i].there)
+        grid.put(i, balls[i].middle, balls[i].radius, balls[i].core);
+      else
+        grid.take(i);
+      const Ball query = ball();
+      std::vector<std::uint32_t> expected;
+      for (std::uint32_t k = 0; k < balls.size(); ++k) {
+        const Vector3d whole = balls[k].middle - query.middle;
+        Vector3d apart = whole;
+        if (space == BallGrid::Space::kColumns) apart.z() = 0.0;
+        const bool touches = apart.norm() <= balls[k].radius + query.radius;
+        if (balls[k].there && touches && !(whole.norm() < balls[k].core + query.core))
+          expected.push_back(k);
+      }
+      REQUIRE(grid.touching(query.middle, query.radius, query.core) == expected);
+    }
+    CHECK(grid.size() == static_cast<std::size_t>(std::ranges::count(balls, true, &Ball::there)));
+  }
+}

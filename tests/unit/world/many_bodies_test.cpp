@@ -9,6 +9,7 @@
 #include "armlet/core/random.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/world/world.hpp"
+#include "world/support.hpp"
 
 using namespace armlet;
 using Eigen::Vector3d;
@@ -143,4 +144,73 @@ TEST_CASE("a copy of a world is a world of its own") {
   CHECK(copy.at("high").T_world_obj.translation().z() == doctest::Approx(0.05));
   CHECK(world.at("high").T_world_obj.translation().z() == doctest::Approx(0.15));
   CHECK(world.stacked_on("low") == std::vector<std::string>{"high"});
+}
+
+// All that can be reached along these edges, without the start.
+static std::set<std::size_t> reached_from(std::size_t start,
+                                          const std::vector<std::vector<std::size_t>>& edges) {
+  std::set<std::size_t> found{start};
+  std::vector<std::size_t> open{start};
+  while (!open.empty()) {
+    const std::size_t at = open.back();
+    open.pop_back();
+    for (const std::size_t next : edges[at]) {
+      if (found.insert(next).second) open.push_back(next);
+    }
+  }
+  found.erase(start);
+  return found;
+}
+
+// What rests on what by resting_height of all pairs, which leaves out no body.
+TEST_CASE("of bodies of all shapes that lie deep in one another the right ones carry") {
+  Random random(33);
+  const auto shape = [&]() -> Shape {
+    const auto size = [&] { return random.uniform(0.005, 0.2); };
+    switch (random.below(4)) {
+      case 0:
+        return Sphere{size()};
+      case 1:
+        return Cylinder{size(), size()};
+      case 2:
+        return Plane{{size(), size()}};
+      default:
+        return Box{{size(), size(), size()}};
+    }
+  };
+  int resting = 0;
+  std::size_t stacked = 0;
+  for (int round = 0; round < 20; ++round) {
+    World world(0.0);
+    for (int i = 0; i < 80; ++i) {
+      Object object{.name = "body" + std::to_string(i), .shape = shape()};
+      object.T_world_obj = make_translation(some(random, 0.0, 0.1) + Vector3d(0.0, 0.0, 0.3));
+      world.insert(object);
+      if (i % 3 == 0) world.drop(object.name);
+    }
+    const std::vector<std::string> names = world.names();
+    std::vector<std::vector<std::size_t>> carries(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const Object& upper = world.at(names[i]);
+      const double z = upper.T_world_obj.translation().z();
+      double least = z - half_height(upper);
+      if (least < -kRestTolerance) least = INFINITY;  // it is in the floor
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        const auto rest = i == k ? std::nullopt : resting_height(upper, world.at(names[k]));
+        const double gap = rest ? z - *rest : -INFINITY;
+        if (std::abs(gap) <= kRestTolerance) carries[k].push_back(i);
+        if (gap >= -kRestTolerance) least = std::min(least, gap);
+      }
+      CHECK(world.resting_on(names[i]).empty() == !(std::abs(least) <= kRestTolerance));
+      resting += world.resting_on(names[i]).empty() ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      std::vector<std::string> expected;
+      for (const std::size_t each : reached_from(i, carries)) expected.push_back(names[each]);
+      CHECK(world.stacked_on(names[i]) == expected);
+      stacked += expected.size();
+    }
+  }
+  CHECK(stacked > 1000);
+  CHECK(resting > 300);
 }
