@@ -56,7 +56,7 @@ class Renderer::Frame {
     const Window window{0, 0, camera.width, camera.height};
     set_up(scene, view, window, -1);
     const GroundView ground(scene.ground, view);
-    fit(out, window, options);
+    fit(out, window.width, window.height, options);
     const bool has_centres = options.depth || options.bodies;
     const int samples = options.samples;
     if (options.color) {
@@ -77,19 +77,6 @@ class Renderer::Frame {
       band_.draw(band, lists_, triangles_.drawn, window, 1, ground, camera.far);
       centre_band(ground, options, out);
     }
-  }
-
-  // Pictures of the right sizes, which are kept if they have them.
-  static void fit(Pictures& out, const Window& window, const PictureOptions& options) {
-    const auto make = [&](Image& image, PixelKind kind) {
-      if (image.width() != window.width || image.height() != window.height || image.kind() != kind)
-        image = Image(window.width, window.height, kind);
-    };
-    if (options.color) make(out.color, PixelKind::kRgb);
-    if (options.depth) make(out.depth, PixelKind::kDepth);
-    if (options.bodies)
-      out.bodies.resize(static_cast<std::size_t>(window.width) *
-                        static_cast<std::size_t>(window.height));
   }
 
   void color_band(const Shader& shader, Image& color) const {

@@ -8,6 +8,11 @@
 
 namespace armlet::raster {
 
+// Summed in this order, for the same bits everywhere.
+inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 // Corners of what is left of a triangle, in order: three and one for each plane at most.
 struct Polygon {
   static constexpr int kMost = 8;
@@ -19,9 +24,7 @@ struct Polygon {
 struct HalfSpace {
   Eigen::Vector3d n;
   double d = 0.0;
-  [[nodiscard]] double at(const Eigen::Vector3d& p) const {
-    return n[0] * p[0] + n[1] * p[1] + n[2] * p[2] + d;
-  }
+  [[nodiscard]] double at(const Eigen::Vector3d& p) const { return dot(n, p) + d; }
 };
 Polygon cut(const Polygon& whole, const HalfSpace& side);
 

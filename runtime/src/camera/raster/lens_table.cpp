@@ -8,16 +8,17 @@
 #include "armlet/core/error.hpp"
 
 namespace armlet::raster {
-namespace {
 
-// A picture is not made again if it fits.
-Image& fitting(Image& image, int width, int height, PixelKind kind) {
-  if (image.width() != width || image.height() != height || image.kind() != kind)
-    image = Image(width, height, kind);
-  return image;
+void fit(Pictures& pictures, int width, int height, const PictureOptions& options) {
+  const auto make = [&](Image& image, PixelKind kind) {
+    if (image.width() != width || image.height() != height || image.kind() != kind)
+      image = Image(width, height, kind);
+  };
+  if (options.color) make(pictures.color, PixelKind::kRgb);
+  if (options.depth) make(pictures.depth, PixelKind::kDepth);
+  if (options.bodies)
+    pictures.bodies.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
-
-}  // namespace
 
 void LensTable::prepare(const Pinhole& camera) {
   const Intrinsics& i = camera.intrinsics();
@@ -84,13 +85,11 @@ void LensTable::color_row(const Image& wide, int y, std::uint8_t* out) const {
 }
 
 void LensTable::resample(const Pictures& wide, const PictureOptions& options, Pictures& out) const {
-  const int width = camera_.width, height = camera_.height;
+  const int height = camera_.height;
+  fit(out, camera_.width, height, options);
   if (options.color) {
-    fitting(out.color, width, height, PixelKind::kRgb);
     for (int y = 0; y < height; ++y) color_row(wide.color, y, out.color.row(y));
   }
-  if (options.depth) fitting(out.depth, width, height, PixelKind::kDepth);
-  if (options.bodies) out.bodies.resize(places_.size());
   if (!options.depth && !options.bodies) return;
   for (std::size_t n = 0; n < places_.size(); ++n) {
     const Place& place = places_[n];

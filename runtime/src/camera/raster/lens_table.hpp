@@ -7,6 +7,9 @@
 
 namespace armlet::raster {
 
+// Makes the pictures that are asked for in a size; those that have it are kept.
+void fit(Pictures& pictures, int width, int height, const PictureOptions& options);
+
 // For every pixel of a camera with distortion the pixel of a camera without it, as large as needed.
 class LensTable {
  public:

@@ -12,8 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-double dot(const Vector3d& a, const Vector3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 Vector3d box_corner(const Surface& surface, int i) {
   return {(i & 1) != 0 ? surface.high().x() : surface.low().x(),
           (i & 2) != 0 ? surface.high().y() : surface.low().y(),

@@ -10,8 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-double dot(const Vector3d& a, const Vector3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 // One body on its way into the list.
 class BodyTriangles {
  public:

@@ -33,6 +33,16 @@ VectorXd forces_of(const Robot& robot, const VectorXd& q, const VectorXd& qd, co
   return C.transpose() * joints;
 }
 
+// Of the bodies of the tree those that have a parameter: the links of the arm have none in it.
+std::vector<int> bodies_with_parameters(const VectorXd& all) {
+  std::vector<int> bodies;
+  for (Eigen::Index first = 0; first < all.size(); first += kLinkParameters) {
+    if (!all.segment<kLinkParameters>(first).isZero(0.0))
+      bodies.push_back(static_cast<int>(first / kLinkParameters));
+  }
+  return bodies;
+}
+
 }  // namespace
 
 void add_follower_forces(const Robot& robot, JointsIn q, const VectorXd& qd, const VectorXd& qdd,
@@ -96,20 +106,6 @@ double follower_potential_energy(const Robot& robot, JointsIn q) {
   return potential_energy(m, q, gravity_in_base(robot)) -
          mass * robot.gravity().dot(robot.T_world_base().translation());
 }
-
-namespace {
-
-// Of the bodies of the tree those that have a parameter: the links of the arm have none in it.
-std::vector<int> bodies_with_parameters(const VectorXd& all) {
-  std::vector<int> bodies;
-  for (Eigen::Index first = 0; first < all.size(); first += kLinkParameters) {
-    if (!all.segment<kLinkParameters>(first).isZero(0.0))
-      bodies.push_back(static_cast<int>(first / kLinkParameters));
-  }
-  return bodies;
-}
-
-}  // namespace
 
 VectorXd follower_parameters(const Robot& robot) {
   const VectorXd all = dynamic_parameters(*robot.spec().followers);

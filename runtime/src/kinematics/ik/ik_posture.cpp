@@ -43,28 +43,24 @@ std::vector<Candidate> candidates_for(const Robot& robot, const Eigen::Isometry3
   return out;
 }
 
-// The copy of the revolute joints that suits the posture.
-Eigen::VectorXd improved_posture(const Robot& robot, const Eigen::VectorXd& q,
-                                 const PostureGoal& goal) {
+// The joint values that a posture is nearest to; nothing for the one farthest from singularities.
+std::optional<Eigen::VectorXd> wished_values(const Robot& robot, const PostureGoal& goal) {
   switch (goal.posture) {
     case Posture::kManipulability:
       break;
     case Posture::kMidRange:
-      return wrap_near(robot, q, 0.5 * (robot.lower() + robot.upper()));
+      return 0.5 * (robot.lower() + robot.upper());
     case Posture::kNearGiven:
-      return wrap_near(robot, q, goal.q_given);
+      return goal.q_given;
   }
-  return q;
+  return std::nullopt;
 }
 
-// The joint values that a posture other than the farthest from singularities asks for; nothing
-// without finite limits.
-std::optional<WishedJoints> wished_by(const Robot& robot, const PostureGoal& goal) {
-  if (goal.posture == Posture::kManipulability) return std::nullopt;
-  if (!robot.lower().allFinite() || !robot.upper().allFinite()) return std::nullopt;
-  const bool given = goal.posture == Posture::kNearGiven;
-  const Eigen::VectorXd middle = 0.5 * (robot.lower() + robot.upper());
-  return WishedJoints{given ? goal.q_given : middle, robot.upper() - robot.lower()};
+// What the search for them needs; nothing without finite limits.
+std::optional<WishedJoints> wished_joints(const Robot& robot,
+                                          const std::optional<Eigen::VectorXd>& values) {
+  if (!values || !robot.lower().allFinite() || !robot.upper().allFinite()) return std::nullopt;
+  return WishedJoints{*values, robot.upper() - robot.lower()};
 }
 
 // A start for the iterations: no joint is farther from the wished value than it is in a posture of
@@ -92,7 +88,7 @@ void search_around(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   for (int start = 1; start <= kStarts; ++start) {
     JointArray found = start_around(robot, wished, cost, start);
     if (!solver.solve_in_box(found, options.iterations)) continue;
-    Eigen::VectorXd q = improved_posture(robot, to_vector(found, robot.n()), *options.posture);
+    const Eigen::VectorXd q = wrap_near(robot, to_vector(found, robot.n()), wished.q);
     found = to_array(clamp_to_limits(robot, q));
     slide_to_wished(robot, solver, wished, found);
     if (!(wished.cost(found) < cost) || !goal.is_met(solver.error_of(found))) continue;
@@ -129,11 +125,12 @@ void take_best_posture(const Robot& robot, const Eigen::Isometry3d& T_world_tool
   const auto counting = std::count(rows.counts.begin(), rows.counts.end(), true);
   const bool spare = robot.n() > counting && options.respect_limits;
   IkSolver solver(robot, goal);
-  const std::optional<WishedJoints> wished = spare ? wished_by(robot, wish) : std::nullopt;
+  const std::optional<Eigen::VectorXd> values = wished_values(robot, wish);
+  const std::optional<WishedJoints> wished = spare ? wished_joints(robot, values) : std::nullopt;
   bool any = false;
   for (Candidate& candidate : candidates_for(robot, T_world_tool, goal, options, result)) {
     Eigen::VectorXd q = candidate.q;
-    if (options.respect_limits) q = improved_posture(robot, q, wish);
+    if (options.respect_limits && values) q = wrap_near(robot, q, *values);
     if (spare) q = moved(robot, solver, wish, wished, rows, clamp_to_limits(robot, q));
     const IkError error = solver.error_of(to_array(q));
     if (!goal.is_met(error)) continue;

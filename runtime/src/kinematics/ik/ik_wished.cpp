@@ -18,8 +18,8 @@ constexpr double kRegularised = 1e-12;   // of the largest diagonal element
 constexpr double kSmallestGain = 1e-10;  // of the cost
 
 // The step from q to the point nearest to the wished values that meets the linearised goal within
-// the limits. The joint that would leave them by most, in ranges, is put on its limit until none
-// does.
+// the limits. While joints would leave their limits, the one that would be farthest beyond, in
+// ranges, is put on its limit and the step is computed again.
 VectorXd step_to_wished(const Robot& robot, const IkRows& rows, const WishedJoints& wished,
                         const VectorXd& q) {
   const Eigen::Index n = q.size();
