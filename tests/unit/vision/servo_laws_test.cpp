@@ -9,6 +9,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/random.hpp"
+#include "armlet/math/angles.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "refusal_of.hpp"
@@ -19,8 +20,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 Isometry3d pose(const Vector3d& rotation, const Vector3d& translation) {
   Isometry3d T = Isometry3d::Identity();
   T.linear() = rotation_exp(rotation);
@@ -28,18 +27,9 @@ Isometry3d pose(const Vector3d& rotation, const Vector3d& translation) {
   return T;
 }
 
-// Where the camera is after it moved by a twist in its own axes for a time.
+// Where the camera is after it moved by a constant twist in its own axes for a time.
 Isometry3d moved(const Isometry3d& T, const Vector6d& twist, double dt) {
-  // Constant twist: the translation turns with the camera.
-  const Vector3d phi = twist.tail<3>() * dt;
-  const double angle = phi.norm();
-  Eigen::Matrix3d V = Eigen::Matrix3d::Identity();
-  if (angle > 1e-12) {
-    const Eigen::Matrix3d W = hat(phi);
-    V += (1.0 - std::cos(angle)) / (angle * angle) * W +
-         (angle - std::sin(angle)) / (angle * angle * angle) * W * W;
-  }
-  return T * pose(phi, V * (twist.head<3>() * dt));
+  return T * pose_exp(twist * dt);
 }
 
 // A square of 0.2 m in the plane z = 0 of the world, seen by a camera.

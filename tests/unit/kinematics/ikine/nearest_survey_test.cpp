@@ -11,6 +11,7 @@
 #include "armlet/model/catalog.hpp"
 #include "general_arm.hpp"
 #include "nearest_search.hpp"
+#include "sanitized.hpp"
 #include "survey.hpp"
 
 using namespace armlet;
@@ -18,11 +19,7 @@ using namespace armlet::nearest;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kUsual = 2;
-#else
-constexpr int kUsual = 20;
-#endif
+constexpr int kUsual = kSanitized ? 2 : 20;
 
 // Where joint `singular` is zero the arm is singular, and joint `free` can be chosen; without a
 // free joint two solutions meet there. Without a singular joint the free one can be chosen

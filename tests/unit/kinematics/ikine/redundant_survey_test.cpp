@@ -13,6 +13,7 @@
 #include "armlet/math/decompose.hpp"
 #include "general_arm.hpp"
 #include "nearest_search.hpp"
+#include "sanitized.hpp"
 #include "survey.hpp"
 
 using namespace armlet;
@@ -20,11 +21,7 @@ using namespace armlet::nearest;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kArms = 2;
-#else
-constexpr int kArms = 16;
-#endif
+constexpr int kArms = kSanitized ? 2 : 16;
 
 // What is searched for: how bad joint values are, with each joint at its best copy; what lies
 // beyond limits counts as very bad, the worse the farther.
