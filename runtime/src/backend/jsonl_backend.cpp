@@ -213,6 +213,7 @@ class JsonlBackend final : public Backend {
     return {p.x(), p.y(), p.z(), r.w(), r.x(), r.y(), r.z()};
   }
 
+  // A brace stays open.
   void describe(const JointInfo& joint) {
     sink_.text("{\"before\":");
     numbers(pose_numbers(joint.T_before_joint));
@@ -220,7 +221,6 @@ class JsonlBackend final : public Backend {
     field("limits", std::array{joint.lower, joint.upper});
     field("speed", joint.max_speed);
     if (!joint.mesh.empty()) field("mesh", joint.mesh);
-    sink_.text("}");
   }
 
   void describe(const ToolInfo& tool) {
@@ -278,9 +278,15 @@ class JsonlBackend final : public Backend {
       sink_.quoted(robot.joints[i].unit == JointUnit::kRadian ? "rad" : "m");
     }
     sink_.text("],\"links\":[");
-    for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    for (std::size_t i = 0; i < robot.link_count(); ++i) {
       sink_.text(i > 0 ? "," : "");
-      describe(robot.joints[i]);
+      describe(robot.link(i));
+      if (!robot.rows.empty()) {
+        field("joint", static_cast<double>(robot.rows[i].joint));
+        field("ratio", robot.rows[i].ratio);
+        field("offset", robot.rows[i].offset);
+      }
+      sink_.text("}");
     }
     sink_.text("]");
     field("home", std::span<const double>(robot.home));

@@ -19,14 +19,22 @@ void add(Fnv1a& hash, const Eigen::Isometry3d& pose) {
   }
 }
 
+void add(Fnv1a& hash, const JointInfo& joint) {
+  hash.add(static_cast<int>(joint.unit));
+  for (const double value : {joint.lower, joint.upper, joint.max_speed}) hash.add(value);
+  add(hash, joint.T_before_joint);
+  add(hash, joint.T_joint_link);
+}
+
 void add(Fnv1a& hash, const RobotInfo& robot) {
   hash.add(robot.name);
   hash.add(static_cast<std::uint64_t>(robot.joints.size()));
-  for (const JointInfo& joint : robot.joints) {
-    hash.add(static_cast<int>(joint.unit));
-    for (const double value : {joint.lower, joint.upper, joint.max_speed}) hash.add(value);
-    add(hash, joint.T_before_joint);
-    add(hash, joint.T_joint_link);
+  for (const JointInfo& joint : robot.joints) add(hash, joint);
+  for (const RowInfo& row : robot.rows) {
+    add(hash, row.moves);
+    hash.add(static_cast<std::uint64_t>(row.joint));
+    hash.add(row.ratio);
+    hash.add(row.offset);
   }
   add(hash, robot.home);
   add(hash, robot.T_world_base);

@@ -32,7 +32,7 @@ std::shared_ptr<const Robot> loaded_arm(const std::shared_ptr<const Robot>& mode
                                         const World& world, int carrier) {
   std::shared_ptr<const Robot> loaded = model;
   const auto at_flange = [&](const Attachment& each) {
-    return each.frame == kFlange || each.frame == model->n();
+    return each.frame == kFlange || each.frame == model->rows();
   };
   const Payload carried = sum_of(world, carrier, at_flange);
   if (carried.mass != 0.0) {
@@ -40,7 +40,7 @@ std::shared_ptr<const Robot> loaded_arm(const std::shared_ptr<const Robot>& mode
         std::make_shared<const Robot>(model->with_payload(together(model->payload(), carried)));
   }
   if (!world.has_mounted(carrier)) return loaded;
-  for (int frame = 1; frame < model->n(); ++frame) {
+  for (int frame = 1; frame < model->rows(); ++frame) {
     const Payload mounted =
         sum_of(world, carrier, [&](const Attachment& each) { return each.frame == frame; });
     if (mounted.mass == 0.0) continue;

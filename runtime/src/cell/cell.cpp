@@ -10,6 +10,7 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/check_finite.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "cell/carried_load.hpp"
 #include "cell/descriptions.hpp"
 
@@ -131,9 +132,9 @@ Eigen::Isometry3d Cell::T_world_base(int index) const {
 Eigen::Isometry3d Cell::T_world_link(int index, int frame) const {
   const CellRobot& arm = robot(index);
   if (frame == kFlange) return T_world_flange(index);
-  if (frame < 0 || frame > arm.model->n()) {
+  if (frame < 0 || frame > arm.model->rows()) {
     throw ArgumentError(fmt::format("`{}` has the links 0, its base, to {}, but no link {}.",
-                                    arm.name, arm.model->n(), frame));
+                                    arm.name, arm.model->rows(), frame));
   }
   if (frame == 0) return T_world_base(index);
   const Eigen::Isometry3d T_link = link_frame(*arm.model, arm.q, frame);
@@ -147,14 +148,14 @@ void Cell::carry_along(int index) {
     return;
   }
   std::vector<Eigen::Isometry3d> T_world_frames;
-  for (int frame = 0; frame <= arm.model->n(); ++frame)
+  for (int frame = 0; frame <= arm.model->rows(); ++frame)
     T_world_frames.push_back(T_world_link(index, frame));
   world_.move_carried(index, T_world_frames);
 }
 
 Eigen::Isometry3d Cell::T_world_flange(int index) const {
   const CellRobot& arm = robot(index);
-  const Eigen::Isometry3d T_flange = link_frame(*arm.model, arm.q, arm.model->n());
+  const Eigen::Isometry3d T_flange = link_frame(*arm.model, arm.q, arm.model->rows());
   return arm.on < 0 ? T_flange : T_world_flange(arm.on) * T_flange;
 }
 
@@ -189,21 +190,23 @@ std::vector<Press> Cell::presses(int index) const {
 
 Eigen::VectorXd Cell::contact_forces(int index) const {
   const CellRobot& arm = robot(index);
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(arm.model->n());
-  if (arm.on >= 0) return forces;
+  const Robot& model = *arm.model;
+  if (arm.on >= 0) return Eigen::VectorXd::Zero(model.n());
   const std::vector<Press> presses = this->presses(index);
-  const bool has_fingers = arm.model->tool().kind == ToolKind::kFingers;
-  if (presses.empty() && !has_fingers) return forces;
-  Jacobian J(6, arm.model->n());
-  const Eigen::Isometry3d T_world_tool = forward_and_jacobian(*arm.model, arm.q, J);
+  const bool has_fingers = model.tool().kind == ToolKind::kFingers;
+  if (presses.empty() && !has_fingers) return Eigen::VectorXd::Zero(model.n());
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(model.rows());
+  Jacobian J(6, model.rows());
+  const Eigen::Isometry3d T_world_tool =
+      forward_and_jacobian(model.uncoupled(), row_values(model, arm.q), J);
   for (const Press& each : presses) {
     Vector6d wrench;
     wrench << each.force, (each.p - T_world_tool.translation()).cross(each.force);
-    // Joints farther out do not move that body.
+    // Rows farther out do not move that body.
     forces.head(each.frame) += J.leftCols(each.frame).transpose() * wrench;
   }
   if (has_fingers) forces += J.transpose() * finger_wrench(*this, hand_on(index), FeltBy::kArm);
-  return forces;
+  return joint_forces(model, forces);
 }
 
 void Cell::settle_contacts() {
@@ -424,7 +427,7 @@ void Cell::publish(int index, int motion) {
   const CellRobot& arm = robot(index);
   T_world_links_.clear();
   if (backend_->wants_link_poses()) {
-    T_world_links_.resize(static_cast<std::size_t>(arm.model->n()));
+    T_world_links_.resize(static_cast<std::size_t>(arm.model->rows()));
     link_frames(*arm.model, arm.q, T_world_links_);
     if (arm.on >= 0) {
       const Eigen::Isometry3d T_world_flange_on = T_world_flange(arm.on);

@@ -40,7 +40,7 @@ struct ArmBodies {
 
 // A hand with fingers as it stands now, fixed to the last frame of the arm.
 void add_hand(const Cell& cell, int arm, ArmBodies& to) {
-  const int n = cell.robot(arm).model->n();
+  const int n = cell.robot(arm).model->rows();
   for (int i = 0; i < cell.robot_count(); ++i) {
     const CellRobot& part = cell.robot(i);
     if (part.on != arm) continue;
@@ -71,7 +71,7 @@ ArmBodies bodies_of(const Cell& cell, int robot) {
     if (attachment->carrier != robot) continue;
     Solid solid = solid_of(world.object(i).shape);
     solid.T = attachment->T_carrier_obj;
-    const int frame = attachment->frame == kFlange ? model.n() : attachment->frame;
+    const int frame = attachment->frame == kFlange ? model.rows() : attachment->frame;
     arm.solids.push_back({.frame = frame, .solid = solid, .still = frame == 0});
     arm.bodies.push_back({.robot = robot, .object = world.object(i).name, .frame = frame});
   }
@@ -244,7 +244,7 @@ class CellScene {
     const ArmSolids& arm = arm_.derived<ArmSolids>();
     const int slim = static_cast<int>(scene_.arms[0].solids.size() - mine_.own);
     const int frame = mine_.solids[i].frame;
-    const bool on_last = frame == arm_.n();
+    const bool on_last = frame == arm_.rows();
     const bool is_taken = !on_last && takes_along(mine_.bodies[i].object, frame);
     // The one that more joints move stands first.
     const auto add = [&](int other) {
@@ -264,7 +264,7 @@ class CellScene {
       const bool is_hand = k < mine_.carried;
       // Of two that are both carried, one goes on the last link, or the first one has its turn.
       const int link = mine_.solids[k].frame;
-      if (is_hand ? is_taken : link == frame || (link != arm_.n() && k > i)) continue;
+      if (is_hand ? is_taken : link == frame || (link != arm_.rows() && k > i)) continue;
       add(static_cast<int>(k));
     }
   }
@@ -366,7 +366,7 @@ bool feels(const Cell& cell, const CellBody& body) {
   if (body.robot < 0) return false;
   if (cell.robot(body.robot).hand >= 0) return true;  // a finger
   const Robot& arm = *cell.robot(body.robot).model;
-  return body.object.empty() ? is_feeler(arm, body.frame, body.role) : body.frame == arm.n();
+  return body.object.empty() ? is_feeler(arm, body.frame, body.role) : body.frame == arm.rows();
 }
 
 std::string body_text(const Cell& cell, const CellBody& body) {

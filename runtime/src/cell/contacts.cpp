@@ -10,6 +10,7 @@
 #include "armlet/collision/contact.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/kinematics/jacobian.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "cell/arm_bodies.hpp"
 
 namespace armlet {
@@ -76,11 +77,14 @@ class MotionSpeeds {
   explicit MotionSpeeds(const CellRobot& arm) : arm_(*arm.model) {
     if (!arm.motion) return;
     const Trajectory& motion = arm.motion->trajectory();
-    for (int i = 0; i < arm_.n(); ++i) {
-      const DhRow& row = arm_.joint(i).dh;
+    for (int i = 0; i < arm_.rows(); ++i) {
+      const DhRow& row = arm_.row(i).dh;
+      const auto [joint, ratio] = motion_of_row(arm_, i);
       double d = std::abs(row.d);
-      if (!arm_.is_revolute(i)) d += largest(motion, i, 0);
-      peaks_.push_back(largest(motion, i, 1));
+      if (!arm_.row(i).is_revolute()) {
+        d += std::abs(ratio) * largest(motion, joint, 0) + std::abs(arm_.row(i).drive.offset);
+      }
+      peaks_.push_back(std::abs(ratio) * largest(motion, joint, 1));
       lengths_.push_back(std::sqrt(row.a * row.a + d * d));
     }
   }
@@ -92,11 +96,11 @@ class MotionSpeeds {
     double sum = 0.0, behind = off;
     for (int i = frame - 1; i >= 0; --i) {
       const auto k = static_cast<std::size_t>(i);
-      if (!arm_.is_revolute(i)) {
+      if (!arm_.row(i).is_revolute()) {
         sum += peaks_[k];
       } else {
         // The constants of a standard row stand behind its joint; d lies along the axis.
-        sum += peaks_[k] * (behind + (standard ? std::abs(arm_.joint(i).dh.a) : 0.0));
+        sum += peaks_[k] * (behind + (standard ? std::abs(arm_.row(i).dh.a) : 0.0));
       }
       behind += lengths_[k];
     }
@@ -109,14 +113,14 @@ class MotionSpeeds {
 };
 
 std::vector<Isometry3d> frames_at(const Robot& model, const Eigen::VectorXd& q) {
-  std::vector<Isometry3d> frames(static_cast<std::size_t>(model.n()) + 1);
+  std::vector<Isometry3d> frames(static_cast<std::size_t>(model.rows()) + 1);
   frames[0] = model.T_world_base();
   (void)link_frames(model, q, std::span(frames).subspan(1));
   return frames;
 }
 
 bool is_at_flange(const Robot& arm, const Attachment& carried) {
-  return carried.frame == kFlange || carried.frame == arm.n();
+  return carried.frame == kFlange || carried.frame == arm.rows();
 }
 
 }  // namespace
@@ -144,7 +148,7 @@ struct Contacts::Scene {
     const Robot& model = *arm(robot).model;
     const Isometry3d T_link = frame == 0
                                   ? model.T_world_base()
-                                  : link_frame(model, q, frame == kFlange ? model.n() : frame);
+                                  : link_frame(model, q, frame == kFlange ? model.rows() : frame);
     const int on = arm(robot).on;
     return on < 0 ? T_link : T_world_link(on, kFlange, t_ns) * T_link;
   }
@@ -159,7 +163,7 @@ struct Contacts::Scene {
     std::vector<Feeler> all;
     const CellRobot& arm = this->arm(robot);
     if (arm.on >= 0) return all;  // fingers.hpp
-    const int n = arm.model->n();
+    const int n = arm.model->rows();
     for (const std::size_t i : world.carried()) {
       const auto& carried = world.attachment_of(i);
       if (carried->carrier != robot || carried->frame == 0) continue;
@@ -413,9 +417,10 @@ std::vector<Press> Contacts::presses(const std::vector<CellRobot>& robots, const
     Eigen::VectorXd q, qd;
     scene.state(of, t_ns, q, qd);
     const Robot& model = *scene.arm(of).model;
-    if (frame != kFlange) qd.tail(model.n() - frame).setZero();
-    Jacobian J(6, model.n());
-    const Isometry3d T = forward_and_jacobian(model, q, J);
+    qd = row_rates(model, qd);
+    if (frame != kFlange) qd.tail(model.rows() - frame).setZero();
+    Jacobian J(6, model.rows());
+    const Isometry3d T = forward_and_jacobian(model.uncoupled(), row_values(model, q), J);
     const Vector6d twist = J * qd;
     return twist.head<3>() + twist.tail<3>().cross(p - T.translation());
   };

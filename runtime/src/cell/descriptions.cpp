@@ -1,5 +1,7 @@
 #include "cell/descriptions.hpp"
 
+#include "armlet/model/joint_coupling.hpp"
+
 namespace armlet {
 namespace {
 
@@ -22,13 +24,13 @@ struct ShapeSize {
 // The row of a joint of the standard convention lies behind the frame in which its link moves.
 Eigen::Isometry3d T_moved_link(const Robot& robot, int link) {
   const bool is_standard = robot.spec().convention == DhConvention::kStandard;
-  return is_standard && link > 0 ? dh_pose(DhConvention::kStandard, robot.joint(link - 1).dh)
+  return is_standard && link > 0 ? dh_pose(DhConvention::kStandard, robot.row(link - 1).dh)
                                  : Eigen::Isometry3d::Identity();
 }
 
 std::vector<LinkPicture> pictures_of(const Robot& robot) {
   std::vector<LinkPicture> pictures;
-  for (int i = 0; i <= robot.n(); ++i) {
+  for (int i = 0; i <= robot.rows(); ++i) {
     for (const LinkMesh& each : robot.body(i).bodies) {
       const MeshSource& source = each.source();
       if (source.bytes == nullptr) continue;
@@ -58,15 +60,16 @@ std::string tool_word(ToolKind kind) {
   return "";
 }
 
-// The row of joint i without the joint's value, which moves before it (standard convention) or
+// Row i without the joint's value, which moves before it (standard convention) or
 // behind it (modified): rotations about z and translations along z commute.
 JointInfo joint_info(const Robot& robot, int i) {
-  JointInfo info{.unit = robot.is_revolute(i) ? JointUnit::kRadian : JointUnit::kMetre,
-                 .lower = robot.lower()[i],
-                 .upper = robot.upper()[i],
-                 .max_speed = robot.max_speed()[i]};
+  const Joint& row = robot.row(i);
+  JointInfo info{.unit = row.is_revolute() ? JointUnit::kRadian : JointUnit::kMetre,
+                 .lower = row.lower,
+                 .upper = row.upper,
+                 .max_speed = row.max_speed};
   const DhConvention convention = robot.spec().convention;
-  const Eigen::Isometry3d T_row = dh_pose(convention, robot.joint(i).dh);
+  const Eigen::Isometry3d T_row = dh_pose(convention, row.dh);
   (convention == DhConvention::kStandard ? info.T_joint_link : info.T_before_joint) = T_row;
   if (i == 0) info.T_before_joint = robot.spec().T_base_first * info.T_before_joint;
   if (!robot.spec().links.empty()) info.mesh = robot.link(i).mesh;
@@ -118,7 +121,14 @@ RobotInfo robot_info(const CellRobot& robot) {
                           .length = tool.length,
                           .T_flange_tool = model.T_flange_tool()},
                  .pictures = pictures_of(model)};
-  for (int i = 0; i < model.n(); ++i) info.joints.push_back(joint_info(model, i));
+  for (int i = 0; i < model.n(); ++i) info.joints.push_back(joint_info(model, model.row_of(i)));
+  for (int k = 0; model.coupling() != nullptr && k < model.rows(); ++k) {
+    const auto [joint, ratio] = motion_of_row(model, k);
+    info.rows.push_back({.moves = joint_info(model, k),
+                         .joint = joint,
+                         .ratio = ratio,
+                         .offset = model.coupling()->offset[k]});
+  }
   return info;
 }
 

@@ -230,10 +230,10 @@ std::vector<ArmSolid> slimmed(std::vector<ArmSolid> bodies) {
 }  // namespace
 
 ArmSolids::ArmSolids(const Robot& robot)
-    : solids_(bodies_of(robot, ends_bare(robot))),
+    : solids_(bodies_of(robot.uncoupled(), ends_bare(robot))),
       slim_(slimmed(solids_)),
-      pedestal_(pedestal_of(robot)),
-      neighbour_of_last_(first_on_axis(robot, robot.n()) - 1),
+      pedestal_(pedestal_of(robot.uncoupled())),
+      neighbour_of_last_(first_on_axis(robot.uncoupled(), robot.rows()) - 1),
       is_bare_(ends_bare(robot)) {}
 
 }  // namespace armlet

@@ -37,8 +37,8 @@ struct PairCandidate {
 class OwnPairSearch {
  public:
   OwnPairSearch(const Robot& robot, const std::vector<ArmSolid>& bodies)
-      : robot_(robot), bodies_(bodies), frames_(static_cast<std::size_t>(robot.n())) {
-    of_link_.resize(static_cast<std::size_t>(robot.n()) + 1);
+      : robot_(robot), bodies_(bodies), frames_(static_cast<std::size_t>(robot.rows())) {
+    of_link_.resize(static_cast<std::size_t>(robot.rows()) + 1);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       of_link_[static_cast<std::size_t>(bodies[i].frame)].push_back(static_cast<int>(i));
       placed_.push_back(bodies[i].solid);
@@ -47,7 +47,7 @@ class OwnPairSearch {
   }
 
   void run() {
-    for (int a = 1; a <= robot_.n(); ++a) {
+    for (int a = 1; a <= robot_.rows(); ++a) {
       for (int b = 0; b < a; ++b) sort_in({a, b});
     }
     try_positions();
@@ -110,8 +110,8 @@ class OwnPairSearch {
       }
       return ExemptReason::kAdjacent;
     }
-    if (b >= first_on_axis(robot_, a) - 1) return ExemptReason::kAdjacent;
-    if (may_be_side_by_side(robot_, b, a)) return ExemptReason::kSideBySide;
+    if (b >= first_on_axis(robot_.uncoupled(), a) - 1) return ExemptReason::kAdjacent;
+    if (may_be_side_by_side(robot_.uncoupled(), b, a)) return ExemptReason::kSideBySide;
     return std::nullopt;
   }
 
@@ -200,11 +200,11 @@ std::string link_text(const Robot& robot, int link) {
 }
 
 int link_of_name(const Robot& robot, std::string_view name) {
-  for (int link = 0; link <= robot.n(); ++link) {
+  for (int link = 0; link <= robot.rows(); ++link) {
     const std::vector<std::string>& names = robot.body(link).names;
     if (std::ranges::find(names, name) != names.end()) return link;
   }
-  for (int link = 0; link <= robot.n(); ++link) {
+  for (int link = 0; link <= robot.rows(); ++link) {
     if (name == (link == 0 ? std::string("base") : fmt::format("link {}", link))) return link;
   }
   return -1;

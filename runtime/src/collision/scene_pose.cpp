@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/check_finite.hpp"
+#include "armlet/model/joint_coupling.hpp"
 
 namespace armlet {
 namespace {
@@ -26,7 +29,7 @@ ScenePose::ScenePose(const MotionScene& scene) : scene_(scene) {
   for (const ArmInMotion& arm : scene.arms) {
     check_size("motion", arm.motion->n(), arm.robot->n());
     ArmPose pose{.frames = {}, .first_joint = joint, .first_body = bodies_.size()};
-    pose.frames.resize(static_cast<std::size_t>(arm.robot->n()) + 1);
+    pose.frames.resize(static_cast<std::size_t>(arm.robot->rows()) + 1);
     pose.frames[0] = arm.robot->T_world_base();
     arms_.push_back(std::move(pose));
     joint += static_cast<std::size_t>(arm.robot->n());
@@ -86,9 +89,11 @@ double ScenePose::travel_behind(const BodyRef& ref, int from) {
   const double reach = reaches_[slot(ref)];
   double far = 0.0;
   for (int k = arm.solids[static_cast<std::size_t>(ref.index)].frame; k > from; --k) {
-    const double joint_travel = travel_[pose.first_joint + static_cast<std::size_t>(k - 1)];
+    const auto [joint, ratio] = motion_of_row(*arm.robot, k - 1);
+    const double joint_travel =
+        std::abs(ratio) * travel_[pose.first_joint + static_cast<std::size_t>(joint)];
     if (joint_travel == 0.0) continue;
-    if (!arm.robot->is_revolute(k - 1)) {
+    if (!arm.robot->row(k - 1).is_revolute()) {
       far += joint_travel;
       continue;
     }

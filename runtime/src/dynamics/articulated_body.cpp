@@ -12,7 +12,8 @@ JointVector articulated_body(const Robot& robot, JointsIn q, JointsIn qd, Joints
   check_joint_values("q", q, robot);
   check_joint_values("qd", qd, robot);
   check_joint_values("tau", tau, robot);
-  if (has_followers(robot)) return forward_dynamics(robot, q, qd, tau);
+  if (has_followers(robot) || robot.coupling() != nullptr)
+    return forward_dynamics(robot, q, qd, tau);
   const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   const SpatialArm arm(robot, q);
   const std::size_t n = plan.n;

@@ -2,6 +2,7 @@
 
 #include "armlet/math/det_math.hpp"
 #include "checks.hpp"
+#include "coupled.hpp"
 #include "friction.hpp"
 #include "spatial_arm.hpp"
 #include "trees/follower_forces.hpp"
@@ -69,11 +70,8 @@ struct MovingArm {
   }
 };
 
-}  // namespace
-
-JointMatrix coriolis_matrix(const Robot& robot, JointsIn q, JointsIn qd) {
-  check_joint_values("q", q, robot);
-  check_joint_values("qd", qd, robot);
+// Of an arm whose rows all move on their own, without links beside it.
+JointMatrix coriolis_of_chain(const Robot& robot, JointsIn q, JointsIn qd) {
   const MovingArm moving(robot, q, qd, nullptr);
   JointMatrix C(robot.n(), robot.n());
   for (std::size_t j = 0; j < moving.n; ++j) {
@@ -87,16 +85,10 @@ JointMatrix coriolis_matrix(const Robot& robot, JointsIn q, JointsIn qd) {
       C(column, row) = across.dot(moving.arm.axis[i]) + inert.dot(moving.axis_rate[i]);
     }
   }
-  if (has_followers(robot)) add_follower_coriolis(robot, q, qd, C);
-  check_finite("Coriolis matrix", C);
   return C;
 }
 
-ForceDerivatives inverse_dynamics_derivatives(const Robot& robot, JointsIn q, JointsIn qd,
-                                              JointsIn qdd) {
-  check_joint_values("q", q, robot);
-  check_joint_values("qd", qd, robot);
-  check_joint_values("qdd", qdd, robot);
+ForceDerivatives derivatives_of_chain(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd) {
   const MovingArm moving(robot, q, qd, qdd.data());
   ForceDerivatives result{JointMatrix(robot.n(), robot.n()), JointMatrix(robot.n(), robot.n())};
   for (std::size_t j = 0; j < moving.n; ++j) {
@@ -122,6 +114,37 @@ ForceDerivatives inverse_dynamics_derivatives(const Robot& robot, JointsIn q, Jo
   const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   for (Eigen::Index i = 0; i < qd.size(); ++i) {
     result.by_qd(i, i) += friction_slope(plan.links[i], qd[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+JointMatrix coriolis_matrix(const Robot& robot, JointsIn q, JointsIn qd) {
+  check_joint_values("q", q, robot);
+  check_joint_values("qd", qd, robot);
+  const JointCoupling* coupling = robot.coupling();
+  JointMatrix C = coupling == nullptr
+                      ? coriolis_of_chain(robot, q, qd)
+                      : for_joints(*coupling, coriolis_of_chain(coupling->rows, coupling->values(q),
+                                                                coupling->rates(qd)));
+  if (has_followers(robot)) add_follower_coriolis(robot, q, qd, C);
+  check_finite("Coriolis matrix", C);
+  return C;
+}
+
+ForceDerivatives inverse_dynamics_derivatives(const Robot& robot, JointsIn q, JointsIn qd,
+                                              JointsIn qdd) {
+  check_joint_values("q", q, robot);
+  check_joint_values("qd", qd, robot);
+  check_joint_values("qdd", qdd, robot);
+  ForceDerivatives result;
+  if (const JointCoupling* coupling = robot.coupling()) {
+    const ForceDerivatives of_rows = derivatives_of_chain(
+        coupling->rows, coupling->values(q), coupling->rates(qd), coupling->rates(qdd));
+    result = {for_joints(*coupling, of_rows.by_q), for_joints(*coupling, of_rows.by_qd)};
+  } else {
+    result = derivatives_of_chain(robot, q, qd, qdd);
   }
   if (has_followers(robot)) add_follower_derivatives(robot, q, qd, qdd, result.by_q, result.by_qd);
   check_finite("derivative by q", result.by_q);

@@ -1,6 +1,7 @@
 #include "armlet/dynamics/energy.hpp"
 
 #include "armlet/dynamics/forward_dynamics.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "checks.hpp"
 #include "spatial_arm.hpp"
 #include "trees/follower_forces.hpp"
@@ -14,8 +15,8 @@ double kinetic_energy(const Robot& robot, JointsIn q, JointsIn qd) {
   return energy;
 }
 
-double potential_energy(const Robot& robot, JointsIn q) {
-  check_joint_values("q", q, robot);
+// Of an arm whose rows all move on their own, without links beside it.
+static double potential_energy_of_chain(const Robot& robot, JointsIn q) {
   const SpatialArm arm(robot, q);
   const std::array<double, 12>& base = robot.walk_plan().base;
   const Eigen::Vector3d origin(base[9], base[10], base[11]);
@@ -26,6 +27,15 @@ double potential_energy(const Robot& robot, JointsIn q) {
     energy -=
         robot.gravity().dot(link.mass * (origin + frame.translation()) + frame.linear() * link.h);
   }
+  return energy;
+}
+
+double potential_energy(const Robot& robot, JointsIn q) {
+  check_joint_values("q", q, robot);
+  const JointCoupling* coupling = robot.coupling();
+  double energy = coupling == nullptr
+                      ? potential_energy_of_chain(robot, q)
+                      : potential_energy_of_chain(coupling->rows, coupling->values(q));
   if (has_followers(robot)) energy += follower_potential_energy(robot, q);
   check_finite("potential energy", energy);
   return energy;

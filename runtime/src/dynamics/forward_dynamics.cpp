@@ -7,6 +7,7 @@
 
 #include "armlet/dynamics/inverse_dynamics.hpp"
 #include "checks.hpp"
+#include "coupled.hpp"
 #include "friction.hpp"
 #include "trees/follower_forces.hpp"
 
@@ -21,17 +22,22 @@ namespace armlet {
 
 JointMatrix mass_matrix(const Robot& robot, JointsIn q) {
   check_joint_count("q", q, robot);
-  const DynamicsInput in = input_of(robot, q.data());
   JointMatrix M(robot.n(), robot.n());
-  kernel_for(kMassKernels, in.plan)(in, M.data());
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    M = for_joints(*coupling, mass_matrix(coupling->rows, coupling->values(q)));
+  } else {
+    const DynamicsInput in = input_of(robot, q.data());
+    kernel_for(kMassKernels, in.plan)(in, M.data());
+  }
   if (has_followers(robot)) [[unlikely]]
     add_follower_inertia(robot, q, M);
   return M;
 }
 
-// From M qdd = tau - friction - bias: the recursions know no links beside the chain.
-static JointVector accelerations_with_followers(const Robot& robot, JointsIn q, JointsIn qd,
-                                                JointsIn tau) {
+// From M qdd = tau - friction - bias: the recursions know neither links beside the chain nor rows
+// that copy others.
+static JointVector accelerations_by_matrix(const Robot& robot, JointsIn q, JointsIn qd,
+                                           JointsIn tau) {
   check_joint_values("qd", qd, robot);
   check_joint_values("tau", tau, robot);
   const JointMatrix M = mass_matrix(robot, q);
@@ -50,8 +56,8 @@ JointVector forward_dynamics(const Robot& robot, JointsIn q, JointsIn qd, Joints
   check_joint_count("q", q, robot);
   check_joint_count("qd", qd, robot);
   check_joint_count("tau", tau, robot);
-  if (has_followers(robot)) [[unlikely]]
-    return accelerations_with_followers(robot, q, qd, tau);
+  if (has_followers(robot) || robot.coupling() != nullptr) [[unlikely]]
+    return accelerations_by_matrix(robot, q, qd, tau);
   const DynamicsInput in = input_of(robot, q.data(), qd.data());
   JointVector qdd = tau;
   if (in.plan.friction != FrictionKind::kNone) {

@@ -2,6 +2,7 @@
 
 #include "chain/walk_out.hpp"
 #include "checks.hpp"
+#include "coupled.hpp"
 #include "friction.hpp"
 #include "trees/follower_forces.hpp"
 
@@ -11,10 +12,15 @@ JointVector inverse_dynamics(const Robot& robot, JointsIn q, JointsIn qd, Joints
   check_joint_count("q", q, robot);
   check_joint_count("qd", qd, robot);
   check_joint_count("qdd", qdd, robot);
-  const DynamicsInput in = input_of(robot, q.data(), qd.data(), qdd.data());
   JointVector tau(robot.n());
-  kernel_for(kInverseKernels, in.plan)(in, tau.data());
-  add_friction(in.plan, qd.data(), tau.data());
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    tau = for_joints(*coupling, inverse_dynamics(coupling->rows, coupling->values(q),
+                                                 coupling->rates(qd), coupling->rates(qdd)));
+  } else {
+    const DynamicsInput in = input_of(robot, q.data(), qd.data(), qdd.data());
+    kernel_for(kInverseKernels, in.plan)(in, tau.data());
+    add_friction(in.plan, qd.data(), tau.data());
+  }
   if (has_followers(robot)) [[unlikely]] {
     add_follower_forces(robot, q, qd, qdd, true, tau);
     add_follower_friction(robot, qd, tau);
@@ -36,9 +42,14 @@ JointVector inverse_dynamics(const Robot& robot, JointsIn q, JointsIn qd, Joints
 JointVector bias_forces(const Robot& robot, JointsIn q, JointsIn qd) {
   check_joint_count("q", q, robot);
   check_joint_count("qd", qd, robot);
-  const DynamicsInput in = input_of(robot, q.data(), qd.data());
   JointVector tau(robot.n());
-  kernel_for(kBiasKernels, in.plan)(in, tau.data());
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    tau = for_joints(*coupling,
+                     bias_forces(coupling->rows, coupling->values(q), coupling->rates(qd)));
+  } else {
+    const DynamicsInput in = input_of(robot, q.data(), qd.data());
+    kernel_for(kBiasKernels, in.plan)(in, tau.data());
+  }
   if (has_followers(robot)) [[unlikely]]
     add_follower_forces(robot, q, qd, {}, true, tau);
   if (!all_finite(tau.data(), tau.size())) [[unlikely]] {
@@ -49,9 +60,13 @@ JointVector bias_forces(const Robot& robot, JointsIn q, JointsIn qd) {
 
 JointVector gravity_forces(const Robot& robot, JointsIn q) {
   check_joint_count("q", q, robot);
-  const DynamicsInput in = input_of(robot, q.data());
   JointVector tau(robot.n());
-  kernel_for(kGravityKernels, in.plan)(in, tau.data());
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    tau = for_joints(*coupling, gravity_forces(coupling->rows, coupling->values(q)));
+  } else {
+    const DynamicsInput in = input_of(robot, q.data());
+    kernel_for(kGravityKernels, in.plan)(in, tau.data());
+  }
   if (has_followers(robot)) [[unlikely]]
     add_follower_forces(robot, q, {}, {}, true, tau);
   if (!all_finite(tau.data(), tau.size())) [[unlikely]] {
@@ -63,11 +78,16 @@ JointVector gravity_forces(const Robot& robot, JointsIn q) {
 JointVector coriolis_forces(const Robot& robot, JointsIn q, JointsIn qd) {
   check_joint_count("q", q, robot);
   check_joint_count("qd", qd, robot);
-  constexpr double kWeightless[3] = {};
-  const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   JointVector tau(robot.n());
-  kernel_for(kBiasKernels, plan)(
-      {robot.walk_plan(), plan, q.data(), qd.data(), nullptr, kWeightless}, tau.data());
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    tau = for_joints(*coupling,
+                     coriolis_forces(coupling->rows, coupling->values(q), coupling->rates(qd)));
+  } else {
+    constexpr double kWeightless[3] = {};
+    const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
+    kernel_for(kBiasKernels, plan)(
+        {robot.walk_plan(), plan, q.data(), qd.data(), nullptr, kWeightless}, tau.data());
+  }
   if (has_followers(robot)) [[unlikely]]
     add_follower_forces(robot, q, qd, {}, false, tau);
   if (!all_finite(tau.data(), tau.size())) [[unlikely]] {
@@ -79,7 +99,10 @@ JointVector coriolis_forces(const Robot& robot, JointsIn q, JointsIn qd) {
 JointVector friction_forces(const Robot& robot, JointsIn qd) {
   check_joint_values("qd", qd, robot);
   JointVector tau = JointVector::Zero(robot.n());
-  add_friction(robot.derived<RobotDynamics>().plan, qd.data(), tau.data());
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]]
+    tau = for_joints(*coupling, friction_forces(coupling->rows, coupling->rates(qd)));
+  else
+    add_friction(robot.derived<RobotDynamics>().plan, qd.data(), tau.data());
   if (has_followers(robot)) add_follower_friction(robot, qd, tau);
   if (!all_finite(tau.data(), tau.size())) refuse_result(robot, tau, "friction", {});
   return tau;
@@ -88,6 +111,8 @@ JointVector friction_forces(const Robot& robot, JointsIn qd) {
 JointVector wrench_forces(const Robot& robot, JointsIn q, const Vector6d& wrench) {
   check_joint_count("q", q, robot);
   check_finite("wrench", wrench);
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]]
+    return for_joints(*coupling, wrench_forces(coupling->rows, coupling->values(q), wrench));
   const WalkPlan& plan = robot.walk_plan();
   const auto vector_of = [](const WalkAxis& v) { return Eigen::Vector3d(v.xy[0], v.xy[1], v.z); };
   std::array<Eigen::Vector3d, kMaxJoints> axis, point;

@@ -115,7 +115,7 @@ Moments moments_in_link(const Robot& robot, int i) {
   const Link& link = robot.link(i);
   Moments body = moments_of(link.mass, link.com, link.inertia);
   // The flange is the frame of the last link in both conventions.
-  if (i + 1 == robot.n()) {
+  if (i + 1 == robot.rows()) {
     const Payload& payload = robot.payload();
     body = body + moments_of(payload.mass, payload.com, payload.inertia);
   }
@@ -129,7 +129,7 @@ Moments moments_of_link(const Robot& robot, int i) {
 RobotDynamics::RobotDynamics(const Robot& robot) {
   if (!robot.spec().no_dynamics.empty()) throw ArgumentError(robot.spec().no_dynamics);
   const WalkPlan& walk = robot.walk_plan();
-  const std::size_t n = static_cast<std::size_t>(robot.n());
+  const std::size_t n = static_cast<std::size_t>(walk.n);
   plan.n = n;
   Matrix3d R_world_base;
   for (int c = 0; c < 3; ++c) {

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include "armlet/core/error.hpp"
 #include "armlet/math/check_finite.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "armlet/model/joint_limits.hpp"
 #include "validate.hpp"
 
@@ -24,8 +27,31 @@ void fill_default_rates(Joint& joint) {
   if (joint.max_jerk == 0.0) joint.max_jerk = joint.max_accel / kDefaultTimeToAccel;
 }
 
+// A row that copies another one moves within its limits, at its rates times the ratio.
+void follow(const Joint& joint, const RowDrive& drive, Joint& row) {
+  const double one = drive.ratio * joint.lower + drive.offset,
+               other = drive.ratio * joint.upper + drive.offset;
+  const bool is_free = row.is_revolute() && is_no_limit(joint.lower, joint.upper);
+  row.lower = is_free ? -kNoLimit : std::min(one, other);
+  row.upper = is_free ? kNoLimit : std::max(one, other);
+  row.max_speed = std::abs(drive.ratio) * joint.max_speed;
+  row.max_accel = std::abs(drive.ratio) * joint.max_accel;
+  row.max_jerk = std::abs(drive.ratio) * joint.max_jerk;
+  row.max_effort = std::numeric_limits<double>::infinity();
+}
+
+bool copies(const Joint& row) { return row.drive.of >= 0; }
+
+// The rows that copy others, of which none may copy another one.
+void follow_drives(RobotSpec& spec) {
+  for (Joint& row : spec.joints) {
+    if (copies(row)) follow(spec.joints[static_cast<std::size_t>(row.drive.of)], row.drive, row);
+  }
+}
+
 Chain make_chain(const RobotSpec& spec) {
   Chain chain;
+  chain.coupled = std::ranges::any_of(spec.joints, copies);
   chain.n = static_cast<int>(spec.joints.size());
   chain.standard = spec.convention == DhConvention::kStandard;
   chain.T_world_base = spec.T_world_base * spec.T_base_first;
@@ -57,8 +83,8 @@ bool has_same_bits(const Numbers& a, const Numbers& b) {
 // To the last bit, 0 and -0 apart, so that nothing worked out from one is a bit different for the
 // other.
 bool is_same_chain(const Chain& a, const Chain& b) {
-  return a.n == b.n && a.standard == b.standard && a.revolute == b.revolute &&
-         has_same_bits(a.theta, b.theta) && has_same_bits(a.d, b.d) &&
+  return a.n == b.n && a.standard == b.standard && a.coupled == b.coupled &&
+         a.revolute == b.revolute && has_same_bits(a.theta, b.theta) && has_same_bits(a.d, b.d) &&
          has_same_bits(a.q_to_theta, b.q_to_theta) && has_same_bits(a.q_to_d, b.q_to_d) &&
          has_same_bits(a.a, b.a) && has_same_bits(a.sin_alpha, b.sin_alpha) &&
          has_same_bits(a.cos_alpha, b.cos_alpha) &&
@@ -76,11 +102,9 @@ double row_reach(const Joint& joint) {
 }
 
 template <class Member>
-Eigen::VectorXd gather(const std::vector<Joint>& joints, Member member) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(joints.size()));
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    values[static_cast<Eigen::Index>(i)] = joints[i].*member;
-  }
+Eigen::VectorXd gather(const Robot& robot, Member member) {
+  Eigen::VectorXd values(robot.n());
+  for (int i = 0; i < robot.n(); ++i) values[i] = robot.joint(i).*member;
   return values;
 }
 
@@ -91,6 +115,11 @@ Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
   for (Joint& joint : spec_.joints) fill_default_rates(joint);
   if (spec_.links.empty()) spec_.links.resize(spec_.joints.size());
   check_links(spec_);
+  check_drives(spec_);
+  follow_drives(spec_);
+  for (std::size_t k = 0; k < spec_.joints.size(); ++k) {
+    if (!copies(spec_.joints[k])) row_of_[static_cast<std::size_t>(n_++)] = static_cast<int>(k);
+  }
   check_pose(spec_.name + ".base", spec_.T_world_base);
   check_pose(spec_.name + ".first joint", spec_.T_base_first);
   check_pose(spec_.name + ".tool", spec_.T_flange_tool);
@@ -98,18 +127,19 @@ Robot::Robot(RobotSpec spec) : spec_(std::move(spec)) {
   check_payload(spec_);
   check_link_pairs(spec_);
 
-  lower_ = gather(spec_.joints, &Joint::lower);
-  upper_ = gather(spec_.joints, &Joint::upper);
-  max_speed_ = gather(spec_.joints, &Joint::max_speed);
-  max_accel_ = gather(spec_.joints, &Joint::max_accel);
-  max_jerk_ = gather(spec_.joints, &Joint::max_jerk);
+  lower_ = gather(*this, &Joint::lower);
+  upper_ = gather(*this, &Joint::upper);
+  max_speed_ = gather(*this, &Joint::max_speed);
+  max_accel_ = gather(*this, &Joint::max_accel);
+  max_jerk_ = gather(*this, &Joint::max_jerk);
   chain_ = make_chain(spec_);
   walk_plan_ = plan_walk(chain_);
 
   if (spec_.home.size() == 0) {
     spec_.home = Eigen::VectorXd::Zero(n()).cwiseMax(lower_).cwiseMin(upper_);
   }
-  check_home(spec_);
+  check_home(spec_, std::span(row_of_).first(static_cast<std::size_t>(n_)));
+  if (chain_.coupled) coupling_ = std::make_shared<const JointCoupling>(spec_);
 
   reach_ = spec_.T_flange_tool.translation().norm();
   for (const Joint& joint : spec_.joints) {
@@ -130,6 +160,8 @@ Robot Robot::changed_beside_shape(RobotSpec spec) const {
   copy.from_shape_ = from_shape_;
   return copy;
 }
+
+const Robot& Robot::uncoupled() const { return coupling_ ? coupling_->rows : *this; }
 
 bool Robot::has_shapes() const {
   return spec_.base.has_shape() || std::ranges::any_of(spec_.links, &Link::has_shape);
@@ -173,9 +205,9 @@ Robot Robot::with_payload(const Payload& payload) const {
 }
 
 Robot Robot::with_link(int i, const Link& link) const {
-  if (i < 0 || i >= n()) {
+  if (i < 0 || i >= rows()) {
     throw ArgumentError(
-        fmt::format("There is no link {} in robot `{}`; expected 1 to {}.", i + 1, name(), n()));
+        fmt::format("There is no link {} in robot `{}`; expected 1 to {}.", i + 1, name(), rows()));
   }
   RobotSpec spec = spec_;
   spec.links[static_cast<std::size_t>(i)] = link;
@@ -186,8 +218,8 @@ Robot Robot::with_limits(const Eigen::VectorXd& lower, const Eigen::VectorXd& up
   check_size("lower", lower.size(), n());
   check_size("upper", upper.size(), n());
   RobotSpec spec = spec_;
-  for (Eigen::Index i = 0; i < lower.size(); ++i) {
-    Joint& joint = spec.joints[static_cast<std::size_t>(i)];
+  for (int i = 0; i < n(); ++i) {
+    Joint& joint = spec.joints[static_cast<std::size_t>(row_of(i))];
     joint.lower = lower[i];
     joint.upper = upper[i];
   }

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "body_inertia.hpp"
 #include "descriptions/arm_tip.hpp"
+#include "descriptions/chain_drives.hpp"
 #include "descriptions/followers.hpp"
 
 namespace armlet {
@@ -92,38 +93,15 @@ Result<Walk> walk_to(const Mechanism& m, std::string_view tip) {
   return walk;
 }
 
-// The actuator that alone drives a joint one to one, or nothing.
-std::optional<Eigen::Index> own_actuator(const Mechanism& m, int joint) {
-  const Eigen::MatrixXd& C = m.spec().coupling;
-  std::optional<Eigen::Index> own;
-  for (Eigen::Index a = 0; a < C.cols(); ++a) {
-    if (C(joint, a) == 0.0) continue;
-    if (own || C(joint, a) != 1.0) return std::nullopt;
-    own = a;
-  }
-  return m.spec().offset[joint] == 0.0 ? own : std::nullopt;
-}
-
-Joint joint_of(const Mechanism& m, const Body& body, Eigen::Index actuator) {
-  const Actuator& a = m.actuators()[static_cast<std::size_t>(actuator)];
-  Joint joint;
-  joint.kind = body.joint == BodyJoint::kRevolute ? JointKind::kRevolute : JointKind::kPrismatic;
-  joint.lower = a.lower;
-  joint.upper = a.upper;
-  joint.max_speed = a.max_speed;
-  if (a.max_effort > 0.0) joint.max_effort = a.max_effort;
-  return joint;
-}
-
 // Where each body is in the frame of the nearest body of the chain that moves, if any.
 struct Carried {
   std::vector<int> row;  // of the arm, or -1: it stands still with the base
   std::vector<Isometry3d> T_row_body;
 };
 
-Carried carried_by(const Mechanism& m, const std::vector<int>& chain) {
+// zero  values of the joints of the mechanism.
+Carried carried_by(const Mechanism& m, const std::vector<int>& chain, const Eigen::VectorXd& zero) {
   Carried carried;
-  const Eigen::VectorXd zero = m.spec().offset;
   for (std::size_t i = 0; i < m.bodies().size(); ++i) {
     const auto found = std::ranges::find(chain, static_cast<int>(i));
     if (found != chain.end()) {
@@ -170,29 +148,8 @@ Legs legs_of(const Walk& walk) {
   return legs;
 }
 
-// Why a body of the chain cannot belong to an arm, and where an arm without it ends.
-Error coupled(const Mechanism& m, int body) {
-  const Body& at = m.bodies()[static_cast<std::size_t>(body)];
-  const Eigen::RowVectorXd row = m.spec().coupling.row(m.joint_of(body));
-  std::string drives;
-  for (Eigen::Index a = 0; a < row.size(); ++a) {
-    if (row[a] == 0.0) continue;
-    drives += fmt::format("{}`{}`", drives.empty() ? "" : " and ",
-                          m.actuators()[static_cast<std::size_t>(a)].name);
-  }
-  const std::string& before =
-      at.parent >= 0 ? m.bodies()[static_cast<std::size_t>(at.parent)].name : m.spec().base_name;
-  return Error{
-      "coupled",
-      fmt::format(
-          "joint `{}` of `{}` copies {}, so it cannot belong to an arm whose joints move on "
-          "their own; tip: \"{}\" ends the arm before it",
-          at.joint_name, m.name(), drives.empty() ? "another joint" : drives, before)};
-}
-
-// The joints of the arm, and the actuator of each.
-Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs,
-                              std::vector<Eigen::Index>* motors) {
+// The rows of the arm and what moves them.
+Result<ChainDrives> check_chain(const Mechanism& m, const Legs& legs) {
   if (legs.chain.empty()) {
     return Error{"no_chain",
                  fmt::format("`{}` has no joint between its base `{}` and this link; name the link "
@@ -204,18 +161,7 @@ Result<RobotSpec> check_chain(const Mechanism& m, const Legs& legs,
                  fmt::format("this arm of `{}` has {} joints; an arm has 1 to {}", m.name(),
                              legs.chain.size(), kMaxJoints)};
   }
-  RobotSpec spec;
-  std::vector<Eigen::Index>& used = *motors;
-  for (const int i : legs.chain) {
-    const Body& body = m.bodies()[static_cast<std::size_t>(i)];
-    const auto actuator = own_actuator(m, m.joint_of(i));
-    if (!actuator || std::ranges::find(used, *actuator) != used.end()) {
-      return coupled(m, i);
-    }
-    used.push_back(*actuator);
-    spec.joints.push_back(joint_of(m, body, *actuator));
-  }
-  return spec;
+  return drives_of_chain(m, legs.chain);
 }
 
 // What follows from an inertia that no body has.
@@ -238,10 +184,16 @@ Link named(Link link, const std::string& name) {
 //
 // T_row_axis  of each row, the frame with the joint's axis as z.
 // follows     of each body, whether its joint copies one of the arm.
-void add_links(const Mechanism& m, const std::vector<int>& chain,
-               const std::vector<Isometry3d>& T_row_axis, const std::vector<bool>& follows,
-               RobotSpec& spec) {
-  const Carried carried = carried_by(m, chain);
+// zero        values of the joints of the mechanism while the arm is at zero.
+struct LinkFrames {
+  const std::vector<int>& chain;
+  const std::vector<Isometry3d>& T_row_axis;
+  const std::vector<bool>& follows;
+  const Eigen::VectorXd& zero;
+};
+void add_links(const Mechanism& m, const LinkFrames& frames, RobotSpec& spec) {
+  const auto& [chain, T_row_axis, follows, zero] = frames;
+  const Carried carried = carried_by(m, chain, zero);
   add_body(spec.base, named(m.spec().base, m.spec().base_name));
   spec.links.resize(chain.size());
   for (std::size_t i = 0; i < m.bodies().size(); ++i) {
@@ -260,7 +212,14 @@ void add_links(const Mechanism& m, const std::vector<int>& chain,
     const Isometry3d T_row_carrier =
         T_row_axis[k] * make_pose(R_with_z(carrier.axis), Vector3d::Zero()).inverse();
     add_body(spec.links[k], moved(link, T_row_carrier * carried.T_row_body[i]));
-    if (static_cast<int>(i) == chain[k]) copy_motor(spec.links[k], body.link);
+    if (static_cast<int>(i) == chain[k] && spec.joints[k].drive.of < 0)
+      copy_motor(spec.links[k], body.link);
+  }
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    const RowDrive& drive = spec.joints[k].drive;
+    if (drive.of < 0) continue;
+    add_copied_motor(m.bodies()[static_cast<std::size_t>(chain[k])].link, drive.ratio,
+                     spec.links[static_cast<std::size_t>(drive.of)]);
   }
 }
 
@@ -270,10 +229,9 @@ Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
   const Result<Walk> walk = walk_to(m, tip);
   if (!walk.ok()) return walk.error();
   const Legs legs = legs_of(*walk);
-  std::vector<Eigen::Index> motors;
-  Result<RobotSpec> result = check_chain(m, legs, &motors);
-  if (!result.ok()) return result;
-  RobotSpec spec = std::move(result).value();
+  const Result<ChainDrives> drives = check_chain(m, legs);
+  if (!drives.ok()) return drives.error();
+  RobotSpec spec;
   spec.name = m.name();
   spec.source = m.source();
   spec.convention = DhConvention::kModified;
@@ -281,6 +239,7 @@ Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
   spec.T_base_first = legs.T_before_axis[0];
   spec.notes = m.spec().notes;
   if (!walk->note.empty()) spec.notes.push_back(walk->note);
+  spec.joints = joints_of_chain(m, legs.chain, *drives, spec.notes);
 
   // The rest of each normal commutes with the joint and goes into the next leg.
   const std::size_t n = spec.joints.size();
@@ -302,9 +261,9 @@ Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
     rest = screw_z(normal.rest_angle, normal.rest_shift);
   }
 
-  const Followers followers = followers_of(m, legs.chain, motors);
+  const Followers followers = followers_of(m, legs.chain, *drives);
   spec.followers = followers.mechanism;
-  add_links(m, legs.chain, T_row_axis, followers.follows, spec);
+  add_links(m, {legs.chain, T_row_axis, followers.follows, values_at_zero(m, *drives)}, spec);
   return spec;
 }
 
@@ -321,8 +280,8 @@ MechanismSpec mechanism_of(const Robot& robot) {
   const bool standard = robot.spec().convention == DhConvention::kStandard;
   // What comes after the joint's own motion: the constants of Z, and the X that follows.
   Isometry3d T_link_next = Isometry3d::Identity();
-  for (int i = 0; i < robot.n(); ++i) {
-    const Joint& joint = robot.joint(i);
+  for (int i = 0; i < robot.rows(); ++i) {
+    const Joint& joint = robot.row(i);
     const Isometry3d Z = screw_z(joint.dh.theta, joint.dh.d);
     const Isometry3d X = dh_pose(DhConvention::kStandard, {0.0, 0.0, joint.dh.a, joint.dh.alpha});
     Isometry3d T_parent_joint = standard ? T_link_next : T_link_next * X;
@@ -338,6 +297,7 @@ MechanismSpec mechanism_of(const Robot& robot) {
          .axis = Vector3d::UnitZ(),
          .link = moved(robot.link(i), T_link_next)});
     copy_motor(spec.bodies.back().link, robot.link(i));
+    if (joint.drive.of >= 0) continue;
     spec.actuators.push_back(
         {.name = "joint" + number,
          .lower = joint.lower,
@@ -345,7 +305,11 @@ MechanismSpec mechanism_of(const Robot& robot) {
          .max_speed = joint.max_speed,
          .max_effort = std::isfinite(joint.max_effort) ? joint.max_effort : 0.0});
   }
-  const int n = robot.n();
+  if (const JointCoupling* coupling = robot.coupling()) {
+    spec.coupling = coupling->E;
+    spec.offset = coupling->offset;
+  }
+  const int n = robot.rows();
   spec.bodies.push_back(
       {.name = "flange", .joint_name = "link_flange", .parent = n, .T_parent_joint = T_link_next});
   spec.bodies.push_back({.name = "tool",

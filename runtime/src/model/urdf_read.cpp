@@ -268,6 +268,11 @@ class Reader {
       }
       joints_.push_back(&joint);
     }
+    if (joint.mimic && joint.limits && joint.type != urdf::Joint::CONTINUOUS) {
+      body.copy_limits = {.lower = joint.limits->lower,
+                          .upper = joint.limits->upper,
+                          .max_speed = joint.limits->velocity};
+    }
     spec_.bodies.push_back(std::move(body));
     return std::nullopt;
   }

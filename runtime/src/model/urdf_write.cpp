@@ -98,13 +98,19 @@ Drive drive_of(const Mechanism& m, int joint) {
   return drive;
 }
 
-// Joint limits from those of the actuator: the first joint that it drives stands for it.
-std::string limit_text(const Mechanism& m, const Drive& drive) {
+// Joint limits from those of the actuator: the first joint that it drives stands for it. A joint
+// that copies it may have limits of its own.
+std::string limit_text(const Mechanism& m, const Drive& drive, const Body& body) {
   if (drive.actuator < 0) {
     return fmt::format("    <limit lower=\"{0}\" upper=\"{0}\" effort=\"0\" velocity=\"0\"/>\n",
                        number(drive.shift));
   }
   const Actuator& a = m.actuators()[static_cast<std::size_t>(drive.actuator)];
+  if (body.copy_limits)
+    return fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>\n",
+                       number(body.copy_limits->lower), number(body.copy_limits->upper),
+                       number(a.max_effort / std::abs(drive.ratio)),
+                       number(body.copy_limits->max_speed));
   const double one = drive.ratio * a.lower + drive.shift,
                other = drive.ratio * a.upper + drive.shift;
   if (is_no_limit(a.lower, a.upper))
@@ -191,7 +197,7 @@ std::string joint_text(const Mechanism& m, const Leaders& leaders, std::size_t i
     const Friction& f = body.link.friction;
     const double gear = std::abs(body.link.gear);
     text += fmt::format("    <axis xyz=\"{}\"/>\n", three(body.axis));
-    text += limit_text(m, drive_of(m, joint));
+    text += limit_text(m, drive_of(m, joint), body);
     text += lost_text(body.link);
     const double damping = gear * gear * f.viscous,
                  dry = gear * 0.5 * (f.coulomb_plus - f.coulomb_minus);

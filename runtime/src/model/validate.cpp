@@ -162,6 +162,33 @@ void check_links(const RobotSpec& spec) {
   }
 }
 
+void check_drives(const RobotSpec& spec) {
+  const int n = static_cast<int>(spec.joints.size());
+  for (std::size_t i = 0; i < spec.joints.size(); ++i) {
+    const RowDrive& drive = spec.joints[i].drive;
+    if (drive.of < 0) continue;
+    if (drive.of >= n || spec.joints[static_cast<std::size_t>(drive.of)].drive.of >= 0) {
+      fail(spec, "Row", i,
+           fmt::format("copies row {}; expected one with a joint of its own", drive.of + 1));
+    }
+    if (!std::isfinite(drive.ratio) || drive.ratio == 0.0 || !std::isfinite(drive.offset)) {
+      fail(
+          spec, "Row", i,
+          fmt::format("copies row {} times {} plus {}; expected finite numbers, the first not zero",
+                      drive.of + 1, drive.ratio, drive.offset));
+    }
+    const Link& link = spec.links[i];
+    const Friction& f = link.friction;
+    if (link.motor_inertia != 0.0 || f.viscous != 0.0 || f.coulomb_plus != 0.0 ||
+        f.coulomb_minus != 0.0 || f.stribeck_speed != 0.0) {
+      fail(spec, "Row", i,
+           fmt::format("copies row {}, which has the motor; give that one the rotor inertia and "
+                       "the friction",
+                       drive.of + 1));
+    }
+  }
+}
+
 void check_payload(const RobotSpec& spec) {
   Link body;
   body.mass = spec.payload.mass;
@@ -172,11 +199,11 @@ void check_payload(const RobotSpec& spec) {
   throw ArgumentError(fmt::format("The payload of robot `{}` {}.", spec.name, fault));
 }
 
-void check_home(const RobotSpec& spec) {
-  check_size(spec.name + ".home", spec.home.size(), static_cast<Eigen::Index>(spec.joints.size()));
+void check_home(const RobotSpec& spec, std::span<const int> rows) {
+  check_size(spec.name + ".home", spec.home.size(), static_cast<Eigen::Index>(rows.size()));
   check_finite(spec.name + ".home", spec.home);
-  for (std::size_t i = 0; i < spec.joints.size(); ++i) {
-    const Joint& joint = spec.joints[i];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Joint& joint = spec.joints[static_cast<std::size_t>(rows[i])];
     const double q = spec.home[static_cast<Eigen::Index>(i)];
     if (q >= joint.lower && q <= joint.upper) continue;
     fail(spec, "Joint", i,

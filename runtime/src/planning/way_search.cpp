@@ -11,6 +11,7 @@
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/math/check_finite.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "planning/sampling_door.hpp"
 
 namespace armlet {
@@ -41,14 +42,17 @@ SearchBySampling sampling_search() {
 class Lengths {
  public:
   Lengths(const Robot& robot, const VectorXd& start, const Points& goals)
-      : scale_(robot.n()), lower_(robot.n()), upper_(robot.n()) {
+      : scale_(VectorXd::Zero(robot.n())), lower_(robot.n()), upper_(robot.n()) {
     const auto frames = link_frames(robot, start);
     double reach = 0.0;
-    for (int i = robot.n() - 1; i >= 0; --i) {
+    for (int i = robot.rows() - 1; i >= 0; --i) {
       const Eigen::Vector3d from = i > 0 ? frames[static_cast<std::size_t>(i - 1)].translation()
                                          : Eigen::Vector3d(robot.T_world_base().translation());
       reach += (frames[static_cast<std::size_t>(i)].translation() - from).norm();
-      scale_[i] = robot.is_revolute(i) ? std::max(reach, kLeastReach) : 1.0;
+      // Rows that one joint moves go together.
+      const auto [joint, ratio] = motion_of_row(robot, i);
+      scale_[joint] +=
+          std::abs(ratio) * (robot.row(i).is_revolute() ? std::max(reach, kLeastReach) : 1.0);
     }
     for (int i = 0; i < robot.n(); ++i) {
       double low = start[i], high = start[i];

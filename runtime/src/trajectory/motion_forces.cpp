@@ -97,7 +97,7 @@ class ForceSearch {
     for (int i = 0; i < robot_.n(); ++i) {
       const PeakForce& peak = found_.peaks[static_cast<std::size_t>(i)];
       if (turns_back(i) || !std::isfinite(peak.limit)) continue;
-      const JointFriction f = friction_of(robot_.link(i), qd_[i]);
+      const JointFriction f = friction_of(robot_.motor_link(i), qd_[i]);
       const double moving = tau[i] - gravity[i] - friction[i];
       slower =
           std::max({slower, slower_for(moving, f.viscous, peak.limit - gravity[i] - f.dry_high),

@@ -31,9 +31,10 @@ namespace armlet {
 // "on":0 before "base", only of a hand: the robot whose flange carries it, in whose frame base is.
 // before, after, base and pose are p and r in one list of seven numbers; with them the arm can be
 // drawn: see JointInfo and ToolInfo (event.hpp). A limit that there is not is null, and a link
-// without a file of its shape has no mesh. Lines of the file from `line` (from 1) up to the one
-// that says so are undone, and time goes on at `back`; redone says that what was undone last counts
-// up to `back`.
+// without a file of its shape has no mesh. Where links copy others there are more links than
+// joints, and each has "joint":0,"ratio":1,"offset":0: see RowInfo. Lines of the file from `line`
+// (from 1) up to the one that says so are undone, and time goes on at `back`; redone says that what
+// was undone last counts up to `back`.
 //
 // out  not owned; lives at least as long as the backend.
 [[nodiscard]] std::unique_ptr<Backend> make_jsonl_backend(std::ostream& out);

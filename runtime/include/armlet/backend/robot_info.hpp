@@ -33,6 +33,16 @@ struct JointInfo {
   std::string mesh;
 };
 
+// A link of a robot whose joints move several links each: it moves as `moves` says with the value
+// ratio q + offset, q the position of joint `joint`, counted from 0. Its limits are those of that
+// value.
+struct RowInfo {
+  JointInfo moves;
+  int joint = 0;
+  double ratio = 1.0;
+  double offset = 0.0;
+};
+
 // What is mounted at the flange, which is the frame of the last link.
 //
 // kind    "none", "gripper", "suction cup", "point" or "fingers".
@@ -63,17 +73,24 @@ struct LinkPicture {
 
 // A robot of the run, as one needs it to draw it. Its index in RunInfo names it in what follows.
 //
+// joints    of which each moves the link of its number, unless there are rows.
+// rows      of each link, where links copy the motion of others; else empty.
 // home      of each joint, rad or m.
 // on        the robot that carries the base, in whose flange T_world_base is then; -1: none.
 // pictures  in the place of the shapes of their links.
 struct RobotInfo {
   std::string name;
   std::vector<JointInfo> joints;
+  std::vector<RowInfo> rows{};
   std::vector<double> home;
   Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
   int on = -1;
   ToolInfo tool;
   std::vector<LinkPicture> pictures;
+
+  std::size_t link_count() const { return rows.empty() ? joints.size() : rows.size(); }
+  // How link i moves, counted from 0.
+  const JointInfo& link(std::size_t i) const { return rows.empty() ? joints[i] : rows[i].moves; }
 };
 
 }  // namespace armlet

@@ -20,6 +20,7 @@ inline constexpr int kMaxJoints = 12;
 struct Chain {
   int n = 0;
   bool standard = true;
+  bool coupled = false;  // some rows copy others, so that fewer than n values move them
   std::array<bool, kMaxJoints> revolute{};
   std::array<double, kMaxJoints>
       theta{};                         // offset of a revolute joint, constant of a prismatic one

@@ -18,6 +18,19 @@ inline constexpr bool is_no_limit(double lower, double upper) {
   return lower <= -kRounded && upper >= kRounded;
 }
 
+// What moves a row of the joint table: a joint of its own, or another row that it copies,
+//
+//   value of the row = ratio q + offset,
+//
+// q the value of the joint of row `of`.
+//
+// of  a row that copies none, counted from 0; -1: the row has a joint of its own.
+struct RowDrive {
+  int of = -1;
+  double ratio = 1.0;
+  double offset = 0.0;
+};
+
 // One joint, in rad and rad/s (revolute) or m and m/s (prismatic).
 //
 // A rate of 0 stands for the default: 180 deg/s or 0.5 m/s; full speed in 0.25 s; full acceleration
@@ -31,6 +44,7 @@ struct Joint {
   double max_accel = 0.0;
   double max_jerk = 0.0;
   double max_effort = std::numeric_limits<double>::infinity();  // N m or N
+  RowDrive drive{};                                             // of its row
 
   bool is_revolute() const { return kind == JointKind::kRevolute; }
   // Whether it may turn on and on: a joint without limits.

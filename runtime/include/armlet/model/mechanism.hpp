@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,14 @@
 namespace armlet {
 
 enum class BodyJoint { kFixed, kRevolute, kPrismatic };
+
+// The limits that a description gives to a joint that copies another one, rad or m; the actuator
+// has its own. A speed of 0: not given.
+struct CopyLimits {
+  double lower = 0.0;
+  double upper = 0.0;
+  double max_speed = 0.0;
+};
 
 // A link of a mechanism and the joint that carries it. At the zero of its joint the link's frame is
 // T_parent_joint seen from its parent; a revolute joint rotates about `axis`, a sliding one moves
@@ -25,6 +34,7 @@ struct Body {
   // Why the mass and inertia that its description gives are left out, a clause; empty: they are
   // not.
   std::string inertia_fault{};
+  std::optional<CopyLimits> copy_limits{};
 };
 
 // What drives the joints, in rad and m, N m and N. A rate or an effort of 0 is one that nobody

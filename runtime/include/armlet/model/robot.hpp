@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <concepts>
 #include <memory>
 #include <string>
@@ -32,9 +33,13 @@ enum class RobotRole { kArm, kHand, kFinger };
 using LinkPair = std::pair<int, int>;
 
 class Mechanism;
+struct JointCoupling;
 
 // Everything that defines a serial arm; Robot checks it.
 //
+// joints        the rows of the table. One that copies another row (Joint::drive) moves its link
+//               without a motor: it has neither rotor inertia nor friction, and its limits follow
+//               from those of the joint that it copies.
 // base          what does not move: masses and shapes in the frame of the base.
 // allow, watch  pairs of links that are never, or always, compared with each other.
 // T_base_first  the frame before the first row, seen from the base: in a description the first
@@ -50,7 +55,7 @@ struct RobotSpec {
   RobotRole role = RobotRole::kArm;
   DhConvention convention = DhConvention::kStandard;
   std::vector<Joint> joints;  // 1 to kMaxJoints
-  std::vector<Link> links;    // as many as joints, or none for an arm without mass
+  std::vector<Link> links;    // as many as rows, or none for an arm without mass
   Link base;
   std::vector<LinkPair> allow, watch;
   InertiaCheck inertia_check = InertiaCheck::kRigidBody;
@@ -72,18 +77,33 @@ class Robot {
   // Throws ArgumentError naming the joint or link and the number that is wrong.
   explicit Robot(RobotSpec spec);
 
-  int n() const { return chain_.n; }
+  // The number of joint values, and that of the rows of the table and of the links, which is larger
+  // where rows copy others.
+  int n() const { return n_; }
+  int rows() const { return chain_.n; }
   const std::string& name() const { return spec_.name; }
   const std::string& source() const { return spec_.source; }
   const RobotSpec& spec() const { return spec_; }
 
-  const Joint& joint(int i) const { return spec_.joints[static_cast<std::size_t>(i)]; }
+  // The joint of value i, and the row that it moves; the two numbers differ behind a row that
+  // copies.
+  const Joint& joint(int i) const { return row(row_of(i)); }
+  int row_of(int i) const { return row_of_[static_cast<std::size_t>(i)]; }
+  const Joint& row(int k) const { return spec_.joints[static_cast<std::size_t>(k)]; }
+  // The link with the motor and the friction of joint i.
+  const Link& motor_link(int i) const { return link(row_of(i)); }
   const Link& link(int i) const { return spec_.links[static_cast<std::size_t>(i)]; }
-  // 0: the base; i: what joint i moves, counted from 1.
+  // 0: the base; i: what row i moves, counted from 1.
   const Link& body(int i) const { return i == 0 ? spec_.base : link(i - 1); }
   // Whether the shape of the base or of a link was given, not made from the joint table.
   bool has_shapes() const;
-  bool is_revolute(int i) const { return chain_.revolute[static_cast<std::size_t>(i)]; }
+  bool is_revolute(int i) const { return chain_.revolute[static_cast<std::size_t>(row_of(i))]; }
+
+  // How the rows follow from the joint values where rows copy others; null: no row does.
+  const JointCoupling* coupling() const { return coupling_.get(); }
+  // The same arm with a joint of its own for each row: this one unless rows copy others. Shapes and
+  // collisions that depend on rows alone are worked out for it.
+  const Robot& uncoupled() const;
 
   const Eigen::Isometry3d& T_world_base() const { return spec_.T_world_base; }
   const Eigen::Isometry3d& T_flange_tool() const { return spec_.T_flange_tool; }
@@ -142,7 +162,7 @@ class Robot {
   // Another payload; the one before is gone.
   // throws  ArgumentError for a negative mass and an inertia that no body has.
   Robot with_payload(const Payload& payload) const;
-  // Another link i, 0 <= i < n: masses, motor and friction.
+  // Another link i, 0 <= i < rows(): masses, motor and friction.
   // throws  ArgumentError that names the link for what no body has, and for a number without link.
   Robot with_link(int i, const Link& link) const;
   // Limits of all joints, n numbers each, rad or m. A home position outside of them moves to the
@@ -156,6 +176,9 @@ class Robot {
 
  private:
   RobotSpec spec_;
+  int n_ = 0;
+  std::array<int, kMaxJoints> row_of_{};           // of each joint
+  std::shared_ptr<const JointCoupling> coupling_;  // copies of this robot share it
   Chain chain_;
   WalkPlan walk_plan_;
   Eigen::VectorXd lower_, upper_, max_speed_, max_accel_, max_jerk_;

@@ -6,6 +6,7 @@
 #include "batch_table.hpp"
 #include "chain/batch_plan.hpp"
 #include "dynamics/checks.hpp"
+#include "dynamics/coupled.hpp"
 #include "dynamics/friction.hpp"
 #include "dynamics/trees/follower_forces.hpp"
 
@@ -34,9 +35,32 @@ bool add_stribeck(const DynamicsPlan& plan, const MotionBatch& batch, double* ta
   return all_finite(tau, static_cast<Eigen::Index>(plan.n * batch.count));
 }
 
+// One line for each joint or row, one motion in each column.
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Forces of an arm with rows that copy others, without links beside it.
+void coupled_forces(const JointCoupling& coupling, std::span<const double> q,
+                    std::span<const double> qd, std::span<const double> qdd, std::span<double> tau,
+                    InstructionSet set) {
+  const Eigen::Index n = coupling.E.cols();
+  const Eigen::Index count = static_cast<Eigen::Index>(q.size()) / n;
+  const auto lines = [&](std::span<const double> values) {
+    return Eigen::Map<const Rows>(values.data(), n, count);
+  };
+  const auto span_of = [](const Rows& values) {
+    return std::span(values.data(), static_cast<std::size_t>(values.size()));
+  };
+  Rows position = coupling.E * lines(q);
+  position.colwise() += coupling.offset;
+  const Rows rate = coupling.E * lines(qd), acceleration = coupling.E * lines(qdd);
+  Rows forces(coupling.rows.n(), count);
+  inverse_dynamics_batch(coupling.rows, span_of(position), span_of(rate), span_of(acceleration),
+                         {forces.data(), static_cast<std::size_t>(forces.size())}, set);
+  Eigen::Map<Rows>(tau.data(), n, count) = coupling.E.transpose() * forces;
+}
+
 bool add_followers(const Robot& robot, const MotionBatch& batch, double* tau) {
   const auto count = static_cast<Eigen::Index>(batch.count);
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const Rows> q(batch.q, robot.n(), count), qd(batch.qd, robot.n(), count),
       qdd(batch.qdd, robot.n(), count);
   Eigen::Map<Rows> all(tau, robot.n(), count);
@@ -76,10 +100,16 @@ void inverse_dynamics_batch(const Robot& robot, std::span<const double> q,
   const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
   const BatchArm arm = batch_arm(robot.walk_plan());
   const MotionBatch batch = {arm, plan, q.data(), qd.data(), qdd.data(), count};
-  bool finite = count == 1 ? one_motion(robot, plan, batch, tau.data())
-                           : kernels_for(set, count).inverse(batch, tau.data());
-  if (plan.friction == FrictionKind::kStribeck)
-    finite = add_stribeck(plan, batch, tau.data()) && finite;
+  bool finite = true;
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    coupled_forces(*coupling, q, qd, qdd, tau, set);
+    finite = all_finite(tau.data(), expected);
+  } else {
+    finite = count == 1 ? one_motion(robot, plan, batch, tau.data())
+                        : kernels_for(set, count).inverse(batch, tau.data());
+    if (plan.friction == FrictionKind::kStribeck)
+      finite = add_stribeck(plan, batch, tau.data()) && finite;
+  }
   if (has_followers(robot)) [[unlikely]]
     finite = add_followers(robot, batch, tau.data()) && finite;
   if (!finite) [[unlikely]]

@@ -5,6 +5,7 @@
 
 #include "armlet/core/random.hpp"
 #include "dynamics/checks.hpp"
+#include "dynamics/coupled.hpp"
 #include "dynamics/plan_dynamics.hpp"
 #include "dynamics/spatial_arm.hpp"
 #include "dynamics/trees/follower_forces.hpp"
@@ -84,28 +85,8 @@ class ColumnBasis {
   Index size_ = 0;
 };
 
-}  // namespace
-
-VectorXd dynamic_parameters(const Robot& robot) {
-  const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
-  VectorXd p(kLinkParameters * robot.n());
-  for (int i = 0; i < robot.n(); ++i) {
-    const PlanLink& link = plan.links[i];
-    p.segment<kLinkParameters>(kLinkParameters * i) << mass_parameters(moments_in_link(robot, i)),
-        link.motor_inertia, link.friction.viscous, link.friction.coulomb_plus,
-        link.friction.coulomb_minus;
-  }
-  if (!has_followers(robot)) return p;
-  const VectorXd more = follower_parameters(robot);
-  p.conservativeResize(p.size() + more.size());
-  p.tail(more.size()) = more;
-  return p;
-}
-
-MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd) {
-  check_joint_values("q", q, robot);
-  check_joint_values("qd", qd, robot);
-  check_joint_values("qdd", qdd, robot);
+// Of an arm whose rows all move on their own, without links beside it.
+MatrixXd regressor_of_chain(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd) {
   const SpatialArm arm(robot, q);
   MatrixXd Y = MatrixXd::Zero(robot.n(), kLinkParameters * robot.n());
   Vector6d velocity = Vector6d::Zero(), acceleration = arm.base_acceleration;
@@ -126,6 +107,37 @@ MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsI
     Y(i, first + kMassParameters + 1) = qd[i];
     if (qd[i] != 0.0) Y(i, first + kMassParameters + (qd[i] > 0.0 ? 2 : 3)) = 1.0;
   }
+  return Y;
+}
+
+}  // namespace
+
+VectorXd dynamic_parameters(const Robot& robot) {
+  const DynamicsPlan& plan = robot.derived<RobotDynamics>().plan;
+  VectorXd p(kLinkParameters * robot.rows());
+  for (int i = 0; i < robot.rows(); ++i) {
+    const PlanLink& link = plan.links[i];
+    p.segment<kLinkParameters>(kLinkParameters * i) << mass_parameters(moments_in_link(robot, i)),
+        link.motor_inertia, link.friction.viscous, link.friction.coulomb_plus,
+        link.friction.coulomb_minus;
+  }
+  if (!has_followers(robot)) return p;
+  const VectorXd more = follower_parameters(robot);
+  p.conservativeResize(p.size() + more.size());
+  p.tail(more.size()) = more;
+  return p;
+}
+
+MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd) {
+  check_joint_values("q", q, robot);
+  check_joint_values("qd", qd, robot);
+  check_joint_values("qdd", qdd, robot);
+  const JointCoupling* coupling = robot.coupling();
+  MatrixXd Y = coupling == nullptr
+                   ? regressor_of_chain(robot, q, qd, qdd)
+                   : MatrixXd(coupling->E.transpose() *
+                              regressor_of_chain(coupling->rows, coupling->values(q),
+                                                 coupling->rates(qd), coupling->rates(qdd)));
   if (has_followers(robot)) {
     const MatrixXd more = follower_regressor(robot, q, qd, qdd);
     Y.conservativeResize(Eigen::NoChange, Y.cols() + more.cols());

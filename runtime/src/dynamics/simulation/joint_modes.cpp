@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 
+#include "armlet/dynamics/forward_dynamics.hpp"
+#include "armlet/dynamics/inverse_dynamics.hpp"
 #include "armlet/math/det_math.hpp"
 #include "dynamics/trees/follower_forces.hpp"
 
@@ -16,14 +18,18 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+bool JointModes::is_composed() const {
+  return has_followers(*robot_) || robot_->coupling() != nullptr;
+}
+
 bool JointModes::has_dry_friction(Eigen::Index i) const {
-  const PlanFriction& friction = plan().links[i].friction;
+  const PlanFriction& friction = motor(i).friction;
   return friction.coulomb_plus != 0.0 || friction.coulomb_minus != 0.0 ||
          friction.stribeck_rate != 0.0;
 }
 
 double JointModes::friction(Eigen::Index i, double qd) const {
-  const PlanFriction& friction = plan().links[i].friction;
+  const PlanFriction& friction = motor(i).friction;
   const int slides = (*this)[i].slides;
   double force = friction.viscous * qd;
   if (slides == 0) return force;
@@ -35,14 +41,14 @@ double JointModes::friction(Eigen::Index i, double qd) const {
 }
 
 JointModes::Range JointModes::range_of(Eigen::Index i) const {
-  const PlanFriction& friction = plan().links[i].friction;
+  const PlanFriction& friction = motor(i).friction;
   const int at_stop = (*this)[i].at_stop;
   return {at_stop < 0 ? -kInfinity : friction.coulomb_minus + friction.static_extra_minus,
           at_stop > 0 ? kInfinity : friction.coulomb_plus + friction.static_extra_plus};
 }
 
 bool JointModes::accelerate(const double* q, const double* qd, const double* tau, double* qdd) {
-  if (any_stands_ || has_followers(*robot_)) return accelerate_held(q, qd, tau, qdd);
+  if (any_stands_ || is_composed()) return accelerate_held(q, qd, tau, qdd);
   const Eigen::Index n = robot_->n();
   const DynamicsInput in = input_of(*robot_, q, qd);
   if (in.plan.friction == FrictionKind::kNone) {
@@ -89,16 +95,17 @@ bool JointModes::solve_part(const JointMatrix& M, const Moves& moves, const Join
 bool JointModes::accelerate_held(const double* q, const double* qd, const double* tau,
                                  double* qdd) {
   const Eigen::Index n = robot_->n();
-  const DynamicsInput in = input_of(*robot_, q, qd);
   JointMatrix M(n, n);
   JointVector b(n), accel = JointVector::Zero(n);
-  kernel_for(kMassKernels, in.plan)(in, M.data());
-  kernel_for(kBiasKernels, in.plan)(in, b.data());
-  if (has_followers(*robot_)) {
+  if (is_composed()) {
     const Eigen::Map<const Eigen::VectorXd> position(q, n), rate(qd, n);
-    add_follower_inertia(*robot_, position, M);
-    add_follower_forces(*robot_, position, rate, {}, true, b);
-    add_follower_friction(*robot_, rate, b);
+    M = mass_matrix(*robot_, position);
+    b = bias_forces(*robot_, position, rate);
+    if (has_followers(*robot_)) add_follower_friction(*robot_, rate, b);
+  } else {
+    const DynamicsInput in = input_of(*robot_, q, qd);
+    kernel_for(kMassKernels, in.plan)(in, M.data());
+    kernel_for(kBiasKernels, in.plan)(in, b.data());
   }
   for (Eigen::Index i = 0; i < n; ++i)
     b[i] = tau[i] - b[i] - ((*this)[i].stands ? 0.0 : friction(i, qd[i]));
@@ -186,11 +193,13 @@ void JointModes::flip(Eigen::Index i) {
 // Joints that rest at their stops take up impulses as well, as long as these press.
 bool JointModes::strike(Eigen::Index struck, const double* q, double* qd, double restitution) {
   const Eigen::Index n = robot_->n();
-  const DynamicsInput in = input_of(*robot_, q);
   JointMatrix M(n, n);
-  kernel_for(kMassKernels, in.plan)(in, M.data());
-  if (has_followers(*robot_))
-    add_follower_inertia(*robot_, Eigen::Map<const Eigen::VectorXd>(q, n), M);
+  if (is_composed()) {
+    M = mass_matrix(*robot_, Eigen::Map<const Eigen::VectorXd>(q, n));
+  } else {
+    const DynamicsInput in = input_of(*robot_, q);
+    kernel_for(kMassKernels, in.plan)(in, M.data());
+  }
   std::array<bool, kMaxJoints> rests{};
   for (Eigen::Index i = 0; i < n; ++i) {
     look_at_stop(i, q[i]);

@@ -48,7 +48,11 @@ class JointModes {
   struct Range {
     double lowest, highest;
   };
-  [[nodiscard]] const DynamicsPlan& plan() const { return robot_->derived<RobotDynamics>().plan; }
+  [[nodiscard]] const PlanLink& motor(Eigen::Index i) const {
+    return robot_->derived<RobotDynamics>().plan.links[robot_->row_of(static_cast<int>(i))];
+  }
+  // Whether forces are more than those of one chain: there are links beside it, or rows that copy.
+  [[nodiscard]] bool is_composed() const;
   [[nodiscard]] Range range_of(Eigen::Index i) const;
   [[nodiscard]] bool has_dry_friction(Eigen::Index i) const;
   [[nodiscard]] bool may_stand(Eigen::Index i, double qd) const;

@@ -262,7 +262,7 @@ int ArmSimulation::stiff_joint(double h) {
   JointMatrix M = mass_matrix(*robot_, q());
   for (int i = 0; i < n_; ++i) {
     // The joint alone, with all others held: its own decay is no slower.
-    if (plan.links[i].friction.viscous * h > most * M(i, i)) return i;
+    if (plan.links[robot_->row_of(i)].friction.viscous * h > most * M(i, i)) return i;
   }
   return -1;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "armlet/core/error.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "batch_table.hpp"
 #include "chain/batch_plan.hpp"
 #include "kinematics/forward/kernels.hpp"
@@ -33,10 +34,48 @@ std::size_t checked_count(const Robot& robot, std::span<const double> q, std::si
   return count;
 }
 
+using ColumnsOfBatch = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// The values of the rows of a coupled arm, one configuration in each column.
+ColumnsOfBatch columns_of_rows(const JointCoupling& coupling, std::span<const double> q,
+                               std::size_t count) {
+  const Eigen::Map<const ColumnsOfBatch> joints(q.data(), coupling.E.cols(),
+                                                static_cast<Eigen::Index>(count));
+  ColumnsOfBatch rows = coupling.E * joints;
+  return rows.colwise() + coupling.offset;
+}
+
+std::span<const double> numbers_of(const ColumnsOfBatch& lanes) {
+  return {lanes.data(), static_cast<std::size_t>(lanes.size())};
+}
+
+// Columns of rows that go together are added up.
+void coupled_jacobians(const Robot& robot, std::span<const double> q, std::span<double> jacobians,
+                       InstructionSet set) {
+  const JointCoupling& coupling = *robot.coupling();
+  const auto n = static_cast<std::size_t>(robot.n());
+  const std::size_t count = checked_count(robot, q, 6 * n, jacobians, "jacobians", set);
+  const auto columns = static_cast<Eigen::Index>(count);
+  ColumnsOfBatch of_rows(6 * robot.rows(), columns);
+  jacobian_batch(coupling.rows, numbers_of(columns_of_rows(coupling, q, count)),
+                 {of_rows.data(), static_cast<std::size_t>(of_rows.size())}, set);
+  Eigen::Map<ColumnsOfBatch> out(jacobians.data(), 6 * robot.n(), columns);
+  out.setZero();
+  for (int k = 0; k < robot.rows(); ++k) {
+    const auto [joint, ratio] = motion_of_row(robot, k);
+    out.middleRows<6>(6 * joint) += ratio * of_rows.middleRows<6>(6 * k);
+  }
+}
+
 }  // namespace
 
 void forward_batch(const Robot& robot, std::span<const double> q, std::span<double> poses,
                    InstructionSet set) {
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    const std::size_t count = checked_count(robot, q, 12, poses, "poses", set);
+    return forward_batch(coupling->rows, numbers_of(columns_of_rows(*coupling, q, count)), poses,
+                         set);
+  }
   const WalkPlan& plan = robot.walk_plan();
   if (is_single(robot, q, 12, poses, set))
     return kernel_for(kQuickPoseKernels, plan.n)(plan, q.data(), poses.data());
@@ -46,6 +85,8 @@ void forward_batch(const Robot& robot, std::span<const double> q, std::span<doub
 
 void jacobian_batch(const Robot& robot, std::span<const double> q, std::span<double> jacobians,
                     InstructionSet set) {
+  if (robot.coupling() != nullptr) [[unlikely]]
+    return coupled_jacobians(robot, q, jacobians, set);
   const WalkPlan& plan = robot.walk_plan();
   const std::size_t entries = 6 * static_cast<std::size_t>(robot.n());
   if (is_single(robot, q, entries, jacobians, set))

@@ -131,7 +131,7 @@ std::string_view to_text(ClosedFormKind kind) {
 ClosedForm::ClosedForm(const Chain& chain) : chain_(chain), plan_(plan_walk(chain)) {
   recognise(chain);
   lanes_ = LaneForm::make(kind_, *rows_, chain);
-  if (exists() || chain.n != 7) return;
+  if (exists() || chain.coupled || chain.n != 7) return;
   if (!hold_still(Hold::kLast)) hold_still(Hold::kFirst);
 }
 
@@ -154,7 +154,8 @@ void ClosedForm::recognise(const Chain& chain) {
   for (const auto find : {recognised, recognised_wrist}) {
     for (const bool reversed : {false, true}) {
       auto rows = std::make_unique<CanonicalRows>(canonical_rows(chain, reversed));
-      kind_ = find(*rows);
+      // Formulas give each row a value of its own.
+      kind_ = chain.coupled ? ClosedFormKind::kNone : find(*rows);
       reversed_ = reversed;
       rows_ = std::move(rows);
       if (exists()) return;

@@ -1,6 +1,7 @@
 #include "armlet/kinematics/jacobian.hpp"
 
 #include "armlet/core/error.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "kernels.hpp"
 
 namespace armlet {
@@ -15,6 +16,12 @@ void rotate_twists(const Eigen::Matrix3d& R, Jacobian& J) {
 
 Eigen::Isometry3d forward_and_jacobian(const Robot& robot, JointsIn q, Jacobian& J) {
   check_size("q", q.size(), robot.n());
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    Jacobian of_rows;
+    const Eigen::Isometry3d T = forward_and_jacobian(coupling->rows, coupling->values(q), of_rows);
+    J = of_rows * coupling->E;
+    return T;
+  }
   J.resize(6, robot.n());
   Eigen::Isometry3d T_world_tool;
   kernel_for(kPoseAndJacobianKernels, robot.n())(robot.walk_plan(), q.data(), J.data(),
@@ -23,6 +30,10 @@ Eigen::Isometry3d forward_and_jacobian(const Robot& robot, JointsIn q, Jacobian&
 }
 
 Jacobian jacobian(const Robot& robot, JointsIn q, JacobianFrame frame) {
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]] {
+    check_size("q", q.size(), robot.n());
+    return jacobian(coupling->rows, coupling->values(q), frame) * coupling->E;
+  }
   Jacobian J;
   if (frame == JacobianFrame::kTool) {
     const Eigen::Isometry3d T_world_tool = forward_and_jacobian(robot, q, J);

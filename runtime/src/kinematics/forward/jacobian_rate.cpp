@@ -1,6 +1,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/check_finite.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "chain/walk_out.hpp"
 
 namespace armlet {
@@ -39,6 +40,8 @@ void check_inputs(const Robot& robot, JointsIn q, JointsIn qd) {
 
 Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd) {
   check_inputs(robot, q, qd);
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]]
+    return jacobian_dot_qd(coupling->rows, coupling->values(q), coupling->rates(qd));
   const Axes axes(robot, q);
   // Motion of the link before each axis: angular velocity, its derivative, acceleration of p; the
   // outward recursion of Luh, Walker and Paul (1980), with qdd = 0.
@@ -70,6 +73,9 @@ Vector6d jacobian_dot_qd(const Robot& robot, JointsIn q, JointsIn qd) {
 
 Jacobian jacobian_rate(const Robot& robot, JointsIn q, JointsIn qd, JacobianFrame frame) {
   check_inputs(robot, q, qd);
+  if (const JointCoupling* coupling = robot.coupling()) [[unlikely]]
+    return jacobian_rate(coupling->rows, coupling->values(q), coupling->rates(qd), frame) *
+           coupling->E;
   const Axes axes(robot, q);
   // Velocities of the points and rates of the axes, from the base outwards.
   std::array<Eigen::Vector3d, kMaxJoints> z_rate, p_rate;

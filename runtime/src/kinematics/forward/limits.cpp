@@ -6,6 +6,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/math/angles.hpp"
+#include "kinematics/forward/periodic.hpp"
 
 namespace armlet {
 
@@ -54,7 +55,7 @@ Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near) {
   check_size("q_near", q_near.size(), robot.n());
   Eigen::VectorXd wrapped = q;
   for (int i = 0; i < robot.n(); ++i) {
-    if (!robot.is_revolute(i)) continue;
+    if (!is_periodic(robot, i)) continue;
     wrapped[i] = wrapped_within(q[i], q_near[i], robot.lower()[i] - 1e-9, robot.upper()[i] + 1e-9);
   }
   return wrapped;

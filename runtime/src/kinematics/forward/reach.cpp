@@ -104,7 +104,7 @@ Reach find_reach(const Robot& robot) {
   reach.from_base = from_base(reach.q_base);
   reach.q_axis = reach.q_base;
   reach.from_axis = reach.from_base;
-  if (!robot.is_revolute(0)) return reach;
+  if (!robot.row(0).is_revolute()) return reach;
   // Frame 0 of the standard convention and frame 1 of the modified one have the first axis as z.
   const bool standard = robot.spec().convention == DhConvention::kStandard;
   const Eigen::Isometry3d T_axis_world =

@@ -1,5 +1,7 @@
 #include "armlet/kinematics/fixed_tilt.hpp"
 
+#include <cmath>
+
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
@@ -36,7 +38,27 @@ double rotation_about_z(const Matrix3d& R) {
 
 }  // namespace
 
+// Rows that copy others may keep the tool upright on axes that lie: a parallel linkage does. Seen
+// at positions without symmetry.
+static std::optional<Vector3d> fixed_tilt_seen(const Robot& robot) {
+  constexpr int kPositions = 8;
+  constexpr double kGolden = 0.6180339887498949;
+  const Vector3d up = forward(robot, robot.home()).linear().row(2);
+  for (int k = 1; k <= kPositions; ++k) {
+    Eigen::VectorXd q = robot.home();
+    for (int i = 0; i < robot.n(); ++i) {
+      const double share = kGolden * k * (i + 1);
+      const double turn = (share - std::floor(share) - 0.5) * 2.0;
+      q[i] += robot.is_revolute(i) ? 3.0 * turn : robot.length() * turn;
+    }
+    if ((forward(robot, q).linear().row(2).transpose() - up).norm() > kVertical)
+      return std::nullopt;
+  }
+  return up.normalized();
+}
+
 std::optional<Vector3d> fixed_tilt(const Robot& robot) {
+  if (robot.coupling() != nullptr) return fixed_tilt_seen(robot);
   const Chain& chain = robot.chain();
   Matrix3d R = chain.T_world_base.linear();
   const std::size_t n = static_cast<std::size_t>(chain.n);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "armlet/math/angles.hpp"
+#include "kinematics/forward/periodic.hpp"
 #include "kinematics/self_motion/self_motion.hpp"
 #include "near_singular/ik_reduced.hpp"
 
@@ -106,7 +107,7 @@ class BranchSearch {
       double across = 0.0, square = 0.0, away = 0.0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(robot_.n()); ++i) {
         double off = q[i] - curve[k][i];
-        if (robot_.is_revolute(static_cast<int>(i))) off = wrap_angle(off);
+        if (is_periodic(robot_, static_cast<int>(i))) off = wrap_angle(off);
         const double step = curve[k + 1][i] - curve[k][i];
         across += off * step;
         square += step * step;

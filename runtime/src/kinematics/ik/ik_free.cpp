@@ -7,6 +7,7 @@
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/angles.hpp"
 #include "ik_minimax.hpp"
+#include "kinematics/forward/periodic.hpp"
 #include "kinematics/self_motion/self_motion.hpp"
 
 namespace armlet {
@@ -170,7 +171,7 @@ class Shares {
     return position_only_ &&
            J_.col(static_cast<Eigen::Index>(i)).head<3>().cwiseAbs().maxCoeff() <= kOneLine;
   }
-  bool turns(std::size_t i) const { return robot_.is_revolute(static_cast<int>(i)); }
+  bool turns(std::size_t i) const { return is_periodic(robot_, static_cast<int>(i)); }
 
  private:
   const Robot& robot_;
@@ -184,7 +185,7 @@ double bring_one(const Robot& robot, const IkOptions& options, std::size_t i, do
   const Range range = range_of(robot, options, i);
   const double near = options.seed[static_cast<Eigen::Index>(i)];
   if (std::abs(value - near) <= kPi && value >= range.lower && value <= range.upper) return 0.0;
-  if (robot.is_revolute(static_cast<int>(i))) {
+  if (is_periodic(robot, static_cast<int>(i))) {
     if (options.respect_limits)
       value = wrapped_within(value, near, range.lower - 1e-6, range.upper + 1e-6);
     else if (std::abs(value - near) > kPi)
@@ -206,7 +207,7 @@ double change_within(const Robot& robot, const IkOptions& options, std::size_t i
                      double high) {
   const double seed = options.seed[static_cast<Eigen::Index>(i)];
   const Range range = range_of(robot, options, i);
-  const bool turns = robot.is_revolute(static_cast<int>(i));
+  const bool turns = is_periodic(robot, static_cast<int>(i));
   const double first = turns ? std::round((seed - 0.5 * (low + high)) / (2.0 * kPi)) : 0.0;
   const int copies = turns ? 3 : 0;
   double least = INFINITY;

@@ -8,6 +8,7 @@
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
 #include "chain/lane_pairs.hpp"
+#include "kinematics/forward/periodic.hpp"
 
 namespace armlet {
 namespace {
@@ -27,8 +28,9 @@ double length_of(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] +
 
 IkSolver::IkSolver(const Robot& robot, const IkGoal& goal, const IkPace& pace)
     : plan_(robot.walk_plan()),
-      pose_kernel_(kernel_for(kPoseKernels, robot.n())),
-      kernel_(kernel_for(kPoseAndJacobianKernels, robot.n())),
+      coupling_(robot.coupling()),
+      pose_kernel_(kernel_for(kPoseKernels, robot.rows())),
+      kernel_(kernel_for(kPoseAndJacobianKernels, robot.rows())),
       iteration_kernel_(kernel_for(kIterationKernels, robot.n())),
       normal_kernel_(kernel_for(kNormalKernels, robot.n())),
       step_kernel_(kernel_for(kStepKernels, robot.n())),
@@ -37,7 +39,7 @@ IkSolver::IkSolver(const Robot& robot, const IkGoal& goal, const IkPace& pace)
       lower_(robot.lower().data()),
       upper_(robot.upper().data()),
       selective_((goal.weights.array() != 1.0).any()),
-      plain_(!selective_ && !goal.in_tool_axes),
+      plain_(!selective_ && !goal.in_tool_axes && coupling_ == nullptr),
       pace_(pace) {}
 
 // As in the iteration's kernel, or exact.
@@ -78,9 +80,28 @@ inline bool IkSolver::move(JointArray& q) const {
   return true;
 }
 
+JointArray IkSolver::rows_at(const JointArray& q) const {
+  JointArray rows{};
+  const auto m = static_cast<Eigen::Index>(plan_.n);
+  Eigen::Map<Eigen::VectorXd>(rows.data(), m) =
+      coupling_->values(Eigen::Map<const Eigen::VectorXd>(q.data(), coupling_->E.cols()));
+  return rows;
+}
+
+// The columns of rows that go together are added up.
+void IkSolver::pose_and_jacobian(const JointArray& q, double* T_world_tool) {
+  if (coupling_ == nullptr) [[likely]]
+    return kernel_(plan_, q.data(), at_.J.data()->data(), T_world_tool);
+  const JointArray rows = rows_at(q);
+  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints> J(6, plan_.n);
+  kernel_(plan_, rows.data(), J.data(), T_world_tool);
+  Eigen::Map<Eigen::Matrix<double, 6, Eigen::Dynamic>>(at_.J.data()->data(), 6,
+                                                       coupling_->E.cols()) = J * coupling_->E;
+}
+
 double IkSolver::evaluate(const JointArray& q) {
   Eigen::Isometry3d T_world_tool;
-  kernel_(plan_, q.data(), at_.J.data()->data(), T_world_tool.data());
+  pose_and_jacobian(q, T_world_tool.data());
   const double* T = T_world_tool.data();
   const Eigen::Vector3d w = rotation_error(T, exact_angle_);
   // In pairs, because the normal equations read pairs: numbers written one by one would be waited
@@ -142,7 +163,8 @@ bool IkSolver::converged() const { return goal_.is_met({at_.position, at_.rotati
 
 IkError IkSolver::error_of(const JointArray& q) {
   Eigen::Isometry3d T_world_tool;
-  pose_kernel_(plan_, q.data(), T_world_tool.data());
+  const JointArray rows = coupling_ == nullptr ? q : rows_at(q);
+  pose_kernel_(plan_, rows.data(), T_world_tool.data());
   Vector6d error;
   error.head<3>() = goal_.p - T_world_tool.translation();
   error.tail<3>() = rotation_error(T_world_tool.data(), true);
@@ -346,8 +368,10 @@ JointArray halton_start(const Robot& robot, int index, bool inside_limits) {
   for (int i = 0; i < robot.n(); ++i) {
     const double middle = 0.5 * (robot.lower()[i] + robot.upper()[i]);
     double range = robot.upper()[i] - robot.lower()[i];
-    if (robot.is_revolute(i))
+    if (is_periodic(robot, i))
       range = inside_limits ? std::min(range, 2.0 * kPi) : 2.0 * kPi;
+    else if (robot.is_revolute(i))  // copies of it need more than one revolution to come back
+      range = std::min(range, 4.0 * kPi);
     else if (!inside_limits)
       range += 2.0 * robot.length();
     q[static_cast<std::size_t>(i)] = middle + (halton_share(i, index) - 0.5) * range;

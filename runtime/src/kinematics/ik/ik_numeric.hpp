@@ -3,6 +3,7 @@
 #include <array>
 
 #include "armlet/kinematics/ik.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "ik_steps.hpp"
 
 namespace armlet {
@@ -84,6 +85,8 @@ class IkSolver {
   using Step = JointArray;
   using Frozen = std::array<bool, kMaxJoints>;
 
+  void pose_and_jacobian(const JointArray& q, double* T_world_tool);
+  JointArray rows_at(const JointArray& q) const;  // values of the rows of a coupled arm
   double evaluate(const JointArray& q);  // fills error, J, energy and sizes; returns the energy
   double iterate(const JointArray& q, bool in_box);  // the normal equations and the step too
   Eigen::Vector3d rotation_error(const double* T_world_tool, bool exact) const;
@@ -103,6 +106,7 @@ class IkSolver {
   bool is_inside(const JointArray& q) const;  // no joint on a bound or beyond
 
   const WalkPlan& plan_;
+  const JointCoupling* coupling_;
   PoseKernel* pose_kernel_;
   PoseAndJacobianKernel* kernel_;
   IterationKernel* iteration_kernel_;

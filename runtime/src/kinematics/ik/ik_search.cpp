@@ -5,6 +5,7 @@
 #include <compare>
 
 #include "armlet/math/angles.hpp"
+#include "kinematics/forward/periodic.hpp"
 
 namespace armlet {
 namespace {
@@ -56,7 +57,7 @@ bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
   return std::none_of(solutions.begin(), solutions.end(), [&](const Eigen::VectorXd& other) {
     for (int i = 0; i < robot.n(); ++i) {
       const double change =
-          robot.is_revolute(i) ? angle_difference(q[i], other[i]) : q[i] - other[i];
+          is_periodic(robot, i) ? angle_difference(q[i], other[i]) : q[i] - other[i];
       if (std::abs(change) > same) return false;
     }
     return true;
@@ -65,7 +66,7 @@ bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
 
 void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q, double beyond) {
   for (int i = 0; i < robot.n(); ++i) {
-    if (!robot.is_revolute(i)) continue;
+    if (!is_periodic(robot, i)) continue;
     double& value = q[static_cast<std::size_t>(i)];
     if (!options.respect_limits) {
       value = nearest_copy_of_angle(value, options.seed[i]);

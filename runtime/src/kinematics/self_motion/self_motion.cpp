@@ -6,6 +6,7 @@
 
 #include "armlet/kinematics/jacobian.hpp"
 #include "armlet/math/angles.hpp"
+#include "kinematics/forward/periodic.hpp"
 #include "kinematics/self_motion/self_motion_search.hpp"
 #include "math/solvers.hpp"
 
@@ -63,7 +64,7 @@ SelfMotions::SelfMotions(const Robot& robot, const IkGoal& goal, const IkOptions
       options_(options),
       n_(static_cast<std::size_t>(robot.n())),
       solver_(robot, goal) {
-  for (std::size_t i = 0; i < n_; ++i) turns_[i] = robot.is_revolute(static_cast<int>(i));
+  for (std::size_t i = 0; i < n_; ++i) turns_[i] = is_periodic(robot, static_cast<int>(i));
 }
 
 // b - a; revolute joints by less than half a revolution.

@@ -13,18 +13,19 @@ Link without_mass(const Link& link) {
 }
 
 Followers followers_of(const Mechanism& m, const std::vector<int>& chain,
-                       const std::vector<Eigen::Index>& motors) {
+                       const ChainDrives& drives) {
   Followers found;
   MechanismSpec spec = m.spec();
   spec.inertia_check = InertiaCheck::kPublished;
   spec.tips.clear();
   spec.actuators.clear();
-  const auto n = static_cast<Eigen::Index>(motors.size());
+  const auto n = static_cast<Eigen::Index>(drives.joints.size());
   spec.coupling.resize(m.joint_count(), n);
+  spec.offset = values_at_zero(m, drives);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Index motor = motors[static_cast<std::size_t>(k)];
-    spec.actuators.push_back(m.actuators()[static_cast<std::size_t>(motor)]);
-    spec.coupling.col(k) = m.spec().coupling.col(motor);
+    const ChainJoint& joint = drives.joints[static_cast<std::size_t>(k)];
+    spec.actuators.push_back(m.actuators()[static_cast<std::size_t>(joint.actuator)]);
+    spec.coupling.col(k) = m.spec().coupling.col(joint.actuator) / joint.ratio;
   }
   bool any = false;
   for (std::size_t i = 0; i < m.bodies().size(); ++i) {

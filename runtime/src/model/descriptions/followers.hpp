@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "armlet/model/mechanism.hpp"
+#include "chain_drives.hpp"
 
 namespace armlet {
 
@@ -16,10 +17,10 @@ struct Followers {
   std::shared_ptr<const Mechanism> mechanism;
 };
 
-// chain   bodies that the joints of the arm move.
-// motors  the actuator of each.
+// chain   bodies of the rows of the arm.
+// drives  what moves them.
 Followers followers_of(const Mechanism& mechanism, const std::vector<int>& chain,
-                       const std::vector<Eigen::Index>& motors);
+                       const ChainDrives& drives);
 
 // A link with its shape alone.
 Link without_mass(const Link& link);

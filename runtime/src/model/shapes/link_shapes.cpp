@@ -256,10 +256,13 @@ std::string_view to_text(LinkShapeRole role) {
   return kWords[static_cast<std::size_t>(role)];
 }
 
-std::vector<LinkShape> pedestal_shapes(const Robot& robot) { return ShapesOfArm(robot).pedestal(); }
+std::vector<LinkShape> pedestal_shapes(const Robot& robot) {
+  return ShapesOfArm(robot.uncoupled()).pedestal();
+}
 
 std::vector<LinkShape> link_shapes(const Robot& robot) {
-  return robot.spec().role == RobotRole::kArm ? ShapesOfArm(robot).all() : hand_shapes(robot);
+  return robot.spec().role == RobotRole::kArm ? ShapesOfArm(robot.uncoupled()).all()
+                                              : hand_shapes(robot);
 }
 
 }  // namespace armlet

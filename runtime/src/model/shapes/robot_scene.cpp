@@ -52,7 +52,8 @@ bool is_stand_in(const Robot& robot, int link) {
 
 }  // namespace
 
-GlbScene robot_scene(const Robot& robot) {
+GlbScene robot_scene(const Robot& arm) {
+  const Robot& robot = arm.uncoupled();
   const int n = robot.n();
   const bool standard = robot.spec().convention == DhConvention::kStandard;
   GlbScene scene{.materials = looks()};

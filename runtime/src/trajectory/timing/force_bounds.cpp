@@ -44,7 +44,7 @@ ForceTerms force_terms(const Robot& robot, const VectorXd& q, const VectorXd& fi
   at.b = inverse_dynamics(robot, q, still, second) - at.g + coriolis_forces(robot, q, first);
   at.d = first;
   for (Index i = 0; i < q.size(); ++i) {
-    const Link& link = robot.link(static_cast<int>(i));
+    const Link& link = robot.motor_link(static_cast<int>(i));
     at.d[i] *= link.gear * link.gear * link.friction.viscous;
   }
   return at;
@@ -74,7 +74,7 @@ DryFriction dry_friction(const Link& link, std::span<const double> rates) {
 ForceBounds::ForceBounds(const Robot& robot, const Trajectory& path)
     : robot_(robot), path_(path), limits_(robot.n()) {
   for (int i = 0; i < robot.n(); ++i) {
-    have_viscous_friction_ = have_viscous_friction_ || robot.link(i).friction.viscous != 0.0;
+    have_viscous_friction_ = have_viscous_friction_ || robot.motor_link(i).friction.viscous != 0.0;
     limits_[i] = robot.joint(i).max_effort;
   }
 }
@@ -106,7 +106,7 @@ DryFriction ForceBounds::dry_within(std::size_t k, Index i) const {
     constexpr std::array<double, 3> kParts = {1e-6, 0.5, 1.0 - 1e-6};
     rates[at] = path_.value(joint, s_[k] + kParts[at] * (s_[k + 1] - s_[k]), 1);
   }
-  return dry_friction(robot_.link(joint), rates);
+  return dry_friction(robot_.motor_link(joint), rates);
 }
 
 void ForceBounds::check_holding() {

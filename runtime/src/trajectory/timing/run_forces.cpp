@@ -24,7 +24,7 @@ RunForces::RunForces(const Robot& arm, const Trajectory& path, double share, std
       first_(arm.n()),
       second_(arm.n()) {
   for (int i = 0; i < arm.n(); ++i) {
-    const Friction& friction = arm.link(i).friction;
+    const Friction& friction = arm.motor_link(i).friction;
     rubs_ = rubs_ || friction.coulomb_plus != 0.0 || friction.coulomb_minus != 0.0 ||
             friction.static_torque != 0.0;
   }
@@ -36,7 +36,7 @@ DryFriction RunForces::dry_between(int joint, double from, double to) const {
   std::array<double, 3> rates{};
   for (std::size_t k = 0; k < rates.size(); ++k)
     rates[k] = path_.value(joint, from + kParts[k] * (to - from), 1);
-  return dry_friction(arm_.link(joint), rates);
+  return dry_friction(arm_.motor_link(joint), rates);
 }
 
 void RunForces::add_to(SpeedSpline& spline, std::size_t cell, const PathWarp::Along& along,

@@ -5,6 +5,7 @@
 
 #include "armlet/math/angles.hpp"
 #include "armlet/math/decompose.hpp"
+#include "kinematics/forward/periodic.hpp"
 #include "math/solvers.hpp"
 
 namespace armlet {
@@ -245,7 +246,7 @@ class ReducedSearch {
     double along = 0.0, square = 0.0, length = 0.0;
     for (int i = 0; i < robot_.n(); ++i) {
       const double back = start[i] - from[i];
-      const double away = robot_.is_revolute(i) ? wrap_angle(back) : back;
+      const double away = is_periodic(robot_, i) ? wrap_angle(back) : back;
       along += away * (to[i] - from[i]);
       square += away * away;
       length += (to[i] - from[i]) * (to[i] - from[i]);

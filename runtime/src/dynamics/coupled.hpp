@@ -1,0 +1,17 @@
+#pragma once
+
+#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_coupling.hpp"
+
+// Dynamics of arms with rows that copy others: with the values E q + offset of the rows, their
+// forces tau and their matrices M are E^T tau and E^T M E for the joints.
+namespace armlet {
+
+inline JointVector for_joints(const JointCoupling& coupling, const JointVector& of_rows) {
+  return coupling.E.transpose() * of_rows;
+}
+inline JointMatrix for_joints(const JointCoupling& coupling, const JointMatrix& of_rows) {
+  return coupling.E.transpose() * of_rows * coupling.E;
+}
+
+}  // namespace armlet
