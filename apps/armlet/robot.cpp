@@ -156,6 +156,12 @@ int print_block(const Found& found) {
     return refuse(fmt::format("{} is a hand; a robot block describes an arm", found.hand->name),
                   kUsage);
   }
+  if (found.arm->coupling() != nullptr) {
+    return refuse(fmt::format("a robot block has no row for a joint that copies another one, as "
+                              "{} has; read the description itself: robot arm = urdf(\"...\")",
+                              found.arm->name()),
+                  kUsage);
+  }
   const Formatted laid_out = format_program(Source("robot.rbt", robot_block(*found.arm)));
   print_out(laid_out.text ? *laid_out.text : robot_block(*found.arm));
   return finish_output() ? kDone : kFailed;

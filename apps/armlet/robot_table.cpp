@@ -12,6 +12,7 @@
 #include "armlet/math/angles.hpp"
 #include "armlet/math/format_vector.hpp"
 #include "armlet/math/rotation.hpp"
+#include "armlet/model/joint_coupling.hpp"
 
 namespace armlet::cli {
 namespace {
@@ -20,8 +21,16 @@ using Json = nlohmann::ordered_json;
 
 double total_mass(const Robot& robot) {
   double mass = 0.0;
-  for (int i = 0; i < robot.n(); ++i) mass += robot.link(i).mass;
+  for (int k = 0; k < robot.rows(); ++k) mass += robot.link(k).mass;
   return mass;
+}
+
+// ", and 2 joints that copy them"
+std::string copying_text(const Robot& robot) {
+  const int copies = robot.rows() - robot.n();
+  if (copies == 0) return {};
+  return fmt::format(", and {} joint{} that cop{} them", copies, copies == 1 ? "" : "s",
+                     copies == 1 ? "ies" : "y");
 }
 
 // A number of a joint in deg or mm.
@@ -30,9 +39,11 @@ std::string shown(bool turns, double value, int digits) {
                               : "-";
 }
 
-// The entry that the joint moves: "q2", or "q2 + 90".
-std::string moved(int joint, const std::string& zero) {
-  const std::string q = fmt::format("q{}", joint);
+// The entry that a row moves: "q2", "q2 + 90", or "-1 q2 + 90" of one that copies.
+std::string moved(const Robot& robot, int k, const std::string& zero) {
+  const auto [joint, ratio] = motion_of_row(robot, k);
+  std::string q = fmt::format("q{}", joint + 1);
+  if (!copy_text(robot, k).empty()) q = fmt::format("{} {}", format_number(ratio, 4), q);
   if (zero == "0") return q;
   return zero[0] == '-' ? fmt::format("{} - {}", q, zero.substr(1))
                         : fmt::format("{} + {}", q, zero);
@@ -45,14 +56,23 @@ std::string rows_text(const Robot& robot) {
       "  joint           theta             d          a      alpha\n",
       standard ? "standard" : "modified",
       standard ? "A = Rz(theta) Tz(d) Tx(a) Rx(alpha)" : "A = Rx(alpha) Tx(a) Rz(theta) Tz(d)");
-  for (int i = 0; i < robot.n(); ++i) {
-    const DhRow& row = robot.joint(i).dh;
-    const bool turns = robot.is_revolute(i);
-    std::string theta = shown(true, row.theta, 4), d = shown(false, row.d, 4);
-    (turns ? theta : d) = moved(i + 1, turns ? theta : d);
-    text += fmt::format("  {:>2} {:<6} {:>12} {:>13} {:>10} {:>10}\n", i + 1,
-                        joint_word(robot.joint(i).kind), theta, d, shown(false, row.a, 4),
+  for (int k = 0; k < robot.rows(); ++k) {
+    const DhRow& row = robot.row(k).dh;
+    const bool turns = robot.row(k).is_revolute();
+    const std::string copies = copy_text(robot, k);
+    const double offset = copies.empty() ? 0.0 : robot.coupling()->offset[k];
+    std::string theta = shown(true, row.theta + (turns ? offset : 0.0), 4),
+                d = shown(false, row.d + (turns ? 0.0 : offset), 4);
+    (turns ? theta : d) = moved(robot, k, turns ? theta : d);
+    const std::string number =
+        copies.empty() ? std::to_string(motion_of_row(robot, k).joint + 1) : std::string("-");
+    text += fmt::format("  {:>2} {:<6} {:>12} {:>13} {:>10} {:>10}\n", number,
+                        joint_word(robot.row(k).kind), theta, d, shown(false, row.a, 4),
                         shown(true, row.alpha, 4));
+  }
+  for (int k = 0; k < robot.rows(); ++k) {
+    const std::string copies = copy_text(robot, k);
+    if (!copies.empty()) text += fmt::format("  row {} copies {}\n", k + 1, copies);
   }
   return text;
 }
@@ -178,9 +198,9 @@ std::string kinds_of(const Robot& robot) {
 
 std::string robot_text(const Robot& robot) {
   const Reach reach = find_reach(robot);
-  std::string text =
-      fmt::format("{}: {} joints, {}\nsource: {}\n\n{}\n{}\n", robot.name(), robot.n(),
-                  kinds_of(robot), robot.source(), rows_text(robot), limits_text(robot));
+  std::string text = fmt::format("{}: {} joints, {}{}\nsource: {}\n\n{}\n{}\n", robot.name(),
+                                 robot.n(), kinds_of(robot), copying_text(robot), robot.source(),
+                                 rows_text(robot), limits_text(robot));
   text += fmt::format("base                {}\n", pose_text(robot.T_world_base()));
   text += fmt::format("hand                {}\n", tool_text(robot));
   text += fmt::format("home                {}\n", home_text(robot));
@@ -199,7 +219,13 @@ std::string robot_json(const Robot& robot) {
   const Reach reach = find_reach(robot);
   const ClosedForm& form = closed_form(robot);
   Json joints = Json::array();
-  for (int i = 0; i < robot.n(); ++i) joints.push_back(joint_json(robot.joint(i)));
+  for (int k = 0; k < robot.rows(); ++k) {
+    joints.push_back(joint_json(robot.row(k)));
+    if (robot.coupling() == nullptr) continue;
+    const auto [joint, ratio] = motion_of_row(robot, k);
+    joints.back()["moves"] = {
+        {"joint", joint + 1}, {"ratio", ratio}, {"offset", robot.coupling()->offset[k]}};
+  }
   const bool standard = robot.spec().convention == DhConvention::kStandard;
   const Json json = {{"name", robot.name()},
                      {"source", robot.source()},

@@ -50,9 +50,8 @@ OrderedJson solids_json(const std::shared_ptr<const Robot>& model, const RobotIn
   for (const ArmSolid& each : model->derived<ArmSolids>().solids()) {
     const Solid& solid = each.solid;
     const auto joint = static_cast<std::size_t>(each.frame) - 1;
-    if (solid.is_empty() || (each.frame > 0 && joint >= info.joints.size())) continue;
-    const Eigen::Isometry3d T =
-        each.frame > 0 ? info.joints[joint].T_joint_link * solid.T : solid.T;
+    if (solid.is_empty() || (each.frame > 0 && joint >= info.link_count())) continue;
+    const Eigen::Isometry3d T = each.frame > 0 ? info.link(joint).T_joint_link * solid.T : solid.T;
     OrderedJson body = {
         {"link", each.frame}, {"kind", ""}, {"role", to_text(each.role)}, {"T", matrix_json(T)}};
     const Eigen::Vector3d half = solid.half + Eigen::Vector3d::Constant(solid.margin);
@@ -111,6 +110,15 @@ OrderedJson robot_json(const RecordedRobot& robot) {
                       {"T_joint_link", matrix_json(joint.T_joint_link)},
                       {"mesh", joint.mesh}});
   }
+  OrderedJson rows = OrderedJson::array();
+  for (const RowInfo& row : robot.info.rows) {
+    rows.push_back({{"unit", row.moves.unit == JointUnit::kRadian ? "rad" : "m"},
+                    {"T_before_joint", matrix_json(row.moves.T_before_joint)},
+                    {"T_joint_link", matrix_json(row.moves.T_joint_link)},
+                    {"joint", row.joint},
+                    {"ratio", row.ratio},
+                    {"offset", row.offset}});
+  }
   OrderedJson changes = OrderedJson::array();
   for (const RobotChange& change : robot.changes) {
     changes.push_back({{"t", change.t},
@@ -119,16 +127,18 @@ OrderedJson robot_json(const RecordedRobot& robot) {
                        {"shapes", shapes_json(shapes_of(change.model))},
                        {"solids", solids_json(change.model, change.robot)}});
   }
-  return {{"name", robot.info.name},
-          {"home", robot.info.home},
-          {"tool", tool_json(robot.info.tool)},
-          {"on", robot.info.on},
-          {"T_world_base", matrix_json(robot.info.T_world_base)},
-          {"joints", std::move(joints)},
-          {"shapes", shapes_json(shapes_of(robot.model))},
-          {"solids", solids_json(robot.model, robot.info)},
-          {"pictures", pictures_json(robot)},
-          {"changes", std::move(changes)}};
+  OrderedJson out = {{"name", robot.info.name},
+                     {"home", robot.info.home},
+                     {"tool", tool_json(robot.info.tool)},
+                     {"on", robot.info.on},
+                     {"T_world_base", matrix_json(robot.info.T_world_base)},
+                     {"joints", std::move(joints)},
+                     {"shapes", shapes_json(shapes_of(robot.model))},
+                     {"solids", solids_json(robot.model, robot.info)},
+                     {"pictures", pictures_json(robot)},
+                     {"changes", std::move(changes)}};
+  if (!rows.empty()) out["rows"] = std::move(rows);
+  return out;
 }
 
 std::string_view type_word(LabFieldType type) {

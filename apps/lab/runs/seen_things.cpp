@@ -40,7 +40,7 @@ std::vector<SeenFrame> frames_of(const World& world) {
 // A hand is drawn behind the last link, and so is the flange.
 int link_of(const Cell& cell, const CellBody& body) {
   const bool is_behind = is_hand(body.role) || body.role == LinkShapeRole::kFlange;
-  return body.robot >= 0 && is_behind ? cell.robot(body.robot).model->n() + 1 : body.frame;
+  return body.robot >= 0 && is_behind ? cell.robot(body.robot).model->rows() + 1 : body.frame;
 }
 
 }  // namespace

@@ -160,8 +160,8 @@ template <class InertiaGiven>
 Answer<void> set_link(Vm& vm, const RobotRef& r, std::int64_t joint, std::optional<double> mass,
                       Numbers com, InertiaGiven inertia, Numbers friction) {
   const Robot& robot = model_of(vm, r);
-  if (joint < 1 || joint > robot.n())
-    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, robot.n()), 1);
+  if (joint < 1 || joint > robot.rows())
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, robot.rows()), 1);
   const int i = static_cast<int>(joint) - 1;
   Link link = robot.link(i);
   if (mass) link.mass = *mass;

@@ -66,8 +66,8 @@ Answer<RobotRef> robot_from_table(Vm& vm, Rows table, Types types, std::optional
 std::vector<std::vector<double>> dh_rows(Vm& vm, const RobotRef& r) {
   const Robot& robot = model_of(vm, r);
   std::vector<std::vector<double>> rows;
-  for (int i = 0; i < robot.n(); ++i) {
-    const DhRow& row = robot.joint(i).dh;
+  for (int i = 0; i < robot.rows(); ++i) {
+    const DhRow& row = robot.row(i).dh;
     rows.push_back({row.theta, row.d, row.a, row.alpha});
   }
   return rows;

@@ -78,8 +78,9 @@ Answer<PosC> fkine(Vm& vm, const RobotRef& r, Q values, std::optional<std::int64
   const auto q = joint_argument(vm, robot, values, 1);
   if (!q) return Failed{};
   if (!joint) return PosC{forward(robot, *q), true};
-  if (*joint < 1 || *joint > robot.n())
-    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", *joint, robot.n()), 2);
+  if (*joint < 1 || *joint > robot.rows())
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", *joint, robot.rows()),
+                   2);
   return PosC{link_frame(robot, *q, static_cast<int>(*joint)), true};
 }
 
@@ -129,9 +130,9 @@ Answer<Jacobian> jacobian_rate_of(Vm& vm, const RobotRef& r, Q values, JointList
 
 Eigen::MatrixXd dh_table(Vm& vm, const RobotRef& r) {
   const Robot& robot = model_of(vm, r);
-  Eigen::MatrixXd table(robot.n(), 4);
-  for (int i = 0; i < robot.n(); ++i) {
-    const DhRow& row = robot.joint(i).dh;
+  Eigen::MatrixXd table(robot.rows(), 4);
+  for (int i = 0; i < robot.rows(); ++i) {
+    const DhRow& row = robot.row(i).dh;
     table.row(i) << row.theta, row.d, row.a, row.alpha;
   }
   return table;

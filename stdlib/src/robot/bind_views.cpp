@@ -29,8 +29,7 @@ int joint_in(std::string_view name) {
 std::string joints_text(int n) { return fmt::format("{} joint{}", n, n == 1 ? "" : "s"); }
 
 // R0606: a joint that the robot does not have.
-Answer<void> check_has(Vm& vm, const RobotRef& r, int joint) {
-  const int n = model_of(vm, r).n();
+Answer<void> check_has(Vm& vm, const RobotRef& r, int joint, int n) {
   if (joint <= n) return {};
   return failure(
       vm, "R0606",
@@ -39,14 +38,14 @@ Answer<void> check_has(Vm& vm, const RobotRef& r, int joint) {
 }
 
 Answer<double> joint_value(Vm& vm, const RobotRef& r, int joint) {
-  if (!check_has(vm, r, joint)) return Failed{};
+  if (!check_has(vm, r, joint, model_of(vm, r).n())) return Failed{};
   return state_of(vm, r).q[joint - 1];
 }
 
 // The frame after a joint, seen from the frame before the first one.
 Answer<Eigen::Matrix4d> frame_of_link(Vm& vm, const RobotRef& r, int joint) {
-  if (!check_arm(vm, r.id) || !check_has(vm, r, joint)) return Failed{};
   const Robot& robot = model_of(vm, r);
+  if (!check_arm(vm, r.id) || !check_has(vm, r, joint, robot.rows())) return Failed{};
   const Eigen::Isometry3d T_world_link = link_frame(robot, state_of(vm, r).q, joint);
   return Eigen::Matrix4d((robot.chain().T_world_base.inverse() * T_world_link).matrix());
 }

@@ -17,7 +17,7 @@ int link_called(const Robot& robot, std::string_view word, std::string_view name
   const int link = link_of_name(robot, name);
   if (link >= 0) return link;
   std::string known;
-  for (int i = 0; i <= robot.n(); ++i) {
+  for (int i = 0; i <= robot.rows(); ++i) {
     const std::vector<std::string>& names = robot.body(i).names;
     const std::string number = i == 0 ? "base" : fmt::format("link {}", i);
     known += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", names.empty() ? number : names.front());

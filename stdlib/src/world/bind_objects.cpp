@@ -268,7 +268,7 @@ Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int6
     }
     return Mount{.base = FrameBase::kCarrier, .on = cell.robot(arm.on).name, .carrier = arm.on};
   }
-  const int n = arm.model->n();
+  const int n = arm.model->rows();
   if (link && (*link < 0 || *link > n)) {
     return failure(
         vm, row("R0631"),

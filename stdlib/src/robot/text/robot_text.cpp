@@ -12,6 +12,7 @@
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/rotation.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "robot/own_pairs.hpp"
 #include "robot/text/hand_text.hpp"
 
@@ -237,18 +238,23 @@ namespace {
 std::string degrees(double x) { return format_number(rad_to_deg(x), 4) + " deg"; }
 std::string millimetres(double x) { return format_number(x * 1000.0, 3) + " mm"; }
 
-using Line = std::array<std::string, 7>;
+using Line = std::array<std::string, 8>;
 
-Line line_of(const Robot& robot, int i) {
-  const Joint& joint = robot.joint(i);
+// Of row k; one that copies another has no number of a joint.
+Line line_of(const Robot& robot, int k) {
+  const Joint& joint = robot.row(k);
   const auto value = joint.is_revolute() ? degrees : millimetres;
-  return {fmt::format("{} {}", i + 1, joint.is_revolute() ? 'R' : 'P'),
+  const std::string copies = copy_text(robot, k);
+  const std::string number =
+      copies.empty() ? std::to_string(motion_of_row(robot, k).joint + 1) : std::string("-");
+  return {fmt::format("{} {}", number, joint.is_revolute() ? 'R' : 'P'),
           degrees(joint.dh.theta),
           millimetres(joint.dh.d),
           millimetres(joint.dh.a),
           degrees(joint.dh.alpha),
           joint.is_continuous() ? "no limit" : value(joint.lower),
-          joint.is_continuous() ? "no limit" : value(joint.upper)};
+          joint.is_continuous() ? "no limit" : value(joint.upper),
+          copies};
 }
 
 }  // namespace
@@ -256,18 +262,19 @@ Line line_of(const Robot& robot, int i) {
 std::string robot_table(const Robot& robot, std::string_view name) {
   if (robot.spec().role == RobotRole::kHand)
     return bind::hand_table(robot, name.empty() ? robot.name() : name);
-  std::vector<Line> lines = {{"joint", "theta", "d", "a", "alpha", "from", "to"}};
-  for (int i = 0; i < robot.n(); ++i) lines.push_back(line_of(robot, i));
-  std::array<std::size_t, 7> width{};
+  std::vector<Line> lines = {{"joint", "theta", "d", "a", "alpha", "from", "to", "copies"}};
+  for (int k = 0; k < robot.rows(); ++k) lines.push_back(line_of(robot, k));
+  const std::size_t columns = robot.coupling() == nullptr ? 7 : 8;
+  std::array<std::size_t, 8> width{};
   for (const Line& line : lines) {
-    for (std::size_t k = 0; k < line.size(); ++k) width[k] = std::max(width[k], line[k].size());
+    for (std::size_t k = 0; k < columns; ++k) width[k] = std::max(width[k], line[k].size());
   }
   const bool standard = robot.spec().convention == DhConvention::kStandard;
   std::string text = fmt::format("robot {}\n{} DH table", name.empty() ? robot.name() : name,
                                  standard ? "standard" : "modified");
   for (const Line& line : lines) {
     text += fmt::format("\n{:<{}}", line[0], width[0]);
-    for (std::size_t k = 1; k < line.size(); ++k)
+    for (std::size_t k = 1; k < columns && !line[k].empty(); ++k)
       text += fmt::format("  {:>{}}", line[k], width[k]);
   }
   return text;
