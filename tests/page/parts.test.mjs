@@ -77,6 +77,23 @@ test("the tool of two links in a plane is where trigonometry says", () => {
   }
 });
 
+test("links that copy a joint move by their ratio and offset", () => {
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const along = (a) => [...identity.slice(0, 12), a, 0, 0, 1];
+  const row = (joint, ratio, offset, a) => ({ unit: "rad", T_before_joint: identity, T_joint_link: along(a), joint, ratio, offset });
+  const joint = { unit: "rad", lower: -3, upper: 3, max_speed: 1, T_before_joint: identity, T_joint_link: identity };
+  const robot = { joints: [joint, joint], rows: [row(0, 1, 0, 2), row(0, -1, 0, 0), row(1, 1, 0, 3), row(1, -0.5, 0.25, 0)], T_world_base: identity, tool: { T_flange_tool: identity } };
+  const [a, b] = [0.4, 0.7];
+  const frames = kinematics.shapeFrames(robot, [a, b]);
+  assert.equal(frames.length, 6);
+  const tool = kinematics.toolFrame(robot, [a, b]);
+  assert.ok(Math.abs(tool[12] - (2 * Math.cos(a) + 3 * Math.cos(b))) < 1e-12);
+  assert.ok(Math.abs(tool[13] - (2 * Math.sin(a) + 3 * Math.sin(b))) < 1e-12);
+  assert.ok(Math.abs(Math.atan2(tool[1], tool[0]) - (0.5 * b + 0.25)) < 1e-12);
+  assert.equal(kinematics.linkOfJoint(robot, 1), 2);
+  assert.equal(kinematics.jointsAtLimits(robot, [3, 0]).join(), "true,false");
+});
+
 test("binary messages come back as they were written; others are refused", () => {
   const block = { kind: 1, run: 4, index: 2, columns: 3, first: 7, count: 2, rows: new Float64Array([0, 1.5, -2, 0.25, Math.PI, 1e300]) };
   const data = writeRows(block);

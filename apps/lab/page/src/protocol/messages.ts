@@ -39,6 +39,15 @@ export interface JointInfo {
   T_before_joint: Matrix;
   T_joint_link: Matrix;
 }
+// A link of a robot whose joints move several links each: its value is ratio q + offset, q that of a joint.
+export interface RowInfo {
+  unit: "rad" | "m";
+  T_before_joint: Matrix;
+  T_joint_link: Matrix;
+  joint: number;
+  ratio: number;
+  offset: number;
+}
 export interface Shape {
   link: number;
   kind: "capsule" | "cylinder" | "ring" | "box";
@@ -75,6 +84,7 @@ export interface RobotInfo {
   name: string;
   home: number[];
   joints: JointInfo[];
+  rows?: RowInfo[]; // missing: each joint moves the link of its number
   on?: number; // the robot whose flange carries the base, in whose frame T_world_base is then; -1: none
   T_world_base: Matrix;
   tool: ToolInfo;

@@ -4,7 +4,7 @@ import {
 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import type { RobotChange, RobotInfo, Shape } from "../protocol/messages.ts";
-import { jointsAtLimits, shapeFrames } from "../store/kinematics.ts";
+import { jointsAtLimits, rowsOf, shapeFrames } from "../store/kinematics.ts";
 import { footprintOf, type Footprint } from "./contact.ts";
 import type { MeshLibrary } from "./meshes.ts";
 import type { Palette } from "./palette.ts";
@@ -93,7 +93,7 @@ const DARK_ROLES = new Set(["base", "joint", "flange"]);
 export class ArmView {
   readonly group = new Group();
   private readonly links: Group[] = [];
-  private readonly marks: { joint: number; material: Surface }[] = [];
+  private readonly marks: { link: number; material: Surface }[] = [];
   private readonly robot: RobotInfo;
   private readonly palette: Palette;
   private readonly ghost: boolean;
@@ -117,7 +117,7 @@ export class ArmView {
     this.round = round;
     this.library = library;
     this.opacity = opacity;
-    for (let i = 0; i < robot.joints.length + 2; i++) {
+    for (let i = 0; i < rowsOf(robot).length + 2; i++) {
       const link = new Group();
       link.matrixAutoUpdate = false;
       this.links.push(link);
@@ -137,7 +137,7 @@ export class ArmView {
     this.group.updateMatrixWorld(true);
     const limits = jointsAtLimits(this.robot, q);
     for (const mark of this.marks) {
-      const near = limits[mark.joint] ?? false;
+      const near = limits[this.robot.rows?.[mark.link]?.joint ?? mark.link] ?? false;
       mark.material.color.set(near ? this.palette.warning : this.palette.accent);
       mark.material.emissive.set(near ? this.palette.warning : "#000000");
       mark.material.emissiveIntensity = near ? 0.35 : 0;
@@ -211,7 +211,7 @@ export class ArmView {
       mesh.userData["given"] = shape.given === true;
       this.links[shape.link]?.add(mesh);
       if (shape.role.startsWith("finger_")) this.fingers.push(mesh);
-      if (shape.role === "mark" && !this.ghost) this.marks.push({ joint: shape.link - 1, material: mesh.material });
+      if (shape.role === "mark" && !this.ghost) this.marks.push({ link: shape.link - 1, material: mesh.material });
     }
   }
 

@@ -5,7 +5,7 @@ import {
   CircleGeometry, Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, InstancedMesh, Matrix4, Mesh, SphereGeometry, Vector3, type BufferGeometry,
 } from "three";
 import type { DrawingInfo, Matrix } from "../protocol/messages.ts";
-import { multiply, poseMatrix, shapeFrames, toolFrame } from "../store/kinematics.ts";
+import { multiply, poseMatrix, rowsOf, shapeFrames, toolFrame } from "../store/kinematics.ts";
 import type { Run } from "../store/run.ts";
 import { colorOf } from "./objects.ts";
 import { surface, type Surface } from "./surface.ts";
@@ -178,8 +178,8 @@ export class DrawingsView {
     const q = run.qAt(robot, t);
     if (link < 0) return toolFrame(info, q, change);
     const frame = shapeFrames(info, q, change?.T_world_base)[link];
-    const joint = link > 0 ? info.joints[link - 1] : undefined;
+    const row = link > 0 ? rowsOf(info)[link - 1] : undefined;
     if (!frame) return null;
-    return joint ? multiply(frame, joint.T_joint_link) : frame;
+    return row ? multiply(frame, row.T_joint_link) : frame;
   }
 }

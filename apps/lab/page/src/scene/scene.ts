@@ -2,7 +2,7 @@
 import { Group, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
 import type { Intents } from "../store/intents.ts";
 import type { NearBody, Span } from "../protocol/messages.ts";
-import { multiply, poseMatrix, toolFrame } from "../store/kinematics.ts";
+import { linkOfJoint, multiply, poseMatrix, rowsOf, toolFrame } from "../store/kinematics.ts";
 import { NEAR, type Run } from "../store/run.ts";
 import { halfExtents, isRound } from "../store/shapes.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";
@@ -354,7 +354,7 @@ export class SceneView {
       };
       if (this.showFrames) {
         add(this.arms[i]!.frameOf(0), `${robot.name} base`);
-        robot.joints.forEach((joint, k) => add(this.arms[i]!.frameOf(k + 1), joint.name ?? `${k + 1}`));
+        rowsOf(robot).forEach((_, k) => add(this.arms[i]!.frameOf(k + 1), robot.rows ? `${k + 1}` : (robot.joints[k]!.name ?? `${k + 1}`)));
         add(tool, "tool");
       }
       if (i === this.active) this.handle.position.setFromMatrixPosition(tool);
@@ -381,7 +381,7 @@ export class SceneView {
       const most = shares.reduce<number>((best, share, k) => (Math.abs(share ?? 0) > Math.abs(shares[best] ?? 0) ? k : best), 0);
       shares.forEach((share, k) => {
         if (share === null) return;
-        const at = new Vector3().setFromMatrixPosition(this.arms[i]!.frameOf(k + 1));
+        const at = new Vector3().setFromMatrixPosition(this.arms[i]!.frameOf(linkOfJoint(robot, k) + 1));
         bars.push({ at, share });
         const near = Math.abs(share) >= NEAR;
         if (near || k === most) labels.push({ text: `joint ${k + 1}: ${(100 * Math.abs(share)).toFixed(0)} %`, at, warning: near, beside: true });

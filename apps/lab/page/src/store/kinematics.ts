@@ -1,5 +1,5 @@
 // Frames of an arm from its description.
-import type { Matrix, RobotChange, RobotInfo } from "../protocol/messages.ts";
+import type { Matrix, RobotChange, RobotInfo, RowInfo } from "../protocol/messages.ts";
 
 export function multiply(a: Matrix, b: Matrix): Matrix {
   const c = new Array<number>(16);
@@ -44,16 +44,29 @@ function jointMatrix(unit: "rad" | "m", q: number): Matrix {
   return [c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 }
 
+// How each link moves: as the joint of its number, or as its row says.
+export function rowsOf(robot: RobotInfo): readonly RowInfo[] {
+  return robot.rows ?? robot.joints.map((joint, i) => ({ ...joint, joint: i, ratio: 1, offset: 0 }));
+}
+
+// The link that a joint moves itself, counted from 0; links that copy it follow.
+export function linkOfJoint(robot: RobotInfo, joint: number): number {
+  const own = robot.rows?.findIndex((row) => row.joint === joint && row.ratio === 1 && row.offset === 0) ?? joint;
+  return own < 0 ? joint : own;
+}
+
 // The frames in which shapes stand, in the world: the base, each joint's T_before_joint M(q), the
 // flange, which is the last link.
 export function shapeFrames(robot: RobotInfo, q: readonly number[], base: Matrix = robot.T_world_base): Matrix[] {
   const frames = [base];
   let link = base;
-  robot.joints.forEach((joint, i) => {
-    const turned = multiply(multiply(link, joint.T_before_joint), jointMatrix(joint.unit, q[i] ?? 0));
+  const place = (row: Pick<RowInfo, "unit" | "T_before_joint" | "T_joint_link">, value: number) => {
+    const turned = multiply(multiply(link, row.T_before_joint), jointMatrix(row.unit, value));
     frames.push(turned);
-    link = multiply(turned, joint.T_joint_link);
-  });
+    link = multiply(turned, row.T_joint_link);
+  };
+  if (robot.rows) robot.rows.forEach((row) => place(row, row.ratio * (q[row.joint] ?? 0) + row.offset));
+  else robot.joints.forEach((joint, i) => place(joint, q[i] ?? 0));
   frames.push(link);
   return frames;
 }
