@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "armlet/core/files.hpp"
+#include "armlet/interpreter/host/table_text.hpp"
 
 namespace armlet::cli {
 namespace {
@@ -31,7 +32,7 @@ class ProgramFolder {
     const Result<std::string> clean = folder_->clean(name);
     if (!clean.ok()) return out;
     out.why.clear();
-    const bool is_table = clean->ends_with(".csv");
+    const bool is_table = clean->ends_with(kTableEnding);
     if (is_table || clean->ends_with(".rbt")) {
       Result<std::string> text = folder_->read(*clean, ParseLimits{}.bytes);
       if (text.ok()) {
@@ -47,7 +48,8 @@ class ProgramFolder {
       out.why = "only files that end in .rbt are programs";
     }
     // As a program would write them.
-    for (const std::string& other : folder_->names(folder_of(*clean), is_table ? ".csv" : ".rbt"))
+    const std::string_view ending = is_table ? kTableEnding : ".rbt";
+    for (const std::string& other : folder_->names(folder_of(*clean), ending))
       out.others.push_back(std::string(folder_of(path)) + other);
     return out;
   }

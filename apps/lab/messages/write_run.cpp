@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "armlet/interpreter/unit.hpp"
 #include "base85.hpp"
 #include "json_parts.hpp"
 
@@ -58,7 +59,7 @@ OrderedJson piece(std::string_view type, const RunRecord& run, std::size_t first
 // The unit of all numbers of a value, or, where they differ, those of its parts.
 OrderedJson units_json(const Value& value) {
   OrderedJson parts;
-  if (const auto* number = value.get_if<Value::Number>()) return si_unit_of(*number);
+  if (const auto* number = value.get_if<Value::Number>()) return si_unit(number->dim);
   if (const auto* list = value.get_if<Value::List>()) {
     for (const Value& each : *list) parts.push_back(units_json(each));
   } else if (const auto* record = value.get_if<Value::Record>()) {

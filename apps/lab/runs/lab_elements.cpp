@@ -6,6 +6,7 @@
 
 #include "armlet/backend/event.hpp"
 #include "armlet/cell/clock.hpp"
+#include "armlet/interpreter/unit.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/laboratory_controls.hpp"
 #include "live_run.hpp"
@@ -123,13 +124,8 @@ bool add_numbers(const Value& value, std::vector<double>& numbers) {
       value.content());
 }
 
-std::string si_unit_of(const Value::Number& number) {
-  if (number.dim == dims::kAngle) return "rad";
-  return display_unit(number.dim, 1e12).name;
-}
-
 void add_units(const Value& value, std::vector<std::string>& units) {
-  std::visit(Overload{[&](const Value::Number& number) { units.push_back(si_unit_of(number)); },
+  std::visit(Overload{[&](const Value::Number& number) { units.push_back(si_unit(number.dim)); },
                       [&](const Value::List& list) {
                         for (const Value& each : list) add_units(each, units);
                       },

@@ -28,8 +28,6 @@ struct ElementValue {
 
 // Numbers of a value in the order in which they stand in it, SI; false: it holds something else.
 [[nodiscard]] bool add_numbers(const Value& value, std::vector<double>& numbers);
-// The SI unit of a number.
-[[nodiscard]] std::string si_unit_of(const Value::Number& number);
 // The units of the numbers that add_numbers gives.
 void add_units(const Value& value, std::vector<std::string>& units);
 

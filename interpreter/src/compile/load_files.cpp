@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "armlet/interpreter/host/table_text.hpp"
 #include "check/entries/kept.hpp"
 #include "check/names/suggest.hpp"
 #include "compile/code/program.hpp"
@@ -147,7 +148,7 @@ class Loader {
   int look_up(const Source& from, const ast::ImportStmt& import, const std::string& path) {
     ImportedText found;
     // Tables are read by loadTable; as programs they are refused as other endings are.
-    if (options_.load && !path.ends_with(".csv")) found = options_.load(path, from.name());
+    if (options_.load && !path.ends_with(kTableEnding)) found = options_.load(path, from.name());
     const auto known = numbers_.find(found.name);
     if (found.text && known != numbers_.end()) {
       if (known->second == kBeingRead) return refuse_circle(import, found.name);
@@ -170,9 +171,9 @@ class Loader {
   int refuse_missing(const ast::ImportStmt& import, const std::string& path,
                      const ImportedText& found) {
     Diagnostic out = make_diagnostic("E0213", import.path_span, {path});
-    out.why = path.ends_with(".csv") ? "it is a table; loadTable(\"" + path + "\") reads it"
-              : options_.load        ? found.why
-                                     : "the host of this program gives it no files to import";
+    out.why = path.ends_with(kTableEnding) ? "it is a table; loadTable(\"" + path + "\") reads it"
+              : options_.load              ? found.why
+                                           : "the host of this program gives it no files to import";
     const std::string_view there = always_there(import.path);
     if (!import.is_file && !there.empty()) {
       out.why = there;

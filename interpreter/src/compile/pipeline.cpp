@@ -13,6 +13,7 @@
 #include "compile/fixes/explained_habits.hpp"
 #include "compile/fixes/tried_fixes.hpp"
 #include "compile/load_files.hpp"
+#include "types/table_files.hpp"
 
 namespace armlet::lang {
 
@@ -90,6 +91,7 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
   try {
     CompileOptions once = options;
     once.load = remembered(options.load);
+    once.tables = std::make_shared<TableFiles>();
     on_ample_stack([&] {
       result.program = build(registry, std::move(compiled), once, lowering, sink);
       result.diagnostics = sink.take_sorted();

@@ -12,6 +12,7 @@
 #include "compile/load_files.hpp"
 #include "compile/pipeline.hpp"
 #include "editor/facts.hpp"
+#include "types/table_files.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -71,6 +72,8 @@ std::unique_ptr<const Analysis::Facts> analyse_text(std::shared_ptr<const Regist
   std::unique_ptr<Analysis::Facts> facts;
   const auto begin_again = [&] {
     facts = std::make_unique<Analysis::Facts>(registry, options);
+    facts->options.tables =
+        std::make_shared<TableFiles>(before != nullptr ? before->options.tables.get() : nullptr);
     facts->compiled->sources->add(name, text);
   };
   begin_again();

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "armlet/interpreter/unit.hpp"
-#include "check/blocks/number_dims.hpp"
 #include "editor/cursor.hpp"
 #include "editor/facts.hpp"
 #include "editor/places.hpp"

@@ -70,9 +70,24 @@ std::optional<double> number_in(std::string_view text, const std::string& unit) 
   if (!plain || unit.empty()) return plain;
   const bool negative = std::signbit(*plain);
   if (text[0] == '-' || text[0] == '+') text.remove_prefix(1);
-  const std::optional<Quantity> quantity = parse_quantity(std::string(text) + unit);
-  if (!quantity) return std::nullopt;
-  return negative ? -quantity->si : quantity->si;
+  const std::optional<double> si = si_of(text, unit);
+  if (!si) return std::nullopt;
+  return negative ? -*si : *si;
+}
+
+// Words of the language cannot stand behind a point, and `table.length` counts the rows.
+bool can_be_column(std::string_view name) {
+  return !lang::is_reserved_word(name) && name != "length";
+}
+
+// What stands in brackets behind the name of a column; `[]`, `[1]` and `[-]` are no units. False:
+// it is none that is known.
+bool take_unit(TableColumn& column, std::string_view said) {
+  if (said.empty() || said == "-" || said == "1") return true;
+  column.unit = said;
+  const auto unit = parse_unit(said);
+  if (unit) column.dim = unit->dim;
+  return unit.has_value();
 }
 
 class TableReader {
@@ -200,13 +215,9 @@ class TableReader {
     TableColumn column;
     if (const std::size_t open = said.find('[');
         said.ends_with(']') && open > 0 && open != std::string_view::npos) {
-      column.unit = trimmed(said.substr(open + 1, said.size() - open - 2));
-      said = trimmed(said.substr(0, open));
-      if (column.unit == "-" || column.unit == "1") column.unit.clear();
-      const auto unit = column.unit.empty() ? CombinedUnit{} : parse_unit(column.unit);
-      if (!unit)
+      if (!take_unit(column, trimmed(said.substr(open + 1, said.size() - open - 2))))
         return fail("the unit " + shown(column.unit) + " of column " + number + " is not known");
-      column.dim = unit->dim;
+      said = trimmed(said.substr(0, open));
       has_unit_.push_back(true);
     } else {
       has_unit_.push_back(false);
@@ -224,7 +235,7 @@ class TableReader {
     std::string name;
     for (const char c : said) name += lang::is_word_character(c) ? c : '_';
     if (name.empty() || (name[0] >= '0' && name[0] <= '9')) name.insert(name.begin(), '_');
-    if (lang::is_reserved_word(name) || name == "length") name += '_';
+    if (!can_be_column(name)) name += '_';
     return name;
   }
 
@@ -258,14 +269,14 @@ class TableReader {
     TableColumn& column = table_.columns[i];
     const std::string_view text = cell.quoted ? trimmed(cell.text) : std::string_view(cell.text);
     if (text.empty() && !(cell.quoted && column.is_text)) return fail_at(i, "the value is missing");
+    if (column.is_text) {
+      column.texts.push_back(std::move(cell.text));
+      return true;
+    }
     if (!cell.quoted && has_decimal_comma(text)) {
       std::string with_point(text);
       with_point[with_point.find(',')] = '.';
       return fail_at(i, shown(text) + " has a decimal comma; write " + with_point);
-    }
-    if (column.is_text) {
-      column.texts.push_back(std::move(cell.text));
-      return true;
     }
     if (is_no_number(text)) return fail_at(i, "the value is missing: " + shown(text));
     const std::optional<double> number = number_in(text, column.unit);
@@ -324,16 +335,17 @@ Result<std::vector<TableColumn>> read_columns_text(std::string_view text) {
       column.is_text = true;
       said = trimmed(said.substr(0, colon));
     } else if (const std::size_t open = said.find('['); said.ends_with(']')) {
-      column.unit = trimmed(said.substr(open + 1, said.size() - open - 2));
-      const auto unit = parse_unit(column.unit);
-      if (!unit) return refuse("the unit " + shown(column.unit) + " is not known");
-      column.dim = unit->dim;
+      if (!take_unit(column, trimmed(said.substr(open + 1, said.size() - open - 2))))
+        return refuse("the unit " + shown(column.unit) + " is not known");
       said = trimmed(said.substr(0, open));
     }
     column.name = said;
     const bool is_name = !said.empty() && std::ranges::all_of(said, lang::is_word_character) &&
                          (said[0] < '0' || said[0] > '9');
-    if (!is_name) return refuse(shown(said) + " is no name of a column");
+    if (!is_name || !can_be_column(said)) {
+      return refuse(shown(said) + " is no name of a column" +
+                    (is_name ? "; of a file with this name it is `" + column.name + "_`" : ""));
+    }
     if (std::ranges::find(columns, column.name, &TableColumn::name) != columns.end())
       return refuse("two columns have the name " + shown(said));
     columns.push_back(std::move(column));

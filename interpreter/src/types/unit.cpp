@@ -175,12 +175,16 @@ struct ParsedUnit {
   ExactFactor exact;
 };
 
-// Multiplies `out` by unit^times.
-bool apply_unit(ParsedUnit& out, const UnitRow& row, int times) {
-  const std::optional<Dim> part = power(row.unit.dim, 2 * times);
+// Multiplies `out` by unit^(halves/2).
+bool apply_unit(ParsedUnit& out, const UnitRow& row, int halves) {
+  constexpr int kMostHalves = 18;  // of units whose factor has to be multiplied
+  const std::optional<Dim> part = power(row.unit.dim, halves);
   const std::optional<Dim> dim = part ? multiply(out.dim, *part) : std::nullopt;
   if (!dim) return false;
   out.dim = *dim;
+  if (row.unit.factor == 1.0) return true;
+  if (halves % 2 != 0 || std::abs(halves) > kMostHalves) return false;
+  const int times = halves / 2;
   out.exact.exponent += times * row.exact.exponent;
   out.exact.pi_power += times * row.exact.pi_power;
   for (int i = 0; i < std::abs(times); ++i) {
@@ -190,23 +194,36 @@ bool apply_unit(ParsedUnit& out, const UnitRow& row, int times) {
   return true;
 }
 
+// "2" and "-0.5" as halves.
+std::optional<int> parse_exponent(std::string_view text) {
+  const bool has_half = text.ends_with(".5");
+  const bool is_negative = text.starts_with('-');
+  if (has_half) text.remove_suffix(2);
+  int whole = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), whole);
+  if (error != std::errc{} || stop != text.data() + text.size() || std::abs(whole) > 99)
+    return std::nullopt;
+  return 2 * whole + (!has_half ? 0 : is_negative ? -1 : 1);
+}
+
 // Splits "kg*m^2/s" at * and /; a sign belongs to the part behind it.
 std::optional<ParsedUnit> parse_parts(std::string_view text) {
   ParsedUnit out;
   int sign = 1;
+  if (text.starts_with("1/")) {
+    sign = -1;
+    text.remove_prefix(2);
+  }
   while (true) {
     const std::size_t end = std::min(text.find_first_of("*/"), text.size());
     std::string_view part = text.substr(0, end);
-    int exponent = 1;
+    std::optional<int> halves = 2;
     if (const std::size_t hat = part.find('^'); hat != std::string_view::npos) {
-      const char* first = part.data() + hat + 1;
-      const char* last = part.data() + part.size();
-      const auto [stop, error] = std::from_chars(first, last, exponent);
-      if (error != std::errc{} || stop != last || std::abs(exponent) > 9) return std::nullopt;
+      halves = parse_exponent(part.substr(hat + 1));
       part = part.substr(0, hat);
     }
     const UnitRow* row = find_unit(part);
-    if (row == nullptr || !apply_unit(out, *row, sign * exponent)) return std::nullopt;
+    if (row == nullptr || !halves || !apply_unit(out, *row, sign * *halves)) return std::nullopt;
     if (end == text.size()) return out;
     sign = text[end] == '/' ? -1 : 1;
     text.remove_prefix(end + 1);
@@ -338,17 +355,21 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   const std::size_t length = number_length(text);
   const std::string digits = without_underscores(text.substr(0, length));
   const std::string_view unit_text = text.substr(length);
-  const std::optional<double> number = decimal(digits);
-  const std::optional<ParsedUnit> unit = parse_parts(unit_text);
-  if (!number || !unit) return std::nullopt;
+  const std::optional<double> si = si_of(digits, unit_text);
+  if (!si) return std::nullopt;
+  return Quantity{*si, parse_parts(unit_text)->dim, *decimal(digits), unit_text};
+}
 
-  const ExactFactor& factor = unit->exact;
+std::optional<double> si_of(std::string_view number, std::string_view unit) {
+  const std::optional<double> value = decimal(number);
+  const std::optional<ParsedUnit> parts = parse_parts(unit);
+  if (!value || !parts) return std::nullopt;
+  const ExactFactor& factor = parts->exact;
   const bool only_decimal =
       factor.numerator == 1.0 && factor.denominator == 1.0 && factor.pi_power == 0;
   const std::optional<double> si =
-      only_decimal ? shifted_decimal(digits, factor.exponent) : scale(*number, factor);
-  if (!si || !std::isfinite(*si)) return std::nullopt;
-  return Quantity{*si, unit->dim, *number, unit_text};
+      only_decimal ? shifted_decimal(std::string(number), factor.exponent) : scale(*value, factor);
+  return si && std::isfinite(*si) ? si : std::nullopt;
 }
 
 std::optional<double> parse_number(std::string_view text) {
@@ -372,6 +393,11 @@ DisplayUnit display_unit(Dim dim, double si_value) {
     if (row.dim == dim) return {std::string(row.unit), 1.0};
   }
   return {product_text(dim, {"m", "kg", "s", "rad"}), 1.0};
+}
+
+std::string si_unit(Dim dim) {
+  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
+  return dim == dims::kAngle ? "rad" : display_unit(dim, kLarge).name;
 }
 
 }  // namespace armlet

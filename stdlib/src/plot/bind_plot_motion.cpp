@@ -175,9 +175,7 @@ Answer<void> plot_positions(Vm& vm, std::span<const double> x, std::span<const S
 // ---------------------------------------------------------------------------------------------------
 
 std::string unit_of(const Type& type) {
-  constexpr double kLarge = 1e6;  // metres rather than millimetres
-  if (!type.is_quantity()) return {};
-  return type.dim == dims::kAngle ? "rad" : display_unit(type.dim, kLarge).name;
+  return type.is_quantity() ? si_unit(type.dim) : std::string();
 }
 
 double number_in(Slot s, const Type& type) {

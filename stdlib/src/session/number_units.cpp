@@ -82,10 +82,8 @@ std::string_view part_of(std::string_view units, std::size_t k) {
 }
 
 std::vector<std::string> units_of(std::string_view units, std::size_t count, const Cell& cell) {
-  constexpr double kLarge = 1e6;  // metres rather than millimetres
   std::vector<std::string> names;
-  for (const Dim dim : dims_of(numbers_in(units), cell))
-    names.push_back(dim == dims::kAngle ? "rad" : display_unit(dim, kLarge).name);
+  for (const Dim dim : dims_of(numbers_in(units), cell)) names.push_back(si_unit(dim));
   if (names.size() == 1) names.resize(count, names.front());
   if (names.size() != count) names.clear();
   return names;

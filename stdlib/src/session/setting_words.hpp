@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "armlet/interpreter/host/table_text.hpp"
+
 namespace armlet::bind {
 
 // In the order of DhConvention.
@@ -26,7 +28,7 @@ inline constexpr std::array<std::string_view, 4> kLogarithmicAxes = {"x", "y", "
 inline constexpr std::array<std::string_view, 3> kShapeUses = {"both", "picture", "collision"};
 
 inline constexpr std::array<std::string_view, 2> kPictureEndings = {".svg", ".txt"};
-inline constexpr std::array<std::string_view, 1> kTableEndings = {".csv"};
+inline constexpr std::array<std::string_view, 1> kTableEndings = {kTableEnding};
 
 // The words of the parameter of that name; none if it takes any text.
 [[nodiscard]] std::span<const std::string_view> words_of_parameter(std::string_view parameter);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "armlet/interpreter/host/table_text.hpp"
+#include "armlet/interpreter/unit.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "robot/rules_settings.hpp"
@@ -95,12 +96,6 @@ std::uint64_t cell_count(Slot value, const Type& type, std::uint64_t most) {
   return 1;
 }
 
-std::string unit_of(const Type& type) {
-  constexpr double kLarge = 1e6;  // metres rather than millimetres
-  if (!type.is_quantity()) return {};
-  return type.dim == dims::kAngle ? "rad" : display_unit(type.dim, kLarge).name;
-}
-
 // The units of the cells of a value by its type; none: the type has none.
 std::vector<std::string> units_by_type(Slot value, const Type& type, std::size_t cells) {
   if (type.is(Kind::kHost) && type.host == &kPosJ) {
@@ -113,7 +108,7 @@ std::vector<std::string> units_by_type(Slot value, const Type& type, std::size_t
   if (type.is(Kind::kHost) && type.host == &kPosC) return {"m", "m", "m", "", "", "", ""};
   const Type* number = &type;
   while (number->is(Kind::kList)) number = number->element;
-  return number->is_quantity() ? std::vector<std::string>(cells, unit_of(*number))
+  return number->is_quantity() ? std::vector<std::string>(cells, si_unit(number->dim))
                                : std::vector<std::string>();
 }
 
@@ -219,8 +214,8 @@ Failed cannot_load(Vm& vm, std::string_view file, std::string why, std::string f
 
 // As the literal of the same number and unit, to the last bit.
 double in_unit(double number, const std::string& unit) {
-  const auto quantity = parse_quantity(fmt::format("{}{}", std::abs(number), unit));
-  const double si = quantity ? quantity->si : std::abs(number) * parse_unit(unit)->factor;
+  const double size = std::abs(number);
+  const double si = si_of(fmt::format("{}", size), unit).value_or(size * parse_unit(unit)->factor);
   return std::signbit(number) ? -si : si;
 }
 

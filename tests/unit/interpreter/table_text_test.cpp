@@ -118,6 +118,48 @@ TEST_CASE("what is wrong is said with its line and its column") {
   CHECK(fault_of("a [mm]\n1e400\n").find("line 2, column `a`") == 0);
 }
 
+TEST_CASE("commas in cells of a column of texts are part of the text") {
+  const Result<TableText> table = read_table_text("part;code;q\nbolt;a;1\n1,5;2,5;2\n");
+  REQUIRE(table.ok());
+  CHECK(table->columns[0].texts == std::vector<std::string>{"bolt", "1,5"});
+  CHECK(table->columns[1].texts == std::vector<std::string>{"a", "2,5"});
+}
+
+TEST_CASE("columns are read back as they were written, whatever their units") {
+  std::mt19937_64 random(12);
+  for (int round = 0; round < 2'000; ++round) {
+    const auto part = [&] {
+      return static_cast<std::int8_t>(static_cast<int>(random() % 255) - 127);
+    };
+    TableColumn column{.name = "x", .dim = {part(), part(), part(), part()}};
+    if (round % 2 == 0) {
+      for (std::int8_t Dim::*each : {&Dim::length, &Dim::mass, &Dim::time, &Dim::angle})
+        column.dim.*each = static_cast<std::int8_t>(column.dim.*each / 40);
+    }
+    column.unit = si_unit(column.dim);
+    const std::string text = columns_text(std::span(&column, 1));
+    const Result<std::vector<TableColumn>> said = read_columns_text(text);
+    REQUIRE_MESSAGE(said.ok(), text);
+    CHECK_MESSAGE((*said)[0].dim == column.dim, text);
+    const Result<TableText> table = read_table_text(text + "\n-5.5\n1e-3\n");
+    REQUIRE_MESSAGE(table.ok(), text);
+    CHECK(table->columns[0].dim == column.dim);
+    CHECK(table->columns[0].numbers == std::vector<double>{-5.5, 1e-3});
+  }
+}
+
+TEST_CASE("names that a program cannot write behind a point are no names of columns") {
+  for (const std::string name : {"if", "while", "length", "let"}) {
+    CHECK_FALSE(read_columns_text(name).ok());
+    const Result<TableText> table = read_table_text(name + "\n1\n");
+    REQUIRE(table.ok());
+    const std::string columns = columns_text(table->columns);
+    CHECK(columns == name + '_');
+    CHECK(read_columns_text(columns).ok());
+  }
+  CHECK(columns_text(*read_columns_text("x [1], y [-], z []")) == "x, y, z");
+}
+
 TEST_CASE("no bytes make it fail otherwise") {
   std::mt19937_64 random(11);
   const std::string signs = "a1,;\t\"\n\r[]m.-+e \xC3";

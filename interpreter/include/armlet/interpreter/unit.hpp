@@ -65,7 +65,8 @@ struct Unit {
 [[nodiscard]] const Unit* unit_named(std::string_view name);
 [[nodiscard]] std::span<const Unit> all_units();
 
-// A combined unit: "mm/s", "kg*m^2", "m/s^2"; empty if any part is unknown.
+// A combined unit: "mm/s", "kg*m^2", "m/s^2", also as si_unit writes it: "1/s^2", "m^0.5". Empty if
+// any part is unknown.
 struct CombinedUnit {
   Dim dim;
   double factor = 1.0;
@@ -80,6 +81,8 @@ struct Quantity {
   std::string_view unit;  // as written
 };
 [[nodiscard]] std::optional<Quantity> parse_quantity(std::string_view text);
+// What a number without a sign is in SI that is written in a unit ("90", "deg"), rounded once.
+[[nodiscard]] std::optional<double> si_of(std::string_view number, std::string_view unit);
 
 // Parses a number of the language: underscores, trailing f F d D l L. Empty if it is none.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
@@ -91,5 +94,7 @@ struct DisplayUnit {
   double factor = 1.0;
 };
 [[nodiscard]] DisplayUnit display_unit(Dim dim, double si);
+// The name of the unit in SI, "rad" for angles; empty for plain numbers.
+[[nodiscard]] std::string si_unit(Dim dim);
 
 }  // namespace armlet

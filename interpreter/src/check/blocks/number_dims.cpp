@@ -353,11 +353,6 @@ class DimsOfParts {
 
 }  // namespace
 
-std::string si_unit(Dim dim) {
-  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
-  return dim == dims::kAngle ? "rad" : display_unit(dim, kLarge).name;
-}
-
 Dims dims_of_numbers(Checker& checker, const hir::Expr& expr) {
   const DimsOfParts reader(checker);
   const hir::Function* function = function_of(origin_of(expr));

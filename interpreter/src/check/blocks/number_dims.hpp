@@ -25,9 +25,6 @@ struct Checker;
 [[nodiscard]] std::optional<std::vector<NumberDim>> dims_of_numbers(Checker& checker,
                                                                     const hir::Expr& expr);
 
-// The name of the unit in SI.
-[[nodiscard]] std::string si_unit(Dim dim);
-
 // `lab.plot.NAME(value: fn() -> T, ...)`: a text parameter valueUnits that is left out gets the
 // units of the numbers in the value that have none by their type, as "rad/s,m/s"; those that only
 // the run knows as "@" with NumberDim::later, and "#2" for one of them. Of a matrix these are the

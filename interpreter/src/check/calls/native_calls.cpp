@@ -7,7 +7,7 @@
 
 #include "armlet/interpreter/later.hpp"
 #include "armlet/interpreter/resource.hpp"
-#include "check/blocks/number_dims.hpp"
+#include "armlet/interpreter/unit.hpp"
 #include "check/calls/over_list.hpp"
 #include "check/calls/overloads.hpp"
 #include "check/checker.hpp"

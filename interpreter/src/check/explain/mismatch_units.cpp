@@ -27,17 +27,6 @@ std::string usual_unit(Dim dim) {
   return display_unit(dim, 1.0).name;
 }
 
-// The unit in which a plain number counts a quantity of this dimension.
-std::string si_unit(Dim dim) {
-  if (dim == dims::kAngle) return "rad";
-  if (dim == dims::kLength) return "m";
-  if (dim == dims::kSpeed) return "m/s";
-  if (dim == dims::kAccel) return "m/s^2";
-  if (dim == dims::kAngularSpeed) return "rad/s";
-  if (dim == dims::kAngularAccel) return "rad/s^2";
-  return usual_unit(dim);
-}
-
 // "length per time"; what a named dimension is made of, where that helps.
 std::string made_of(Dim dim) {
   if (dim == dims::kSpeed) return "length per time";

@@ -2,6 +2,7 @@
 
 #include "armlet/interpreter/host/table_text.hpp"
 #include "check/names/suggest.hpp"
+#include "types/table_files.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -25,7 +26,7 @@ std::optional<SaidText> said_text(Checker& checker, const Signature& signature, 
 }
 
 constexpr std::string_view kHow =
-    "say what they are: columns: \"t [s], q1 [deg], part: string\", for example";
+    "say what its columns are: columns: \"t [s], q1 [deg], part: string\", for example";
 
 const Type* refuse_file(Checker& checker, Span span, const std::string& file, std::string why,
                         std::optional<Fix> fix) {
@@ -40,13 +41,16 @@ const Type* columns_of_file(Checker& checker, const std::string& file, Span span
                             std::vector<TableColumn>& columns) {
   const Checker& main = *checker.shared.files.back();
   const std::string from((*checker.into.sources)[main.file.program.span.source].name());
-  if (!file.ends_with(".csv")) {
-    refuse_file(checker, span, file, "tables are read from .csv files", std::nullopt);
+  if (!file.ends_with(kTableEnding)) {
+    refuse_file(checker, span, file, "tables are read from " + std::string(kTableEnding) + " files",
+                std::nullopt);
     return nullptr;
   }
-  ImportedText found;
-  if (checker.options.load) found = checker.options.load(file, from);
-  if (!found.text) {
+  TableFiles asked_here;
+  TableFiles& tables = checker.options.tables != nullptr ? *checker.options.tables : asked_here;
+  const TableFile& table = tables.find(checker.options.load, file, from);
+  if (table.text == nullptr) {
+    const ImportedText& found = table.found;
     const std::vector<std::string_view> others(found.others.begin(), found.others.end());
     const auto meant = suggest(file, std::span<const std::string_view>(others));
     Fix fix{.text = "if the program writes it first, " + std::string(kHow)};
@@ -60,9 +64,9 @@ const Type* columns_of_file(Checker& checker, const std::string& file, Span span
     refuse_file(checker, span, file, why, std::move(fix));
     return nullptr;
   }
-  Result<TableText> table = read_table_text(*found.text);
-  if (!table.ok()) return refuse_file(checker, span, file, table.error().message, std::nullopt);
-  columns = std::move(table).value().columns;
+  if (!table.columns.ok())
+    return refuse_file(checker, span, file, table.columns.error().message, std::nullopt);
+  columns = table.columns.value();
   return checker.types.any();
 }
 

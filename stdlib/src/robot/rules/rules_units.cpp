@@ -11,8 +11,6 @@ namespace {
 
 using Dims = std::vector<NumberDim>;
 
-std::string unit_of(Dim dim) { return display_unit(dim, 1.0).name; }
-
 // Reads them from what is known of the robot, now or where a function is called with it.
 void note_of_robot(CheckCall& call, const DimsOfArgumentFact::Reader& reader) {
   constexpr int kRobot = 0;
@@ -29,7 +27,7 @@ void note_by_joint(CheckCall& call, Dim turning, Dim sliding) {
     if (const auto* robot = dynamic_cast<const RobotFact*>(&of_robot)) {
       for (const bool turns : robot->turns) dims.push_back({turns ? turning : sliding});
     } else if (const auto* read = dynamic_cast<const ReadRobotFact*>(&of_robot)) {
-      dims.push_back({.later = dims_by_joint(unit_of(turning), unit_of(sliding), read->name)});
+      dims.push_back({.later = dims_by_joint(si_unit(turning), si_unit(sliding), read->name)});
     }
     return dims;
   });

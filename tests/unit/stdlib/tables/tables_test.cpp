@@ -89,6 +89,33 @@ print("done")
   fs::remove_all(folder);
 }
 
+TEST_CASE("columns with units without a name of their own are read again as they were") {
+  const fs::path folder = empty_folder();
+  const Ran ran = run(R"(
+record made every (10ms) {
+    perTime: 1.0 / (2s) ^ 2
+    root: sqrt(2mm)
+    spring: 3N / 1mm
+    turning: 5Nm * 1s / 1deg
+    square: (30deg) ^ 2
+    steep: 1.0 / (1mm) ^ 12
+}
+for (i in range(3)) wait(10ms)
+made.save("made.csv")
+let back = loadTable("made.csv", columns: "t [s], perTime [1/s^2], root [m^0.5], spring [N/m], turning [Nm*s/rad], square [rad^2], steep [1/m^12]")
+for (i in range(made.length)) {
+    assert(back.perTime[i] == made.perTime[i] && back.root[i] == made.root[i])
+    assert(back.spring[i] == made.spring[i] && back.turning[i] == made.turning[i])
+    assert(back.square[i] == made.square[i] && back.steep[i] == made.steep[i])
+}
+print("done")
+)",
+                      folder);
+  CHECK(ran.fault.empty());
+  CHECK(ran.printed == "done\n");
+  fs::remove_all(folder);
+}
+
 TEST_CASE("the columns of a file are known when the program is checked") {
   const fs::path folder = empty_folder();
   std::ofstream(folder / "m.csv") << "t [s],q [deg]\n0,10\n1,20\n";

@@ -16,6 +16,9 @@ namespace armlet {
 
 class Program;
 struct WorldNames;
+namespace lang {
+class TableFiles;
+}
 
 struct ParseLimits {
   std::uint32_t bytes = 16U << 20U;
@@ -60,6 +63,8 @@ struct CompileOptions {
   // Set to true by the host, from any thread: compiling ends soon, without a program and with the
   // message R0629 alone.
   const std::atomic<bool>* cancelled = nullptr;
+  // The compiler's own: tables that the program reads, as its checks found them.
+  std::shared_ptr<lang::TableFiles> tables{};
 };
 
 }  // namespace armlet

@@ -13,6 +13,9 @@
 
 namespace armlet {
 
+// How the names of files with tables end.
+inline constexpr std::string_view kTableEnding = ".csv";
+
 // A column of numbers, or of texts.
 //
 // name  one that programs can write: "q1".
