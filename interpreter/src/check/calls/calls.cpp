@@ -130,6 +130,22 @@ hir::Expr* call_function(Checker& checker, std::string_view name, Span callee, S
                      std::move(arguments));
 }
 
+// What the library has of that name for values of this type. A function of the text comes before it
+// whose first parameter is of the type, or of none where the library has nothing but a field.
+std::span<const NativeFunction* const> methods_of(Checker& checker, const Type& type,
+                                                  std::string_view name) {
+  const auto methods = checker.registry.functions(type_name(&type) + '.' + std::string(name));
+  const FunctionDecl* const own = checker.names.find_function(name);
+  if (own == nullptr || own->parameters.empty()) return methods;
+  const Type* const first = own->parameters.front();
+  const bool comes_first =
+      first != nullptr ? first == &type
+                       : std::ranges::all_of(methods, [&](const NativeFunction* method) {
+                           return checker.shared.signatures.of(*method).parameters.size() == 1;
+                         });
+  return comes_first ? std::span<const NativeFunction* const>() : methods;
+}
+
 hir::Expr* call_member(Checker& checker, const ast::CallExpr& call, const ast::MemberExpr& member) {
   const std::string_view name = member.member.text;
   const Span callee = member.member.span;
@@ -167,7 +183,7 @@ hir::Expr* call_member(Checker& checker, const ast::CallExpr& call, const ast::M
     return result;
 
   const std::string method = type_name(type) + '.' + std::string(name);
-  const auto methods = checker.registry.functions(method);
+  const auto methods = methods_of(checker, *type, name);
   std::vector<Argument> arguments = {Argument{.value = object}};
   const bool own = checker.names.find_function(name) != nullptr;
   FunctionDecl* const elsewhere = own ? nullptr : method_of(checker, type, name);

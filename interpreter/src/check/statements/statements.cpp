@@ -1,13 +1,13 @@
 #include "check/statements/statements.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "check/blocks/block_declarations.hpp"
 #include "check/calls/intrinsics.hpp"
 #include "check/calls/lambdas.hpp"
 #include "check/calls/native_calls.hpp"
 #include "check/checker.hpp"
+#include "check/explain/catch_types.hpp"
 #include "check/explain/divided_remarks.hpp"
 #include "check/explain/explained.hpp"
 #include "check/explain/mismatch.hpp"
@@ -420,32 +420,6 @@ hir::Stmt* check_wait_until(Checker& checker, const ast::WaitUntilStmt& stmt) {
   const Span span = stmt.condition->span;
   return checker.make<hir::WaitUntilStmt>(hir::StmtKind::kWaitUntil, stmt.span, guard, timeout,
                                           checker.into.sources->slice(span), span);
-}
-
-// Types that take every error here, and in the languages that have them.
-bool takes_everything(std::string_view type) {
-  constexpr std::array<std::string_view, 6> kAll = {
-      "error", "Exception", "Throwable", "RuntimeException", "Error", "BaseException"};
-  return std::ranges::find(kAll, type) != kAll.end();
-}
-
-// W0756: catch (IOException e).
-void advise_catch_of_a_type(Checker& checker, const ast::CatchClause& clause) {
-  const std::string type(clause.type.text);
-  if (type.empty() || takes_everything(type)) return;
-  Diagnostic diagnostic = make_diagnostic("W0756", clause.type.span, {type});
-  const std::string name(clause.name.text);
-  const std::string test = "if (" + name + ".kind != \"" + type + "\") throw " + name;
-  diagnostic.why = "kinds of errors are texts, and " + name + ".kind is that of this one";
-  const Span body = clause.body->span;
-  const Span start{body.begin + 1, body.begin + 1, body.source};
-  const bool on_one_line =
-      checker.line_of(body) == checker.line_of({body.end - 1, body.end, body.source});
-  diagnostic.fix =
-      Fix{.text = "write catch (" + name + ") { " + test + " ... }",
-          .edits = {{clause.head, name}, {start, ' ' + test + (on_one_line ? ";" : "")}},
-          .confidence = Confidence::kMaybe};
-  checker.report(std::move(diagnostic));
 }
 
 hir::Stmt* check_try(Checker& checker, const ast::TryStmt& stmt) {

@@ -7,6 +7,7 @@
 #include "check/calls/intrinsics.hpp"
 #include "check/calls/native_calls.hpp"
 #include "check/checker.hpp"
+#include "check/explain/listed_names.hpp"
 #include "check/learnt.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/imports.hpp"
@@ -169,6 +170,14 @@ hir::Expr* last_of(Checker& checker, hir::Expr* list, Span span) {
   return checker.make<hir::ElementExpr>(hir::ExprKind::kElement, element, span, list, index);
 }
 
+// Neither a row of a block, whose name has another point, nor a method with values.
+bool is_field(Checker& checker, std::string_view name) {
+  return std::ranges::count(name, '.') == 1 &&
+         std::ranges::any_of(checker.registry.functions(name), [&](const NativeFunction* function) {
+           return checker.shared.signatures.of(*function).parameters.size() == 1;
+         });
+}
+
 }  // namespace
 
 hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::Name& field) {
@@ -191,7 +200,8 @@ hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::N
   } else if (type->is(Kind::kHost) || type->is(Kind::kMatrix)) {
     const std::string prefix = type_name(type) + '.';
     for (const std::string_view known : checker.registry.public_names()) {
-      if (known.starts_with(prefix)) names.emplace_back(known.substr(prefix.size()));
+      if (known.starts_with(prefix) && is_field(checker, known))
+        names.emplace_back(known.substr(prefix.size()));
     }
   } else if (type->is(Kind::kList)) {
     names = {"length", "last"};
@@ -205,12 +215,7 @@ hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::N
     return not_available(checker, field.span, '`' + whole + '`');
   Diagnostic diagnostic =
       make_diagnostic("E0208", field.span, {type_phrase(type), std::string(field.text)});
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    diagnostic.why += (i == 0                 ? "its fields are "
-                       : i + 1 < names.size() ? ", "
-                                              : " and ") +
-                      names[i];
-  }
+  if (!names.empty()) diagnostic.why = "its fields are " + listed_names(field.text, names);
   if (names.size() == 1) diagnostic.why = "its only field is " + names[0];
   if (std::optional<Fix> meant;
       type->is(Kind::kMap) && (meant = fix_of_map_member(checker, type, field))) {
@@ -235,6 +240,17 @@ bool is_written_path(std::string_view text) {
   });
 }
 
+// Numbers as written, and what is computed of them. What a variable holds may be tested before:
+// `let best = -1; if (best >= 0) print(xs[best])`.
+bool is_literal(const hir::Expr& expr) {
+  if (expr.kind == hir::ExprKind::kUnary) return is_literal(*expr.as<hir::UnaryExpr>().operand);
+  if (expr.kind == hir::ExprKind::kBinary) {
+    const auto& node = expr.as<hir::BinaryExpr>();
+    return is_literal(*node.left) && is_literal(*node.right);
+  }
+  return expr.kind == hir::ExprKind::kInt && !expr.type->is(Kind::kAny);
+}
+
 void refuse_below_zero(Checker& checker, const ast::Expr& written, std::int64_t value,
                        const Indexed& of) {
   Diagnostic diagnostic = make_diagnostic("E0340", written.span, {std::to_string(value)});
@@ -255,7 +271,7 @@ void refuse_below_zero(Checker& checker, const ast::Expr& written, std::int64_t 
 
 hir::Expr* index_value(Checker& checker, const ast::Expr& expr, const Indexed& of) {
   hir::Expr* value = checker.check_as(expr, {.type = checker.types.integer(), .name = "index"});
-  if (of.object.empty() || value->type->is(Kind::kAny)) return value;
+  if (of.object.empty() || !is_literal(*value)) return value;
   const auto constant = checker.shared.constants.of(*value);
   if (constant && constant->kind == Constant::Kind::kInt && constant->integer < 0)
     refuse_below_zero(checker, expr, constant->integer, of);
