@@ -15,6 +15,7 @@
 #include "motion/move_failures.hpp"
 #include "motion/move_waiting.hpp"
 #include "session/bind.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "trajectory/trajectories.hpp"
 
 namespace armlet::bind {
@@ -153,7 +154,9 @@ Answer<WayAround> way_around(Vm& vm, const MoveCall& call, const WayWanted& want
                            .search = wanted.search};
   if (!request.time) request.speed = wanted.move.speed.value_or(settings_of(vm).speed);
   const std::size_t goals = request.goals.size();
-  WayAround around = find_way_around(cell, request);
+  const auto find_it = [&] { return find_way_around(cell, request); };
+  WayAround around = find_it();
+  keep_time(vm, call, request.time, around, find_it);
   switch (around.way.status) {
     case WayStatus::kFound:
       break;

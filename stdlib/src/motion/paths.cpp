@@ -88,6 +88,13 @@ class Corners {
   std::vector<VectorXd> starts_;
 };
 
+// What is said about the time of the path.
+MoveCall timed_call(const CollectedPath& path, MoveCall whole) {
+  whole.time = 0;
+  whole.place = path.time_place;
+  return whole;
+}
+
 // What went wrong, said of the move that it is about.
 Failed fail_path(Vm& vm, const CollectedPath& path, const MoveCall& whole, const Corners& corners,
                  const PathPlan& plan) {
@@ -98,10 +105,7 @@ Failed fail_path(Vm& vm, const CollectedPath& path, const MoveCall& whole, const
     return fail_line(vm, call, corners.start(plan.point), target, *plan.fault);
   }
   if (!plan.motion.outside.empty()) return fail_swings_outside(vm, whole, plan.motion.outside[0]);
-  MoveCall timed = whole;
-  timed.time = 0;
-  timed.place = path.time_place;
-  return fail_too_fast(vm, timed, *plan.motion.too_fast);
+  return fail_too_fast(vm, timed_call(path, whole), *plan.motion.too_fast);
 }
 
 MotionNotes notes_of(const CollectedPath& path, const Corners& corners, const PathPlan& plan) {
@@ -214,16 +218,18 @@ Started make_path(Vm& vm, const CollectedPath& path) try {
     from = to;
   }
   if (!check_time_left(vm, "a motion", slowest, kMarkCallee)) return Failed{};
-  PathPlan plan = plan_path(*model, move);
+  const auto plan_it = [&] { return plan_path(model_of(vm, whole), move); };
+  PathPlan plan = plan_it();
   if (plan.fault && corners.only_positions()) {
     // The orientation cannot be kept all the way: the tool may rotate as little as it must.
     move.task = IkTask::kPositionFirst;
-    plan = plan_path(*model, move);
+    plan = plan_it();
   }
   if (!plan.ok() && !plan.motion.too_fast && lift_limits(vm, whole)) {
-    PathPlan beyond = plan_path(*whole.model, move);
-    if (beyond.ok()) plan = std::move(beyond);
+    PathPlan beyond = plan_it();
+    if (!beyond.fault) plan = std::move(beyond);
   }
+  keep_time(vm, timed_call(path, whole), move.time, plan, plan_it);
   if (!plan.ok()) return fail_path(vm, path, whole, corners, plan);
   MotionNotes notes = notes_of(path, corners, plan);
   return start_motion(vm, whole, *std::move(plan.motion.trajectory), plan.length, std::move(notes));

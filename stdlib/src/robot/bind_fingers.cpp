@@ -18,6 +18,7 @@
 #include "robot/models.hpp"
 #include "robot/rules.hpp"
 #include "session/bind.hpp"
+#include "trajectory/limit_policy.hpp"
 #include "values/values.hpp"
 #include "world/objects.hpp"
 
@@ -81,14 +82,17 @@ Eigen::VectorXd bent(const Cell& cell, const FingerRef& f, double bend) {
 Started move_finger(Vm& vm, const FingerRef& f, const PosJ& target, Number time, Number speed) {
   const Cell& cell = Host::of(vm).cell();
   if (target.n != 1) return size_failure(vm, "a finger", target.n, 1);
+  MoveCall hand{.function = "moveJ", .robot = f.hand, .time = 2, .speed = 3};
   Eigen::VectorXd q = cell.robot(f.hand).q;
   q[f.number] = target.q[0];
-  const MoveCall hand{.function = "moveJ", .robot = f.hand, .time = 2, .speed = 3};
-  if (const auto outside = limit_violations(*cell.robot(f.hand).model, q); !outside.empty())
+  q = clamped(vm, hand, q);
+  const bool warns = settings_of(vm).limits == LimitCheck::kWarn;
+  if (const auto outside = limit_violations(*cell.robot(f.hand).model, q);
+      !outside.empty() && !warns)
     return fail_outside(vm, hand, q, outside.front());
   MoveCall call = hand;
   call.robot = f.id;
-  return move_to_joints(vm, call, bent(cell, f, target.q[0]), "Syn",
+  return move_to_joints(vm, call, bent(cell, f, q[f.number]), "Syn",
                         {.time = time, .speed = speed});
 }
 

@@ -133,7 +133,8 @@ Answer<PlannedMotion> plan_to_joints(Vm& vm, MoveCall call, const Eigen::VectorX
   }
   const auto search = search_of(vm, settings);
   if (!search) return Failed{};
-  if (const auto outside = limit_violations(*state.model, q); !outside.empty())
+  const auto outside = limit_violations(*state.model, q);
+  if (!outside.empty() && settings_of(vm).limits != LimitCheck::kWarn)
     return fail_outside(vm, call, q, outside.front());
   if (settings.time && !check_duration(vm, *settings.time, call.time)) return Failed{};
   if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
@@ -141,6 +142,7 @@ Answer<PlannedMotion> plan_to_joints(Vm& vm, MoveCall call, const Eigen::VectorX
   const double accel = settings.accel.value_or(settings_of(vm).accel);
   if (!check_fraction(vm, "an acceleration", accel, call.accel)) return Failed{};
   choose_model(vm, call, {}, accel);
+  if (!outside.empty()) lift_limits(vm, call, q);
   call.fixed_time = settings.time.has_value();
   auto around = way_around(
       vm, call, {.goal = q, .any_branch = call.any_branch, .move = move, .search = *search});

@@ -22,8 +22,7 @@ const Robot& in_cell(Vm& vm, const MoveCall& call) {
 }
 
 // Advice about a value beyond a limit: which joint, to where, and by how much.
-void advise_limit(Vm& vm, const MoveCall& call, MessageCode<4> code, const LimitViolation& v,
-                  std::string fix) {
+Failure advice_about(Vm& vm, const MoveCall& call, MessageCode<4> code, const LimitViolation& v) {
   const JointKind kind = in_cell(vm, call).joint(v.joint).kind;
   Failure advice;
   advice.headline = {code,
@@ -32,8 +31,7 @@ void advise_limit(Vm& vm, const MoveCall& call, MessageCode<4> code, const Limit
   advice.mark_parameter = call.target;
   advice.place = call.place;
   advice.mark_element = call.element;
-  advice.fix = std::move(fix);
-  vm.advise(advice);
+  return advice;
 }
 
 const LimitViolation* farthest(const std::vector<LimitViolation>& violations) {
@@ -51,7 +49,9 @@ Eigen::VectorXd clamped(Vm& vm, MoveCall& call, const Eigen::VectorXd& q) {
   Eigen::VectorXd inside = q;
   for (const LimitViolation& each : outside) {
     inside[each.joint] = each.limit;
-    advise_limit(vm, call, row("W0757"), each, "give it a value inside its limits");
+    Failure advice = advice_about(vm, call, row("W0757"), each);
+    advice.fix = "give it a value inside its limits";
+    vm.advise(advice);
   }
   if (const LimitViolation* most = farthest(outside); most && most->excess() > call.excess.by)
     call.excess = {most->joint, most->excess()};
@@ -87,14 +87,18 @@ LimitExcess report_excess(Vm& vm, const MoveCall& call, const Trajectory& motion
     if (range.lower < robot.lower()[i] - kAtLimit)
       outside.push_back({.joint = i, .value = range.lower, .limit = robot.lower()[i]});
   }
-  for (const LimitViolation& each : outside)
-    advise_limit(vm, call, row("W0758"), each, "a real arm would stop there");
+  for (const LimitViolation& each : outside) {
+    Failure advice = advice_about(vm, call, row("W0758"), each);
+    advice.why = "a real arm would stop there";
+    vm.advise(advice);
+  }
   const LimitViolation* most = farthest(outside);
   return most == nullptr ? call.excess : LimitExcess{most->joint, most->excess()};
 }
 
 bool may_be_too_fast(Vm& vm, const MoveCall& call) {
-  return call.classic || settings_of(vm).limits == LimitCheck::kWarn;
+  const LimitCheck limits = settings_of(vm).limits;
+  return limits == LimitCheck::kWarn || (call.classic && limits == LimitCheck::kError);
 }
 
 std::optional<double> lengthened(Vm& vm, const MoveCall& call, const TooFast& fast) {

@@ -1,6 +1,9 @@
 #pragma once
 // What a block `with (limits: ...)` makes of moves that would leave the limits of the joints.
 
+#include <optional>
+
+#include "motion/move_failures.hpp"
 #include "motion/moves.hpp"
 
 namespace armlet::bind {
@@ -25,5 +28,29 @@ LimitExcess report_excess(Vm& vm, const MoveCall& call, const Trajectory& motion
 // The time that a motion takes instead of a shorter one where the blocks say "clamp", with advice
 // (W0759); nothing elsewhere.
 std::optional<double> lengthened(Vm& vm, const MoveCall& call, const TooFast& fast);
+
+// Plans again what is too fast for the time that was given: with "clamp" in the least time, with
+// "warn" as fast as the joints allow and then run faster, in the given time, with advice (W0707).
+// Elsewhere everything stays as it is.
+//
+// time  as it was planned with; it changes.
+// plan  with `motion` and the `times` at its points; plan_again() makes another with the time as it
+//       is then, or with none.
+template <class Plan, class PlanAgain>
+void keep_time(Vm& vm, const MoveCall& call, std::optional<double>& time, Plan& plan,
+               const PlanAgain& plan_again) {
+  if (plan.ok() || !plan.motion.too_fast || !time || !(*time > 0.0)) return;
+  const TooFast fast = *plan.motion.too_fast;
+  const double given = *time;
+  const std::optional<double> longer = lengthened(vm, call, fast);
+  if (!longer && !may_be_too_fast(vm, call)) return;
+  time = longer;
+  plan = plan_again();
+  if (longer || !plan.ok()) return;
+  const double share = given / plan.motion.trajectory->duration();
+  plan.motion.trajectory = plan.motion.trajectory->stretched(share);
+  for (double& each : plan.times) each *= share;
+  advise_too_fast(vm, call, fast);
+}
 
 }  // namespace armlet::bind

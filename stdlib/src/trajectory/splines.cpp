@@ -12,6 +12,7 @@
 #include "motion/move_waiting.hpp"
 #include "robot/goals.hpp"
 #include "session/bind.hpp"
+#include "trajectory/limit_policy.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -74,7 +75,13 @@ Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, S
   call.element = -1;
   const bool only_positions =
       std::ranges::none_of(places, [](const PosC& place) { return place.has_orientation; });
-  PathPlan curve = plan(robot, move, only_positions);
+  const auto plan_it = [&] { return plan(model_of(vm, call), move, only_positions); };
+  PathPlan curve = plan_it();
+  if (!curve.ok() && !curve.motion.too_fast && lift_limits(vm, call)) {
+    PathPlan beyond = plan_it();
+    if (!beyond.fault) curve = std::move(beyond);
+  }
+  keep_time(vm, call, move.time, curve, plan_it);
   if (curve.fault) {
     const auto k = static_cast<std::size_t>(curve.point);
     call.element = curve.point;

@@ -81,14 +81,37 @@ Answer<Trajectory> motion_of(Vm& vm, const MoveCall& call, MotionPlan plan) {
 }
 
 // The whole of it, checked once more.
-Answer<Trajectory> verified(Vm& vm, MoveCall call, const Trajectory& motion,
-                            Jerk jerk = Jerk::kFree) {
+Answer<Trajectory> verified(Vm& vm, MoveCall call, Trajectory motion, Jerk jerk = Jerk::kFree) {
+  const bool enforce = !may_be_too_fast(vm, call);
   const auto verify_it = [&] {
-    return verify(model_of(vm, call), motion, true, jerk, limiting_motors(vm, call));
+    return verify(model_of(vm, call), motion, enforce, jerk, limiting_motors(vm, call));
   };
   MotionPlan plan = verify_it();
   if (!plan.outside.empty() && lift_limits(vm, call)) plan = verify_it();
+  if (!plan.ok() && plan.too_fast && call.fixed_time) {
+    if (const auto time = lengthened(vm, call, *plan.too_fast)) {
+      motion = motion.stretched(*time / motion.duration());
+      plan = verify_it();
+    }
+  }
+  if (plan.ok() && plan.too_fast) advise_too_fast(vm, call, *plan.too_fast);
   return motion_of(vm, call, std::move(plan));
+}
+
+// Through the points in the time of the request, or as the limits around the call have it.
+Plan plan_within_policy(Vm& vm, const MoveCall& call, const std::string& planner,
+                        MoveRequest& request) {
+  const PlannerSet& planners = Host::of(vm).planners();
+  Plan plan = planners.plan(planner, request);
+  if (plan.trajectory || !plan.too_fast || !request.time || !(*request.time > 0.0)) return plan;
+  const double given = *request.time;
+  const std::optional<double> longer = lengthened(vm, call, *plan.too_fast);
+  if (!longer && !may_be_too_fast(vm, call)) return plan;
+  request.time = longer;
+  Plan again = planners.plan(planner, request);
+  if (!longer && again.trajectory)
+    again.trajectory = again.trajectory->stretched(given / again.trajectory->duration());
+  return again;
 }
 
 }  // namespace
@@ -164,7 +187,7 @@ Answer<Trajectory> plan_through(Vm& vm, MoveCall call, const std::vector<Eigen::
   if (!request.time && !request.speed && request.durations.empty())
     request.speed = settings_of(vm).speed;
   try {
-    Plan plan = planners.plan(planner, request);
+    Plan plan = plan_within_policy(vm, call, planner, request);
     if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
     return verified(vm, call, *plan.trajectory);
   } catch (const ArgumentError& error) {
@@ -198,7 +221,8 @@ Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& star
   }
   if (settings.move.time && whole.duration() > 0.0)
     whole = whole.stretched(*settings.move.time / whole.duration());
-  return verified(vm, call, whole, Jerk::kLimited);
+  call.fixed_time = settings.move.time.has_value();
+  return verified(vm, call, std::move(whole), Jerk::kLimited);
 }
 
 double path_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion) {
