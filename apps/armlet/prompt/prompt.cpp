@@ -149,7 +149,7 @@ void Prompt::greet() {
   std::string things;
   for (const std::string& name : session_.world_objects())
     things += (things.empty() ? "" : ", ") + name;
-  const Robot* model = host().default_robot_model();
+  const Robot* model = host().default_robot_model().get();
   progress(fmt::format("Armlet {}   robot {} ({} joints)   {}:help lists commands", ARMLET_VERSION,
                        robot_, model != nullptr ? model->n() : 0,
                        things.empty() ? std::string() : "world: " + things + "   "));

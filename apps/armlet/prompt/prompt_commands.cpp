@@ -89,7 +89,7 @@ bool list_robots(Prompt& prompt, std::string_view) {
   const Cell& cell = prompt.host().cell();
   for (int i = 0; i < cell.robot_count(); ++i)
     say(robot_table(*cell.robot(i).model, cell.robot(i).name));
-  const Robot* model = prompt.host().default_robot_model();
+  const Robot* model = prompt.host().default_robot_model().get();
   if (cell.robot_count() == 0) say(model == nullptr ? "no robot" : robot_table(*model));
   return true;
 }
@@ -110,7 +110,7 @@ bool list_objects(Prompt& prompt, std::string_view) {
 bool show_where(Prompt& prompt, std::string_view) {
   const Cell& cell = prompt.host().cell();
   say(prompt.time());
-  const Robot* model = prompt.host().default_robot_model();
+  const Robot* model = prompt.host().default_robot_model().get();
   if (cell.robot_count() == 0 && model != nullptr)
     say(fmt::format("{} waits at its home; the first line that asks for it brings it in",
                     model->name()));

@@ -80,9 +80,10 @@ void check_drawing(const Drawing& drawing) {
   for (int i = 0; i < size_count(drawing.kind); ++i) {
     const double size = drawing.size[i];
     if (std::isfinite(size) && size >= kSmallest && size <= kLargest) continue;
-    throw ArgumentError(fmt::format("A size of the {} \"{}\" is {} m; expected {} to {} m.",
-                                    to_text(drawing.kind), drawing.name, size, kSmallest,
-                                    kLargest));
+    const std::string given = std::abs(size) < 1.0 ? fmt::format("{:.6g} mm", size * 1000.0)
+                                                   : fmt::format("{:.6g} m", size);
+    throw ArgumentError(fmt::format("A size of the {} \"{}\" is {}; expected 0.001 mm to 10 km.",
+                                    to_text(drawing.kind), drawing.name, given));
   }
 }
 

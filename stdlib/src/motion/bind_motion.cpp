@@ -203,7 +203,7 @@ constexpr NativeFunction kMotionFunctions[] = {
         "halt()", {.pauses = true, .interrupts = true}),
     def<set_joints>("setJoints(r: robot, q: posJ)",
                     "Puts a simulated robot into a position without moving it.",
-                    "setJoints(home())", {.commands = true}),
+                    "setJoints(home())", {.check = check_joints_of<1>, .commands = true}),
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ Answer<RobotRef> barrett_hand(Vm& vm, const RobotRef& on, std::optional<std::str
 void check_barrett_hand(CheckCall& call) {
   const auto name = call.constant(1);
   const FingeredHand hand = make_barrett_robots(name ? name->text : kHandName);
-  set_robot_fact(call, hand.palm, hand.palm.name());
+  set_robot_fact(call, std::make_shared<const Robot>(hand.palm), hand.palm.name());
 }
 
 // The hand that is meant: the robot itself, or the one on it; -1: it has none.

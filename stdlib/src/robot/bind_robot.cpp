@@ -184,7 +184,8 @@ constexpr NativeFunction kRobotFunctions[] = {
     def<set_tool>("setTool(r: robot, tcp: posC)",
                   "Moves the tool point, seen from the flange; the hand stays.",
                   "setTool(xyz(z: 50mm))", {.commands = true}),
-    def<set_home>("setHome(r: robot, q: posJ)", "Changes the home position.", "setHome(joints())"),
+    def<set_home>("setHome(r: robot, q: posJ)", "Changes the home position.", "setHome(joints())",
+                  {.check = check_joints_of<1>}),
     def<fkine<Joints>>(
         "fkine(r: robot, q: posJ, joint: int?) -> posC",
         "Where the tool point is for these joint values; with joint: the frame after that joint, "

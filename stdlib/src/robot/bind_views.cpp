@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "armlet/kinematics/forward.hpp"
@@ -64,10 +65,12 @@ std::vector<std::vector<double>> q_limits(Vm& vm, const RobotRef& r) {
 // E0302 for q5 and A05 of a robot with four joints.
 void check_joint_exists(CheckCall& call) {
   const auto robot = robot_of(call);
-  const std::string name(call.function_name());
+  std::string_view name = call.function_name();
+  name.remove_prefix(std::min(name.size(), std::string_view("robot.").size()));
   if (robot == nullptr || joint_in(name) <= static_cast<int>(robot->turns.size())) return;
   const int n = static_cast<int>(robot->turns.size());
-  Diagnostic d = make_diagnostic(row("E0302"), call.callee_span(), {name, joints_text(n)});
+  Diagnostic d =
+      make_diagnostic(row("E0302"), call.callee_span(), {std::string(name), joints_text(n)});
   const std::string_view prefix = name.starts_with('q') ? "q" : "A0";
   d.why = n == 1 ? fmt::format("`{}` has {}1 only", robot->name, prefix)
                  : fmt::format("`{}` has {}1 to {}{}", robot->name, prefix, prefix, n);

@@ -240,8 +240,6 @@ void check_planner(CheckCall& call, int parameter) {
   call.report(std::move(d));
 }
 
-namespace {
-
 void check_joint_target(CheckCall& call, int parameter) {
   const auto robot = robot_of(call);
   const auto position = std::dynamic_pointer_cast<const PositionFact>(call.fact(parameter));
@@ -252,8 +250,6 @@ void check_joint_target(CheckCall& call, int parameter) {
     check_joint_limits(call, parameter);
   }
 }
-
-}  // namespace
 
 std::vector<Edit> without(const CheckCall& call, int parameter) {
   Span setting = call.setting_span(parameter);

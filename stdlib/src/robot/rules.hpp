@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "armlet/interpreter/native.hpp"
-#include "armlet/kinematics/task_space.hpp"
 #include "armlet/model/dh.hpp"
 #include "armlet/model/robot.hpp"
 
@@ -25,7 +24,9 @@ struct RobotFact : Fact {
   // One per joint, lower and upper, SI; those that the text does not show are empty, and so is the
   // list if it shows none.
   std::vector<std::optional<std::array<double, 2>>> limits;
-  std::optional<TaskSpace> space{};  // what it controls of its tool, where the text shows that
+  // Where the text shows all of it; whether its base or its tool may be tilted besides.
+  std::shared_ptr<const Robot> model{};
+  bool may_be_tilted = false;
 };
 // Of one whose joints stand in a file that is read in the run: its name in the cell.
 struct ReadRobotFact : Fact {
@@ -62,14 +63,12 @@ void note_upright(CheckCall& call);
 // A joint as its row shows it, which is known; with the limits of the text, or those of a joint
 // without any.
 [[nodiscard]] Joint joint_of(const JointFact& fact);
-// What an arm controls, unless a parameter that is given may tilt its base or its tool.
-[[nodiscard]] std::optional<TaskSpace> space_unless_tilted(const CheckCall& call,
-                                                           const Robot& robot,
-                                                           std::initializer_list<int> may_tilt);
-// The coordinates that a robot with these joints controls; none if a parameter that is given may
-// tilt its base or its tool.
-void note_space(CheckCall& call, RobotFact& fact, const std::vector<Joint>& joints,
+// The model of a robot with these joints, of which any parameter of `may_tilt` that is given may
+// tilt the base or the tool.
+void note_model(CheckCall& call, RobotFact& fact, const std::vector<Joint>& joints,
                 DhConvention convention, std::initializer_list<int> may_tilt);
+// Whether a parameter that is given may tilt the base or the tool of a robot.
+[[nodiscard]] bool may_be_tilted(const CheckCall& call, std::initializer_list<int> may_tilt);
 
 // W0702: radians that look like degrees, in a list of joint values that is known from the text.
 void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>& items,
@@ -89,7 +88,7 @@ void check_robot_block(CheckCall& call);
 void check_dh_table(CheckCall& call);
 void check_ready_robot(CheckCall& call);
 void check_default_robot(CheckCall& call);
-void set_robot_fact(CheckCall& call, const Robot& robot, std::string name,
+void set_robot_fact(CheckCall& call, std::shared_ptr<const Robot> robot, std::string name,
                     std::initializer_list<int> may_tilt = {});
 
 // E0534: joint values that the text shows, beyond limits that it shows too.
@@ -97,6 +96,12 @@ void check_joint_values(CheckCall& call, const RobotFact& robot, const PositionF
                         Span used);
 // Of the parameter of a call whose first one is the robot: a posJ, or a list of them.
 void check_joint_limits(CheckCall& call, int parameter);
+// The same of a posJ, with their number: E0302.
+void check_joint_target(CheckCall& call, int parameter);
+template <int kParameter>
+void check_joints_of(CheckCall& call) {
+  check_joint_target(call, kParameter);
+}
 
 // Moves. The parameters stand in the order of the signatures they are used in.
 void check_move_joints(CheckCall& call);       // (r, target: posJ, ..., traj: string)

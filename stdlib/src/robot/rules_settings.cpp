@@ -24,14 +24,6 @@ bool is_number(const Constant& constant) {
   return constant.kind == Constant::Kind::kReal || constant.kind == Constant::Kind::kInt;
 }
 
-// "a", "b" or "c"
-std::string choice(std::span<const std::string_view> words) {
-  std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    out += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == words.size() ? " or " : ", ", words[i]);
-  return out;
-}
-
 Diagnostic refused(const CheckCall& call, int parameter, std::string accepted, std::string given) {
   return make_diagnostic(
       "E0534", call.span(parameter),
@@ -39,6 +31,13 @@ Diagnostic refused(const CheckCall& call, int parameter, std::string accepted, s
 }
 
 }  // namespace
+
+std::string choice_of(std::span<const std::string_view> words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == words.size() ? " or " : ", ", words[i]);
+  return out;
+}
 
 std::optional<Fix> meant_word(std::string_view written, const std::vector<std::string_view>& words,
                               Span span) {
@@ -54,7 +53,7 @@ void check_words(CheckCall& call, int parameter, std::span<const std::string_vie
   if (!constant || constant->kind != Constant::Kind::kText ||
       std::ranges::find(words, constant->text) != words.end())
     return;
-  Diagnostic out = refused(call, parameter, choice(words), '"' + constant->text + '"');
+  Diagnostic out = refused(call, parameter, choice_of(words), '"' + constant->text + '"');
   out.fix = meant_word(constant->text, {words.begin(), words.end()}, call.span(parameter));
   call.report(std::move(out));
 }
@@ -70,7 +69,7 @@ void check_endings(CheckCall& call, int parameter, std::span<const std::string_v
         return std::string_view(constant->text).ends_with(ending);
       }))
     return;
-  call.report(refused(call, parameter, "a file that ends with " + choice(endings),
+  call.report(refused(call, parameter, "a file that ends with " + choice_of(endings),
                       '"' + constant->text + '"'));
 }
 

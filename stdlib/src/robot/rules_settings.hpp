@@ -17,6 +17,9 @@ namespace armlet::bind {
 [[nodiscard]] std::optional<Fix> meant_word(std::string_view written,
                                             const std::vector<std::string_view>& words, Span span);
 
+// "a", "b" or "c"
+[[nodiscard]] std::string choice_of(std::span<const std::string_view> words);
+
 // A text that is one of some words.
 void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words);
 template <int kParameter, const auto& kWords>

@@ -69,12 +69,9 @@ struct NamedChoices {
     const auto* found = std::ranges::find(choices, name, &std::pair<std::string_view, T>::first);
     return found != std::end(choices) ? &found->second : nullptr;
   }
-  // "a", "b" or "c"
-  [[nodiscard]] std::string names() const {
-    std::string out;
-    for (std::size_t i = 0; i < N; ++i) {
-      out += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == N ? " or " : ", ", choices[i].first);
-    }
+  [[nodiscard]] std::vector<std::string_view> names() const {
+    std::vector<std::string_view> out;
+    for (const auto& [name, unused] : choices) out.push_back(name);
     return out;
   }
 };
@@ -114,8 +111,9 @@ template <const auto& kSetting>
 Answer<void> set_choice(Vm& vm, std::string_view name) {
   const auto* choice = kSetting.called(name);
   if (choice == nullptr) {
-    return failure(vm, "R0609",
-                   fmt::format("{} \"{}\": it is {}", kSetting.cannot, name, kSetting.names()), 0);
+    return failure(
+        vm, "R0609",
+        fmt::format("{} \"{}\": it is {}", kSetting.cannot, name, choice_of(kSetting.names())), 0);
   }
   BlockSettings settings = settings_of(vm);
   settings.*kSetting.member = *choice;
@@ -162,10 +160,8 @@ void check_choice(CheckCall& call) {
   if (!constant || kSetting.called(constant->text) != nullptr) return;
   Diagnostic d = make_diagnostic(
       "E0513", call.span(0),
-      {std::string(kSetting.setting), kSetting.names(), '"' + constant->text + '"'});
-  std::vector<std::string_view> known;
-  for (const auto& [name, unused] : kSetting.choices) known.push_back(name);
-  d.fix = meant_word(constant->text, known, call.span(0));
+      {std::string(kSetting.setting), choice_of(kSetting.names()), '"' + constant->text + '"'});
+  d.fix = meant_word(constant->text, kSetting.names(), call.span(0));
   call.report(std::move(d));
 }
 void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }

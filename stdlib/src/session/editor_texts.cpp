@@ -13,8 +13,7 @@ std::function<std::vector<std::string>(const NativeFunction&, std::string_view)>
   return [planners = std::move(planners), world = std::move(world)](const NativeFunction& function,
                                                                     std::string_view parameter) {
     const bool names_object = function.check == bind::check_object_name;
-    const bool makes_trajectory = function.check == &bind::check_trajectory<true> ||
-                                  function.check == &bind::check_trajectory<false>;
+    const bool makes_trajectory = function.name == "trajectory";
     if (parameter == "traj" || (makes_trajectory && parameter == "name")) return planners;
     if (function.name.starts_with("with.")) return bind::choices_of_setting(parameter);
     if (const auto words = bind::words_of_parameter(parameter); !words.empty())

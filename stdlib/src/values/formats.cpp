@@ -36,14 +36,16 @@ class NumberStyle {
   [[nodiscard]] std::string text(double value) const {
     const bool has_digits = style_.find_first_of(".efg") != std::string::npos;
     if (!has_digits) {
-      // The fewest digits up to the tenth, as in `print`; the rest of the style is the width.
+      // The fewest digits: up to the tenth as in `print`, or as many as a quantity in the unit that
+      // was asked for has. The rest of the style is the width.
       std::string width;
       bool sign = false;
       for (const char c : style_) {
         if (c == '+') sign = true;
         if (c != '+' && !(c == '0' && width.empty())) width += c;
       }
-      const std::string number = (sign && value >= 0.0 ? "+" : "") + format_number(value, 1);
+      const std::string number =
+          (sign && value >= 0.0 ? "+" : "") + format_number(value, decimals_of(value));
       return fmt::format(fmt::runtime("{:" + (aligns() ? "" : std::string(">")) + width + "}"),
                          number);
     }
@@ -61,6 +63,13 @@ class NumberStyle {
   }
 
  private:
+  // Ten digits in all, and no more than nine of them behind the point: the rest is rounding.
+  [[nodiscard]] int decimals_of(double value) const {
+    if (given_.name.empty()) return 1;
+    int decimals = 9;
+    for (double size = 10.0; decimals > 0 && std::abs(value) >= size; size *= 10.0) --decimals;
+    return decimals;
+  }
   [[nodiscard]] bool aligns() const {
     return !style_.empty() && std::string_view("<^>").find(style_[0]) != std::string_view::npos;
   }

@@ -15,13 +15,9 @@ namespace {
 
 // What a shape is on; `parameter` is that of `on`.
 Answer<Mount> shown_on(Vm&, int) { return Mount{}; }
-Answer<Mount> shown_on(Vm& vm, int parameter, const ObjectRef& on) {
-  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, parameter);
-  return Mount{.base = FrameBase::kObject, .on = on.name};
-}
-Answer<Mount> shown_on(Vm& vm, int parameter, const FrameRef& on) {
-  if (!frame_now(vm, on, parameter)) return Failed{};
-  return Mount{.base = FrameBase::kFrame, .on = on.name};
+template <class On>
+Answer<Mount> shown_on(Vm& vm, int parameter, const On& on) {
+  return mount_on(vm, on, parameter);
 }
 // Without a link: the tool point.
 Answer<Mount> shown_on(Vm& vm, int parameter, const RobotRef& on,

@@ -123,15 +123,6 @@ Answer<ObjectRef> make_object(Vm& vm, std::string_view name, const ShapeValue& s
 
 constexpr int kOn = 3;
 
-Answer<Mount> mount_on(Vm& vm, const ObjectRef& on) {
-  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, kOn);
-  return Mount{.base = FrameBase::kObject, .on = on.name};
-}
-Answer<Mount> mount_on(Vm& vm, const FrameRef& on) {
-  if (!frame_now(vm, on, kOn)) return Failed{};
-  return Mount{.base = FrameBase::kFrame, .on = on.name};
-}
-
 constexpr int kFirst = 3;  // the parameter `mass` of an object that is on nothing
 
 template <class InertiaGiven>
@@ -153,7 +144,7 @@ Answer<ObjectRef> object_on(Vm& vm, std::string_view name, const ShapeValue& sha
                             std::string_view color, std::optional<std::string_view> texture,
                             bool fixed) {
   const auto about_com = inertia_argument(vm, inertia, kFirst + 4);
-  const auto mount = about_com ? mount_on(vm, on) : Failed{};
+  const auto mount = about_com ? mount_on(vm, on, kOn) : Failed{};
   if (!mount) return Failed{};
   return make_object(
       vm, name, shape, at,
@@ -254,6 +245,14 @@ constexpr NativeFunction kObjectFunctions[] = {
 
 }  // namespace
 
+Answer<Mount> mount_on(Vm& vm, const ObjectRef& on, int parameter) {
+  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, parameter);
+  return Mount{.base = FrameBase::kObject, .on = on.name};
+}
+Answer<Mount> mount_on(Vm& vm, const FrameRef& on, int parameter) {
+  if (!frame_now(vm, on, parameter)) return Failed{};
+  return Mount{.base = FrameBase::kFrame, .on = on.name};
+}
 Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link,
                              int parameter) {
   const Cell& cell = Host::of(vm).cell();

@@ -22,6 +22,9 @@ void report_overlap(Vm& vm, const std::string& name);
 // W0744: there is no colour of that name, so what has it is gray.
 void report_color(Vm& vm, std::string_view color, int parameter);
 
+// What is on an object or a frame; marks argument `parameter` if that is not there.
+Answer<Mount> mount_on(Vm& vm, const ObjectRef& on, int parameter);
+Answer<Mount> mount_on(Vm& vm, const FrameRef& on, int parameter);
 // What is on a robot: a link of it, its flange if none is given. Marks argument `parameter` if
 // there is no such link.
 Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link,

@@ -274,6 +274,10 @@ static std::uint32_t end_of(const std::string& text) {
 TEST_CASE("between quotes the names of planners and of objects are offered") {
   const std::string planners = "moveJ(home(), traj: \"";
   CHECK(offers(analysis_of(planners)->completion(end_of(planners)), "Spline5"));
+  for (const std::string& trajectory :
+       {std::string("trajectory(\""), std::string("robots.scara().trajectory(\""),
+        std::string("trajectory(name: \""), std::string("let tr = trajectory(robots.scara(), \"")})
+    CHECK(offers(analysis_of(trajectory)->completion(end_of(trajectory)), "Spline5"));
   const std::string objects = "insertObj(\"\")";
   CHECK(offers(analysis_of(objects)->completion(11), "cube"));
 }

@@ -35,11 +35,11 @@ enum class TaskSpace {
   kOther
 };
 
-// How many coordinates, and their names: 5 and "x, y, z, pitch, roll". 0 and "" for kOther.
+// How many coordinates, and their names: 5 and "x, y, z, pitch and roll". 0 and "" for kOther.
 int coordinate_count(TaskSpace space);
 std::string_view coordinate_names(TaskSpace space);
 
-// From the Jacobians at positions spread over the ranges of the joints.
+// From the Jacobians at positions spread over the ranges of the joints; kept with the robot.
 TaskSpace task_space(const Robot& robot);
 
 // The pose of the tool that the coordinates of an arm mean. What they do not say is what the arm

@@ -165,6 +165,26 @@ TaskSpace space_of(const Robot& robot, const std::vector<Sample>& samples) {
   return plane->keeps_roll ? TaskSpace::kPitch : TaskSpace::kOther;
 }
 
+// What an arm controls, worked out once for each.
+class ArmTask {
+ public:
+  struct FromShape {};
+  explicit ArmTask(const Robot& robot) {
+    const std::vector<Sample> samples = samples_of(robot);
+    space_ = space_of(robot, samples);
+    if (space_ != TaskSpace::kPitchRoll && space_ != TaskSpace::kPitch) return;
+    plane_ = *turning_plane(robot, samples);
+    turn_forwards(robot, plane_);
+  }
+  [[nodiscard]] TaskSpace space() const { return space_; }
+  // Of an arm with a pitch.
+  [[nodiscard]] const TurningPlane& plane() const { return plane_; }
+
+ private:
+  TaskSpace space_ = TaskSpace::kOther;
+  TurningPlane plane_;
+};
+
 // An arm whose tool leans turns about z as it is.
 Isometry3d upright(const Robot& robot, const Vector3d& p, double angle) {
   const Isometry3d T = make_pose(rot_z(angle), p);
@@ -173,15 +193,13 @@ Isometry3d upright(const Robot& robot, const Vector3d& p, double angle) {
 
 std::optional<Isometry3d> in_plane(const Robot& robot, const Vector3d& p, double pitch,
                                    std::optional<double> roll) {
-  auto plane = turning_plane(robot, samples_of(robot));
-  if (!plane) return std::nullopt;
-  turn_forwards(robot, *plane);
-  const double x = p.x() - plane->p_axis.x(), y = p.y() - plane->p_axis.y();
-  const double out2 = x * x + y * y - plane->offset * plane->offset;
+  const TurningPlane& plane = robot.derived<ArmTask>().plane();
+  const double x = p.x() - plane.p_axis.x(), y = p.y() - plane.p_axis.y();
+  const double out2 = x * x + y * y - plane.offset * plane.offset;
   if (out2 < -kSame) return std::nullopt;
   const double out = std::sqrt(std::max(out2, 0.0));
-  const double along = det::atan2(y, x) - det::atan2(plane->offset, out);
-  return make_pose(pointing(along, pitch) * rot_z(roll.value_or(plane->roll)), p);
+  const double along = det::atan2(y, x) - det::atan2(plane.offset, out);
+  return make_pose(pointing(along, pitch) * rot_z(roll.value_or(plane.roll)), p);
 }
 
 }  // namespace
@@ -209,26 +227,26 @@ int coordinate_count(TaskSpace space) {
 std::string_view coordinate_names(TaskSpace space) {
   switch (space) {
     case TaskSpace::kPose:
-      return "x, y, z, roll, pitch, yaw";
+      return "x, y, z, roll, pitch and yaw";
     case TaskSpace::kPitchRoll:
-      return "x, y, z, pitch, roll";
+      return "x, y, z, pitch and roll";
     case TaskSpace::kPitch:
-      return "x, y, z, pitch";
+      return "x, y, z and pitch";
     case TaskSpace::kHeading:
-      return "x, y, z, the rotation about z";
+      return "x, y, z and the rotation about z";
     case TaskSpace::kPosition:
-      return "x, y, z";
+      return "x, y and z";
     case TaskSpace::kPlane:
-      return "x, y, the rotation about z";
+      return "x, y and the rotation about z";
     case TaskSpace::kPlanePosition:
-      return "x, y";
+      return "x and y";
     case TaskSpace::kOther:
       break;
   }
   return {};
 }
 
-TaskSpace task_space(const Robot& robot) { return space_of(robot, samples_of(robot)); }
+TaskSpace task_space(const Robot& robot) { return robot.derived<ArmTask>().space(); }
 
 std::optional<Isometry3d> pose_of_coordinates(const Robot& robot, std::span<const double> v) {
   const TaskSpace space = task_space(robot);

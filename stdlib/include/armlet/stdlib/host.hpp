@@ -160,7 +160,7 @@ class Host : public Timeline {
   [[nodiscard]] Result<int> add_robot(std::shared_ptr<const Robot> robot);
   // The host's own robot, put into the cell when it is first needed.
   [[nodiscard]] Result<int> default_robot();
-  [[nodiscard]] const Robot* default_robot_model() const { return options_.robot.get(); }
+  [[nodiscard]] std::shared_ptr<const Robot> default_robot_model() const { return options_.robot; }
   // The robot of the cell if there is exactly one (or none yet but the host's own); otherwise null.
   [[nodiscard]] const Robot* only_robot() const;
 

@@ -86,8 +86,8 @@ void report_assumed_limits(CheckCall& call, const std::string& kinds) {
   call.report(std::move(d));
 }
 
-// What a robot of a table controls, where the text shows the whole table.
-void note_table_space(CheckCall& call, const std::string& kinds, RobotFact& fact) try {
+// The model of a robot of a table, where the text shows the whole table.
+void note_table_model(CheckCall& call, const std::string& kinds, RobotFact& fact) try {
   const auto table = call.constant(kTable);
   const auto convention = call.given(kConvention) ? call.constant(kConvention) : Constant{};
   if (!is_list(table) || !convention) return;
@@ -96,7 +96,7 @@ void note_table_space(CheckCall& call, const std::string& kinds, RobotFact& fact
     rows.emplace_back();
     for (const Constant& value : line.items) rows.back().push_back(value.real);
   }
-  note_space(call, fact, joints_from_table(rows, kinds),
+  note_model(call, fact, joints_from_table(rows, kinds),
              convention->text == "modified" ? DhConvention::kModified : DhConvention::kStandard,
              {kBase, kTool});
 } catch (const ArgumentError&) {
@@ -137,7 +137,7 @@ void check_dh_table(CheckCall& call) {
     fact->limits.emplace_back();
     if (pair.size() == 2) fact->limits.back() = {pair[0].real, pair[1].real};
   }
-  note_table_space(call, *kinds, *fact);
+  note_table_model(call, *kinds, *fact);
   call.set_result_fact(std::move(fact));
 }
 

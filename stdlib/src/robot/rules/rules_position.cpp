@@ -6,6 +6,7 @@
 #include <set>
 
 #include "armlet/core/error.hpp"
+#include "armlet/kinematics/task_space.hpp"
 #include "armlet/model/joint_limits.hpp"
 #include "messages/library_messages.hpp"
 #include "robot/rules.hpp"
@@ -31,15 +32,18 @@ bool leaves_upright(const CheckCall& call, int parameter) {
          std::dynamic_pointer_cast<const UprightFact>(call.fact(parameter)) != nullptr;
 }
 
+// What it controls of its tool, where the text shows that.
+std::optional<TaskSpace> space_of(const RobotFact& robot) {
+  if (robot.model == nullptr) return std::nullopt;
+  const TaskSpace space = task_space(*robot.model);
+  if (robot.may_be_tilted && space != TaskSpace::kPose) return std::nullopt;
+  return space;
+}
+
 }  // namespace
 
-std::optional<TaskSpace> space_unless_tilted(const CheckCall& call, const Robot& robot,
-                                             std::initializer_list<int> may_tilt) {
-  const TaskSpace space = task_space(robot);
-  const bool upright =
-      std::ranges::all_of(may_tilt, [&](int each) { return leaves_upright(call, each); });
-  if (upright || space == TaskSpace::kPose) return space;
-  return std::nullopt;
+bool may_be_tilted(const CheckCall& call, std::initializer_list<int> may_tilt) {
+  return !std::ranges::all_of(may_tilt, [&](int each) { return leaves_upright(call, each); });
 }
 
 Joint joint_of(const JointFact& fact) {
@@ -53,13 +57,14 @@ Joint joint_of(const JointFact& fact) {
 
 void note_upright(CheckCall& call) { call.set_result_fact(std::make_shared<UprightFact>()); }
 
-void note_space(CheckCall& call, RobotFact& fact, const std::vector<Joint>& joints,
+void note_model(CheckCall& call, RobotFact& fact, const std::vector<Joint>& joints,
                 DhConvention convention, std::initializer_list<int> may_tilt) try {
   RobotSpec spec;
   spec.name = fact.name;
   spec.convention = convention;
   spec.joints = joints;
-  fact.space = space_unless_tilted(call, Robot(std::move(spec)), may_tilt);
+  fact.model = std::make_shared<const Robot>(std::move(spec));
+  fact.may_be_tilted = may_be_tilted(call, may_tilt);
 } catch (const ArgumentError&) {
   // What cannot be a robot is reported in the run, with its reason.
 }
@@ -71,17 +76,18 @@ void check_posc_list(CheckCall& call) {
   const auto robot = call.given(1) ? std::dynamic_pointer_cast<const RobotFact>(call.fact(1))
                                    : ambient_robot(call);
   std::set<int> counts = {kPlaceNumbers, kPoseNumbers};
-  const bool is_known = robot != nullptr && robot->space;
-  if (is_known && *robot->space != TaskSpace::kOther)
-    counts.insert(coordinate_count(*robot->space));
-  if (!is_known) counts.insert({2, 4, 5});
+  const auto space = robot != nullptr ? space_of(*robot) : std::nullopt;
+  const TaskSpace controlled = space.value_or(TaskSpace::kOther);
+  const bool has_names = controlled != TaskSpace::kOther;
+  if (has_names) counts.insert(coordinate_count(controlled));
+  if (!space) counts.insert({2, 4, 5});
   const int count = static_cast<int>(constant->items.size());
   if (counts.contains(count)) return;
   Diagnostic d = make_diagnostic("E0534", call.span(0),
                                  {"posC", numbers_text(counts), fmt::format("{}", count)});
   d.why = "3 numbers are a place, 6 a place with roll, pitch and yaw";
-  if (is_known && *robot->space != TaskSpace::kOther) {
-    const std::string_view names = coordinate_names(*robot->space);
+  if (has_names) {
+    const std::string_view names = coordinate_names(controlled);
     d.why = fmt::format("`{}` controls {} of its tool{}", robot->name, names,
                         counts.size() > 2 ? "; " + d.why : "");
     d.fix = Fix{.text = fmt::format("give {}", names)};

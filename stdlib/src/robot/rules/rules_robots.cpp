@@ -18,15 +18,16 @@
 
 namespace armlet::bind {
 
-void set_robot_fact(CheckCall& call, const Robot& robot, std::string name,
+void set_robot_fact(CheckCall& call, std::shared_ptr<const Robot> robot, std::string name,
                     std::initializer_list<int> may_tilt) {
   auto fact = std::make_shared<RobotFact>();
   fact->name = std::move(name);
-  for (int i = 0; i < robot.n(); ++i) {
-    fact->turns.push_back(robot.is_revolute(i));
-    fact->limits.push_back(std::array{robot.lower()[i], robot.upper()[i]});
+  for (int i = 0; i < robot->n(); ++i) {
+    fact->turns.push_back(robot->is_revolute(i));
+    fact->limits.push_back(std::array{robot->lower()[i], robot->upper()[i]});
   }
-  fact->space = space_unless_tilted(call, robot, may_tilt);
+  fact->model = std::move(robot);
+  fact->may_be_tilted = may_be_tilted(call, may_tilt);
   call.set_result_fact(std::move(fact));
 }
 
@@ -111,7 +112,7 @@ void check_robot_block(CheckCall& call) {
   if (home != nullptr) check_joint_values(call, *fact, *home, call.span(kHome));
   const auto convention = call.given(kConvention) ? call.constant(kConvention) : Constant{};
   if (convention && joints.size() == fact->turns.size()) {
-    note_space(call, *fact, joints,
+    note_model(call, *fact, joints,
                convention->text == "modified" ? DhConvention::kModified : DhConvention::kStandard,
                {kBasePose, kHand, kToolPoint});
   }
@@ -124,15 +125,17 @@ void check_ready_robot(CheckCall& call) {
   const auto robot = make_robot(function.substr(function.rfind('.') + 1));
   const auto name = call.constant(2);
   // A base that is given takes the place of that of the catalogue.
-  const Robot placed = call.given(0) ? robot->with_base(Eigen::Isometry3d::Identity()) : *robot;
-  set_robot_fact(call, placed, name ? name->text : robot->name(), {0, 1});
+  auto placed = call.given(0)
+                    ? std::make_shared<const Robot>(robot->with_base(Eigen::Isometry3d::Identity()))
+                    : robot;
+  set_robot_fact(call, std::move(placed), name ? name->text : robot->name(), {0, 1});
 }
 
 void check_default_robot(CheckCall& call) {
   const auto* host = static_cast<const Host*>(call.host());
   if (host == nullptr) return;
-  if (const Robot* robot = host->default_robot_model()) {
-    set_robot_fact(call, *robot, robot->name());
+  if (const auto robot = host->default_robot_model()) {
+    set_robot_fact(call, robot, robot->name());
   } else if (!call.callee_span().empty()) {  // a call, not a question about one
     call.report(make_diagnostic("E0220", call.callee_span(), {"robot"}));
   }
