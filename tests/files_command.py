@@ -170,7 +170,7 @@ def check_closed_output(folder):
     done = subprocess.run([ARMLET, "run", "--quiet", "--trace", "u.csv", "p.rbt"], cwd=folder, stderr=subprocess.PIPE,
                           timeout=60, preexec_fn=lambda: os.close(1))
     check("no standard output", (done.returncode, b"could not be written" in done.stderr), (FAILED, True))
-    check("the trace begins with its heading", (folder / "u.csv").read_text().startswith("t,what,"), True)
+    check("the trace begins with its heading", (folder / "u.csv").read_text().startswith("t [s],what,"), True)
 
 
 def check_interrupts(folder):

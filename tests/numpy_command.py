@@ -50,7 +50,9 @@ def check(folder, name):
     run(folder, PROGRAMS[name], "run.npy")
     array = numpy.load(folder / "run.npy")  # allow_pickle=False is the default
     with (folder / "run.csv").open(newline="") as file:
-        rows = [row for row in csv.DictReader(file) if row["what"] == "robot"]
+        # Without the units behind the names.
+        rows = [{key.split(" ")[0]: cell for key, cell in row.items()} for row in csv.DictReader(file)]
+    rows = [row for row in rows if row["what"] == "robot"]
     if array.dtype.names != ("t", "robot", "p", "r", "q", "qd", "qdd") or array.shape != (len(rows),):
         sys.exit(f"{name}: {array.dtype}, {array.shape} for {len(rows)} rows")
     names = list(dict.fromkeys(row["name"] for row in rows))

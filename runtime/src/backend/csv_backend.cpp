@@ -1,5 +1,8 @@
 #include "armlet/backend/csv_backend.hpp"
 
+#include <iterator>
+#include <string_view>
+
 #include "backend/joint_columns.hpp"
 #include "backend/text_sink.hpp"
 
@@ -89,10 +92,15 @@ class CsvBackend final : public Backend {
   }
 
   void write_header() {
-    sink_.text("t,what,name,x,y,z,qw,qx,qy,qz");
-    for (const char* symbol : {"q", "qd", "qdd"}) {
-      for (std::size_t i = 1; i <= columns_.count(); ++i)
-        sink_.text(fmt::format(",{}{}", symbol, i));
+    sink_.text("t [s],what,name,x [m],y [m],z [m],qw,qx,qy,qz");
+    constexpr std::string_view kSymbols[] = {"q", "qd", "qdd"};
+    constexpr std::string_view kPer[] = {"", "/s", "/s^2"};
+    for (std::size_t order = 0; order < std::size(kSymbols); ++order) {
+      for (std::size_t i = 0; i < columns_.count(); ++i) {
+        sink_.text(fmt::format(",{}{}", kSymbols[order], i + 1));
+        if (const auto unit = columns_.unit(i))
+          sink_.text(fmt::format(" [{}{}]", unit == JointUnit::kRadian ? "rad" : "m", kPer[order]));
+      }
     }
     sink_.text(",text");
     sink_.end_line();

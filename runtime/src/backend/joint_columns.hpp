@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "armlet/backend/backend.hpp"
 
@@ -13,25 +14,33 @@ namespace armlet {
 class JointColumns {
  public:
   void begin(const RunInfo& run) {
-    for (const RobotInfo& robot : run.robots) count_ = std::max(count_, robot.joints.size());
+    for (const RobotInfo& robot : run.robots) {
+      for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+        const JointUnit unit = robot.joints[i].unit;
+        if (i == units_.size()) units_.emplace_back(unit);
+        if (units_[i] != unit) units_[i].reset();
+      }
+    }
   }
 
   // A robot that joins later; one that has too many joints is an error, and left out.
   void add(const RobotInfo& robot) {
-    if (robot.joints.size() <= count_ || !error_.empty()) return;
+    if (robot.joints.size() <= count() || !error_.empty()) return;
     error_ = fmt::format(
         "The table was begun for robots of {} joints; \"{}\" has {}. Declare it before the first "
         "motion.",
-        count_, robot.name, robot.joints.size());
+        count(), robot.name, robot.joints.size());
   }
 
-  [[nodiscard]] bool hold(const JointSample& sample) const { return sample.q.size() <= count_; }
-  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] bool hold(const JointSample& sample) const { return sample.q.size() <= count(); }
+  [[nodiscard]] std::size_t count() const { return units_.size(); }
+  // Of the positions in column `i`; nothing where the robots at the beginning differ.
+  [[nodiscard]] std::optional<JointUnit> unit(std::size_t i) const { return units_[i]; }
   // Empty, or a sentence about the first robot that does not fit.
   [[nodiscard]] const std::string& error() const { return error_; }
 
  private:
-  std::size_t count_ = 0;
+  std::vector<std::optional<JointUnit>> units_;
   std::string error_;
 };
 

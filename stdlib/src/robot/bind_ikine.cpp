@@ -188,7 +188,8 @@ constexpr NativeFunction kIkineFunctions[] = {
         "the ones nearest to the middle of the joints' ranges (\"midRange\") or farthest from "
         "singularities (\"manipulability\").",
         "ikine(here(), posture: \"midRange\")",
-        {.check = check_all_of<check_word<kAxes, kMaskAxes>, check_word<kPosture, kPostures>>,
+        {.check = check_all_of<check_word<kAxes, kMaskAxes>, check_word<kPosture, kPostures>,
+                               note_positions>,
          .explain = explained_by<explain_ikine<const PosJ*, Word>>}),
     def<ikine<const PosJ*, Joints>>(
         "ikine(r: robot, p: posC, near: posJ?, mask: int[]?, axes: string = \"world\", posture: "
@@ -196,7 +197,7 @@ constexpr NativeFunction kIkineFunctions[] = {
         "Of all joint values that bring the tool point to p the ones nearest to a posture, every "
         "joint counted by its range.",
         "ikine(here(), posture: home())",
-        {.check = check_word<kAxes, kMaskAxes>,
+        {.check = check_all_of<check_word<kAxes, kMaskAxes>, note_positions>,
          .explain = explained_by<explain_ikine<const PosJ*, Joints>>}),
     def<ikine<JointList, Word>>(
         "ikine(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", posture: "
@@ -204,7 +205,7 @@ constexpr NativeFunction kIkineFunctions[] = {
         "Joint values that bring the tool point to p, near joint values in rad and m.",
         "ikine(here(), near: [0.0, 0.5, 0.1, 0.0])",
         {.check = check_all_of<check_joint_list<kNear>, check_word<kAxes, kMaskAxes>,
-                               check_word<kPosture, kPostures>>,
+                               check_word<kPosture, kPostures>, note_positions>,
          .explain = explained_by<explain_ikine<JointList, Word>>}),
     def<ikine<JointList, Joints>>(
         "ikine(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", posture: "
@@ -212,7 +213,8 @@ constexpr NativeFunction kIkineFunctions[] = {
         "Joint values that bring the tool point to p, near joint values in rad and m and near a "
         "posture.",
         "ikine(here(), near: [0.0, 0.5, 0.1, 0.0], posture: home())",
-        {.check = check_all_of<check_joint_list<kNear>, check_word<kAxes, kMaskAxes>>,
+        {.check =
+             check_all_of<check_joint_list<kNear>, check_word<kAxes, kMaskAxes>, note_positions>,
          .explain = explained_by<explain_ikine<JointList, Joints>>}),
     def<ikine_all>(
         "ikineAll(r: robot, p: posC, limits: bool = true) -> posJ[]",

@@ -175,7 +175,8 @@ constexpr NativeFunction kRobotFunctions[] = {
                "also what the hand holds does, by its weight and as it is moved.",
                "force().z"),
     def<moving>("moving(r: robot) -> bool", "Whether the robot is on its way.", "moving()"),
-    def<home>("home(r: robot) -> posJ", "The home position.", "moveJ(home(), time: 2s)"),
+    def<home>("home(r: robot) -> posJ", "The home position.", "moveJ(home(), time: 2s)",
+              {.check = note_positions}),
     def<dof>("robot.dof(r: robot) -> int", "The number of joints.", "robots.scara().dof"),
     def<name>("robot.name(r: robot) -> string", "The name.", "robots.scara().name"),
     def<types>("robot.types(r: robot) -> string", "One letter per joint: R turns, P slides.",
@@ -231,7 +232,7 @@ constexpr NativeFunction kRobotFunctions[] = {
                   "dhTable()", {.check = note_dh_table}),
     def<random_joints>("randomJoints(r: robot) -> posJ",
                        "Joint values drawn evenly within the limits; the same ones in every run.",
-                       "randomJoints()"),
+                       "randomJoints()", {.check = note_positions}),
 };
 
 }  // namespace

@@ -152,6 +152,8 @@ void check_list_of_joints(CheckCall& call, int parameter);
 // What a list with a number for each joint holds, of a call whose first parameter is the robot:
 // its numbers get their units where the robot's joints are known, then or in the run (DimsFact).
 void note_positions(CheckCall& call);
+// The numbers of the first argument, one by one.
+void note_same_numbers(CheckCall& call);
 void note_read_robot(CheckCall& call);
 // NumberDim::later of numbers for each joint: units for those that turn and slide, and whose they
 // are.

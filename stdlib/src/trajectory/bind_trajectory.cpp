@@ -317,7 +317,7 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
     def<joints_at>(
         "trajectory.q(tr: trajectory, t: time) -> posJ",
         "The joint values at that time; before the start and after the end those of the ends.",
-        "trajectory(\"Syn\", [home(), home()], time: 2s).q(1s)"),
+        "trajectory(\"Syn\", [home(), home()], time: 2s).q(1s)", {.check = note_positions}),
     def<rates_at<1>>("trajectory.qd(tr: trajectory, t: time) -> double[]",
                      "The joint speeds at that time, rad/s and m/s.",
                      "trajectory(\"Syn\", [home(), home()], time: 2s).qd(1s)",

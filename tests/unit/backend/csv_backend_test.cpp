@@ -15,7 +15,8 @@ TEST_CASE("a run is one table with as many columns in every row") {
   play_short_run(*backend);
   CHECK(backend->error().empty());
   CHECK(out.str() ==
-        "t,what,name,x,y,z,qw,qx,qy,qz,q1,q2,qd1,qd2,qdd1,qdd2,text\n"
+        "t [s],what,name,x [m],y [m],z [m],qw,qx,qy,qz,q1 [rad],q2 [m],qd1 [rad/s],qd2 [m/s],"
+        "qdd1 [rad/s^2],qdd2 [m/s^2],text\n"
         "0.000000000,object,cube,0,0,0,1,0,0,0,,,,,,,\n"
         "0.010000000,robot,arm,1,2,3,1,0,0,0,0.1,0,0.333333333,2.5,-1e-20,4,\n"
         "0.010000000,attached,cube,,,,,,,,,,,,,,left\n"
@@ -38,6 +39,17 @@ TEST_CASE("a robot with fewer joints leaves its last cells empty") {
   backend->on(JointSample{.robot = 1, .q = q, .qd = q, .qdd = q});
   backend->on(EndRun{});
   CHECK(out.str().find("0.000000000,robot,left,0,0,0,1,0,0,0,1,,1,,1,,\n") != std::string::npos);
+}
+
+TEST_CASE("a column has a unit where all robots have the same in it") {
+  std::ostringstream out;
+  const std::unique_ptr<Backend> backend = make_csv_backend(out);
+  backend->on(BeginRun{.run = {.robots = {{"arm", {{JointUnit::kRadian}, {JointUnit::kMetre}}},
+                                          {"left", {{JointUnit::kMetre}}},
+                                          {"right", {{JointUnit::kMetre}}}},
+                               .objects = {}}});
+  backend->on(EndRun{});
+  CHECK(out.str().find(",q1,q2 [m],qd1,qd2 [m/s],qdd1,qdd2 [m/s^2],text\n") != std::string::npos);
 }
 
 TEST_CASE("half a turn is written with one sign whatever the rounding") {

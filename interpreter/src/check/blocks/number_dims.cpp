@@ -51,6 +51,7 @@ class DimsOfParts {
     if (at.kind == ExprKind::kElement) found = element(at.as<hir::ElementExpr>(), depth);
     if (at.kind == ExprKind::kSlice) return slice(at.as<hir::SliceExpr>(), depth);
     if (at.kind == ExprKind::kPart) found = part_of_row(at.as<hir::PartExpr>(), depth);
+    if (at.kind == ExprKind::kField) found = field(at.as<hir::FieldExpr>(), depth);
     if (is_negative) found = of(*at.as<hir::UnaryExpr>().operand, depth + 1);
     if (at.kind == ExprKind::kBinary) found = sum(at.as<hir::BinaryExpr>(), depth);
     if (at.kind == ExprKind::kCond) found = either(at.as<hir::CondExpr>(), depth);
@@ -240,9 +241,16 @@ class DimsOfParts {
     return fact_of(*at);
   }
 
-  Dims of_argument(const hir::CallNativeExpr& call, const DimsOfArgumentFact& fact) const {
-    const Fact* given = fact_here(*call.arguments[static_cast<std::size_t>(fact.argument)]);
-    if (given == nullptr) return std::nullopt;
+  Dims of_argument(const hir::CallNativeExpr& call, const DimsOfArgumentFact& fact,
+                   int depth) const {
+    const hir::Expr& argument = *call.arguments[static_cast<std::size_t>(fact.argument)];
+    std::optional<DimsFact> found;
+    const Fact* given = fact_here(argument);
+    if (given == nullptr) {
+      Dims own = of(argument, depth + 1);
+      if (!own) return std::nullopt;
+      given = &found.emplace(*std::move(own));
+    }
     std::vector<NumberDim> dims = fact.dims(*given);
     return dims.empty() ? std::nullopt : Dims(std::move(dims));
   }
@@ -266,9 +274,17 @@ class DimsOfParts {
   Dims element(const hir::ElementExpr& node, int depth) const {
     const bool is_of_matrix = node.column != nullptr;
     const auto index = whole(is_of_matrix ? node.column : node.index, 0);
+    if (!is_of_matrix && node.type->is(Kind::kHost)) return each(*node.object, depth + 1);
     if (!index || !node.type->is_number()) return std::nullopt;
     const Dims all = is_of_matrix ? each(*node.object, depth + 1) : of(*node.object, depth + 1);
     return all ? some(*all, *index, *index + 1) : std::nullopt;
+  }
+
+  // Of a field of a record that the text makes.
+  Dims field(const hir::FieldExpr& node, int depth) const {
+    const hir::Expr& record = origin_of(*node.object);
+    if (record.kind != ExprKind::kRecord) return std::nullopt;
+    return of(*record.as<hir::RecordExpr>().fields[node.field], depth + 1);
   }
 
   Dims slice(const hir::SliceExpr& node, int depth) const {
@@ -322,12 +338,33 @@ class DimsOfParts {
     return all;
   }
 
+  // Of a value of the host that holds numbers: q[k] one of them, q + r and q - r what both are, or
+  // what q is where nothing is known of the other.
+  Dims in_host(const hir::CallNativeExpr& call, int depth) const {
+    const std::string_view name = call.function->name;
+    const bool is_element = name.ends_with("[]");
+    if (call.arguments.size() != 2 || !call.arguments[0]->type->is(Kind::kHost) ||
+        !(is_element || name == "operator+" || name == "operator-"))
+      return std::nullopt;
+    const Dims all = of(*call.arguments[0], depth + 1);
+    if (!all) return std::nullopt;
+    if (is_element) {
+      const auto index = whole(call.arguments[1], 0);
+      return index ? some(*all, *index, *index + 1) : std::nullopt;
+    }
+    const Dims others = of(*call.arguments[1], depth + 1);
+    const bool is_known =
+        others && std::ranges::any_of(*others, [](const NumberDim& dim) { return !dim.is_none(); });
+    return !is_known || others == all ? all : std::nullopt;
+  }
+
   // norm(v: D[]) -> D gives what all of v are; a + b, element by element, what both are.
   Dims native(const hir::CallNativeExpr& call, int depth) const {
     const Signature& signature = checker_.shared.signatures.of(*call.function);
     const auto* by_argument = dynamic_cast<const DimsOfArgumentFact*>(call.fact);
-    if (by_argument != nullptr) return of_argument(call, *by_argument);
+    if (by_argument != nullptr) return of_argument(call, *by_argument, depth);
     const std::string_view name = call.function->name;
+    if (const Dims of_host = in_host(call, depth)) return of_host;
     const bool is_by_element = name == "operator+" || name == "operator-" || name == "abs";
     const bool gives_list = is_by_element && is_number_list(signature.result, 1);
     if (!gives_list && !is_plain_d(signature.result)) return std::nullopt;

@@ -46,6 +46,17 @@ std::string dims_by_joint(std::string_view turning, std::string_view sliding,
 }
 
 void note_positions(CheckCall& call) { note_by_joint(call, dims::kAngle, dims::kLength); }
+void note_same_numbers(CheckCall& call) {
+  const DimsOfArgumentFact::Reader reader = [](const Fact& given) {
+    const auto* known = dynamic_cast<const DimsFact*>(&given);
+    return known != nullptr ? known->dims : Dims();
+  };
+  const auto given = call.fact(0);
+  if (given == nullptr)
+    return call.set_result_fact(std::make_shared<DimsOfArgumentFact>(0, reader));
+  if (Dims dims = reader(*given); !dims.empty())
+    call.set_result_fact(std::make_shared<DimsFact>(std::move(dims)));
+}
 void note_speeds(CheckCall& call) { note_by_joint(call, dims::kAngularSpeed, dims::kSpeed); }
 void note_accels(CheckCall& call) { note_by_joint(call, dims::kAngularAccel, dims::kAccel); }
 void note_forces(CheckCall& call) { note_by_joint(call, dims::kTorque, dims::kForce); }

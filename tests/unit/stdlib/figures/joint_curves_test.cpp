@@ -95,6 +95,14 @@ TEST_CASE("columns, slices and elements of numbers for joints keep their units")
       {"plot(run.t, run.qd[:, 0] * 57.3)", ":1 | :"},
       {"plot(run.t, run.plain)", ":12 | :"},
       {"plot(run.t, run.q.map(fn(q) => 1000 * q[2]))", ":1 | :"},
+      {"plot(run.t, run.q.map(fn(q) => q[2]))", "m:1 | :"},
+      {"plot(run.t, run.q.map(fn(q) => q.q[1]))", "rad:1 | :"},
+      {"plot(run.t, run.q.map(fn(q) => (q - arm.home())[2]))", "m:1 | :"},
+      {"plot(run.t, matrix(run.q.map(fn(q) => [q[0], q[2]])))", "rad:1 | m:2"},
+      {"struct Both { qd: double[] }\n"
+       "let both = Both(arm.jointSpeeds())\n"
+       "bars([\"a\", \"b\", \"c\", \"d\"], both.qd)",
+       "rad/s:1 | m/s:2"},
       {"plot(run.qd[:, 2])", "m/s:1 | :"},
       {"plot(run.t, run.qd[:, 0]); plot(run.t, run.qd[:, 2])", "rad/s:1 | m/s:2"},
       {"plot(run.t, run.qd[:, 2]); plot(run.t, run.qd[:, 0]); plot(run.t, run.qd[:, 1])",
