@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <thread>
@@ -18,6 +20,7 @@
 #include "library.hpp"
 #include "refusal_of.hpp"
 #include "tape.hpp"
+#include "temporary_folder.hpp"
 
 using namespace armlet;
 namespace fs = std::filesystem;
@@ -179,8 +182,8 @@ TEST_CASE("a run whose host let no more time pass stops there again, and comes t
 }
 
 TEST_CASE("files come from the log, and none is written again") {
-  const fs::path folder = fs::temp_directory_path() / "armlet_replay_test";
-  fs::remove_all(folder);
+  const TemporaryFolder place;
+  const fs::path folder = place.path() / "given";
   fs::create_directories(folder);
   const char* const program = R"(
 figure("f"); plot([1.0, 2.0], [3.0, 4.0])
@@ -207,10 +210,41 @@ savePlot("g.svg")
   REQUIRE(first->go_to(500 * kReplayMs));
   CHECK(first->run().status == Progress::kDone);
   CHECK(fs::is_empty(folder));
-  fs::remove_all(folder);
 }
 
-TEST_CASE("output that nobody took is refusal_in_replay at the same print again") {
+TEST_CASE("tables come from the log, those of the check and those of the run") {
+  const TemporaryFolder place;
+  std::ofstream(place.path() / "known.csv") << "q [deg]\n10\n20\n";
+  std::ofstream(place.path() / "late.csv") << "x\n7\n";
+  const auto reads = [&](SessionOptions& options) {
+    options.folder = place.path();
+    options.load = [&](const std::string& path, const std::string&) {
+      ImportedText found{.name = path};
+      std::ifstream file(place.path() / path);
+      if (file) found.text = std::string(std::istreambuf_iterator<char>(file), {});
+      return found;
+    };
+  };
+  ReplayedRun first(reads);
+  REQUIRE(
+      first->compile("print(loadTable(\"known.csv\").q[1])\nwait(1s)\n"
+                     "let name = \"late\"\n"
+                     "print(loadTable(f\"{name}.csv\", columns: \"x\").x[0])\n",
+                     "p.rbt"));
+  CHECK(first->run().status == Progress::kDone);
+  CHECK(first.printed == "20 deg\n7.0\n");
+  const SessionLog log = through_file(first->log());
+  std::ofstream(place.path() / "known.csv") << "q [mm]\n1\n2\n";
+  std::filesystem::remove(place.path() / "late.csv");
+
+  ReplayedRun second;  // which may read nowhere
+  REQUIRE(second->replay(log));
+  CHECK(second->run().status == Progress::kDone);
+  CHECK(second.printed == first.printed);
+  CHECK(second.tape.hashes() == first.tape.hashes());
+}
+
+TEST_CASE("output that nobody took is refused at the same print again") {
   int pieces = 0;
   ReplayedRun first([&](SessionOptions& options) {
     options.output = [&](std::string_view) { return ++pieces == 3 ? "full" : std::string(); };
@@ -255,7 +289,7 @@ TEST_CASE("a log with its records in another order is refused, with its right su
   CHECK(read_log(other).error().message.find("as this version writes it") != std::string::npos);
 }
 
-TEST_CASE("a log that was cut short or changed is refusal_in_replay wherever that is") {
+TEST_CASE("a log that was cut short or changed is refused wherever that is") {
   ReplayedRun run;
   REQUIRE(run->compile(kReplayed, "p.rbt"));
   run_with_inputs(run);
@@ -272,7 +306,7 @@ TEST_CASE("a log that was cut short or changed is refusal_in_replay wherever tha
   CHECK(read_log("print(1)").error().message.find("does not begin with") != std::string::npos);
 }
 
-TEST_CASE("what cannot be is refusal_in_replay, and the session stays as it was") {
+TEST_CASE("what cannot be is refused, and the session stays as it was") {
   ReplayedRun run;
   Session& session = *run;
   CHECK(refusal_of([&] { session.set("x", Value(1)); }) ==

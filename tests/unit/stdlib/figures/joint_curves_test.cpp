@@ -12,6 +12,7 @@
 #include "armlet/plot/braille.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "library.hpp"
+#include "temporary_folder.hpp"
 
 using namespace armlet;
 namespace fs = std::filesystem;
@@ -161,8 +162,8 @@ TEST_CASE("over all arms of the catalogue, curves of speeds share an axis only w
 }
 
 TEST_CASE("a table is saved with the units of its joints in the heading") {
-  const fs::path folder = fs::temp_directory_path() / "armlet_joint_curves";
-  fs::create_directories(folder);
+  const TemporaryFolder place;
+  const fs::path& folder = place.path();
   std::vector<Figure> figures;
   REQUIRE(run_with_curves(std::string(kScaraRecord) + "run.save(\"run.csv\")\n", figures, folder)
               .status == Progress::kDone);
@@ -175,5 +176,4 @@ TEST_CASE("a table is saved with the units of its joints in the heading") {
       "v1 [m/s],v2 [m/s],v3 [m/s],v4 [rad/s],v5 [rad/s],v6 [rad/s],q1 [rad],q2 [rad],q3 [m],q4 "
       "[rad],"
       "slide [m/s],plain1,plain2");
-  fs::remove_all(folder);
 }

@@ -7,6 +7,7 @@
 
 #include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "temporary_folder.hpp"
 
 using namespace armlet;
 namespace fs = std::filesystem;
@@ -39,17 +40,11 @@ Ran run(const std::string& program, const fs::path& folder) {
   return out;
 }
 
-fs::path empty_folder() {
-  const fs::path folder = fs::temp_directory_path() / "armlet_tables_test";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
-
 }  // namespace
 
 TEST_CASE("what a table writes is read again as it was, over random tables") {
-  const fs::path folder = empty_folder();
+  const TemporaryFolder place;
+  const fs::path& folder = place.path();
   const Ran ran = run(R"(
 let pieces = ["a", "\"", ",", ";", "\n", " ", "1.5", "-", "x", "\t", "nan", "1,5"]
 fn anyText() -> string {
@@ -86,7 +81,6 @@ print("done")
                       folder);
   CHECK(ran.fault.empty());
   CHECK(ran.printed == "done\n");
-  fs::remove_all(folder);
 }
 
 TEST_CASE("columns with units without a name of their own are read again as they were") {
@@ -117,17 +111,18 @@ print("done")
 }
 
 TEST_CASE("the columns of a file are known when the program is checked") {
-  const fs::path folder = empty_folder();
+  const TemporaryFolder place;
+  const fs::path& folder = place.path();
   std::ofstream(folder / "m.csv") << "t [s],q [deg]\n0,10\n1,20\n";
   CHECK(run("let m = loadTable(\"m.csv\")\nprint(m.q[1])", folder).printed == "20 deg\n");
   CHECK(run("print(loadTable(\"m.csv\").part)", folder).fault.find("part") != std::string::npos);
   CHECK(run("let x: length = loadTable(\"m.csv\").q[0]", folder).fault.find("angle") !=
         std::string::npos);
-  fs::remove_all(folder);
 }
 
 TEST_CASE("a file that has changed since the check is an error of the run") {
-  const fs::path folder = empty_folder();
+  const TemporaryFolder place;
+  const fs::path& folder = place.path();
   std::ofstream(folder / "m.csv") << "x\n1\n";
   SessionOptions options;
   options.folder = folder;
@@ -140,5 +135,4 @@ TEST_CASE("a file that has changed since the check is an error of the run") {
   REQUIRE(result.error.has_value());
   CHECK(result.error->message == "`m.csv` cannot be read");
   CHECK(result.error->why.find("its columns are x, and the program was checked with x, y") == 0);
-  fs::remove_all(folder);
 }
