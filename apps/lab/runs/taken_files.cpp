@@ -18,16 +18,15 @@ std::string_view rest_of(std::string_view question, std::string_view word) {
 }
 
 // Where the mesh of a link lies that is asked for as "link1.glb of arms/arm.urdf", or as "link1.glb
-// of " by the program itself; empty: it is another question. What is outside of the folder, and a
-// package around it, is looked for inside (find_mesh).
-std::string path_of_mesh(std::string_view load) {
-  const std::size_t of = load.rfind(" of ");
-  if (of == std::string_view::npos) return {};
-  std::string_view mesh = load.substr(0, of);
+// of " by the program itself. What is outside of the folder, and a package around it, is looked for
+// inside (find_mesh).
+std::string path_of_mesh(std::string_view asked) {
+  const std::size_t of = asked.rfind(" of ");
+  std::string_view mesh = asked.substr(0, of);
   for (const std::string_view scheme : {"package://", "file://"}) {
     if (mesh.starts_with(scheme)) mesh.remove_prefix(scheme.size());
   }
-  const std::filesystem::path folder = std::filesystem::path(load.substr(of + 4)).parent_path();
+  const std::filesystem::path folder = std::filesystem::path(asked.substr(of + 4)).parent_path();
   std::string path = clean(folder / mesh);
   while (path.starts_with("../")) path.erase(0, 3);
   return path;
@@ -55,10 +54,11 @@ void TakenFiles::add_loaded(const SessionLog& log) {
       // "save NAME HASH": the hash has 16 digits.
       const std::string_view save = rest_of(reply.question, "save ");
       if (save.size() > 17) saved.emplace(save.substr(0, save.size() - 17));
+      const std::string_view mesh = rest_of(reply.question, "glb ");
+      if (!mesh.empty()) files_.insert_or_assign(path_of_mesh(mesh), reply.text);
       const std::string_view load = rest_of(reply.question, "load ");
       if (load.empty() || saved.contains(load)) continue;
-      const std::string path = path_of_mesh(load);
-      files_.insert_or_assign(path.empty() ? clean(std::filesystem::path(load)) : path, reply.text);
+      files_.insert_or_assign(clean(std::filesystem::path(load)), reply.text);
     }
   }
 }

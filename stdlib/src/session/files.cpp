@@ -144,8 +144,8 @@ Result<std::string> Host::load_mesh(const std::string& file, const std::string& 
     return read_mesh(path, unit);
   };
   if (options_.journal == nullptr) return read_it();
-  Reply reply = options_.journal->load(fmt::format("{} of {}", mesh, file),
-                                       [&] { return reply_of(read_it()); });
+  Reply reply = options_.journal->ask(fmt::format("glb {} of {}", mesh, file),
+                                      [&] { return reply_of(read_it()); });
   if (reply.error) return *reply.error;
   return std::move(reply.text);
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "armlet/backend/recorder.hpp"
@@ -11,6 +12,7 @@
 #include "armlet/cell/clock.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "lab_support.hpp"
+#include "temporary_folder.hpp"
 
 using namespace armlet;
 using namespace armlet::lab;
@@ -332,10 +334,8 @@ TEST_CASE("messages that cannot be read are answered, and nothing else happens")
 }
 
 TEST_CASE("programs write no files, but they think so") {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / "armlet_lab_test_files";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder place;
+  const std::filesystem::path& folder = place.path();
   LaboratoryOptions options = lab_with(R"(record r every (100ms) { k: 1.0 }
 wait(1s)
 plot([1, 2, 3])
@@ -353,7 +353,6 @@ savePlot("f.svg")
   CHECK(page.last("run")["state"] == "done");
   CHECK(page.last("figures")["svg"].get<std::string>().starts_with("<svg"));
   CHECK(std::filesystem::is_empty(folder));
-  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("as many runs are kept as fit, and the shown one always") {
@@ -408,6 +407,48 @@ TEST_CASE("an exported laboratory has its runs, and the files that they took") {
   CHECK(runs[0]["text"] == saved["text"]);
   CHECK(runs[0]["hash"].get<std::string>().size() == 16);
   CHECK(runs[0]["inputs"].empty());
+}
+
+TEST_CASE(
+    "an exported laboratory has the tables that its program reads, and runs with them alone") {
+  const auto reading = [](const TemporaryFolder& place) {
+    LaboratoryOptions options = lab_with(
+        "let points = loadTable(\"data/points.csv\")\nlet name = \"times of moves\"\n"
+        "moveJ(posJ(points.q[1], 30deg, 10mm, 0deg), time: 1s)\n"
+        "wait(loadTable(f\"{name}.csv\", columns: \"t [s]\").t[0])\n");
+    options.file = "cell.rbt";
+    options.session.folder = place.path();
+    options.session.load = [&place](const std::string& path, const std::string&) {
+      ImportedText given{.name = path};
+      std::ifstream file(place.path() / path);
+      if (file) given.text = std::string(std::istreambuf_iterator<char>(file), {});
+      return given;
+    };
+    return options;
+  };
+  const TemporaryFolder place;
+  std::filesystem::create_directory(place.path() / "data");
+  std::ofstream(place.path() / "data/points.csv") << "q [deg]\n10\n20\n";
+  std::ofstream(place.path() / "times of moves.csv") << "t [s]\n0.25\n";
+  const auto exported = [&](const TemporaryFolder& from) {
+    Laboratory laboratory(reading(from));
+    TestPage page(laboratory);
+    page.hello();
+    finish_work(laboratory);
+    return page.ask({{"type", "export"}})["laboratory"];
+  };
+  const TestJson saved = exported(place);
+  INFO(saved.dump(2));
+  CHECK(saved["files"] == TestJson({{"data/points.csv", "q [deg]\n10\n20\n"},
+                                    {"times of moves.csv", "t [s]\n0.25\n"}}));
+  const TemporaryFolder other;
+  for (const auto& [path, text] : saved["files"].items()) {
+    std::filesystem::create_directories((other.path() / path).parent_path());
+    std::ofstream(other.path() / path) << text.get<std::string>();
+  }
+  const TestJson again = exported(other);
+  CHECK(again["runs"][0]["state"] == "done");
+  CHECK(again["runs"][0]["hash"] == saved["runs"][0]["hash"]);
 }
 
 TEST_CASE("a goal out of reach comes with what is nearest to it") {
