@@ -33,16 +33,14 @@ struct Section {
   std::vector<Page> pages;
 };
 
-// "a: point, b: point" -> {"point", "point"}
-std::vector<std::string_view> parameter_types(std::string_view signature) {
-  std::vector<std::string_view> types;
+// "(a: point, b: point)" -> {"a: point", "b: point"}
+std::vector<std::string_view> parameters_in(std::string_view signature) {
+  std::vector<std::string_view> parts;
   int depth = 0;
   std::size_t start = 1;
   const auto add = [&](std::size_t end) {
-    std::string_view part = signature.substr(start, end - start);
-    if (const std::size_t colon = part.find(": "); colon != std::string_view::npos)
-      part.remove_prefix(colon + 2);
-    if (!part.empty()) types.push_back(part);
+    const std::string_view part = signature.substr(start, end - start);
+    if (!part.empty()) parts.push_back(part);
   };
   for (std::size_t i = 0; i < signature.size(); ++i) {
     const char c = signature[i];
@@ -56,8 +54,26 @@ std::vector<std::string_view> parameter_types(std::string_view signature) {
       break;
     }
   }
+  return parts;
+}
+
+std::vector<std::string_view> parameter_types(std::string_view signature) {
+  std::vector<std::string_view> types = parameters_in(signature);
+  for (std::string_view& part : types) {
+    if (const std::size_t colon = part.find(": "); colon != std::string_view::npos)
+      part.remove_prefix(colon + 2);
+  }
   return types;
 }
+
+std::vector<std::string_view> parameter_names(std::string_view signature) {
+  std::vector<std::string_view> names = parameters_in(signature);
+  for (std::string_view& part : names) part = part.substr(0, part.find(": "));
+  return names;
+}
+
+// The type that "image[]", "image.grey[]" and "image[:]" are about.
+std::string_view indexed(std::string_view name) { return name.substr(0, name.find_first_of(".[")); }
 
 std::string_view result_of(std::string_view signature) {
   const std::size_t arrow = signature.rfind(") -> ");
@@ -79,9 +95,9 @@ std::string operator_call(std::string_view sign, std::string_view signature) {
 // The heading of an entry: "motor NAME { ... }" is found under motor, operators under their sign.
 std::string heading(std::string_view name) {
   if (!name.starts_with("operator") && name.ends_with('=')) name.remove_suffix(1);
+  if (name.ends_with("[]") || name.ends_with("[:]")) return std::string(indexed(name));
   if (name.starts_with("operator")) return std::string(name.substr(8));
-  if (name.ends_with("[]") || name.ends_with("{}"))
-    return std::string(name.substr(0, name.size() - 2));
+  if (name.ends_with("{}")) return std::string(name.substr(0, name.size() - 2));
   if (const std::string_view word = block_of(name); !word.empty())
     return fmt::format("{} ({}:)", word, name.substr(word.size() + 1));
   return std::string(name);
@@ -167,11 +183,25 @@ std::string written_call(const Registry& registry, const NativeFunction& functio
   if (name.starts_with("operator")) return operator_call(name.substr(8), signature);
   if (name.ends_with('=')) {  // p.x = length, q[i] = angle
     std::string place(name.substr(0, name.size() - 1));
-    if (place.ends_with("[]")) place.insert(place.size() - 1, "i");
+    if (place.ends_with("[]")) {
+      const auto indexes = parameter_names(signature);
+      place = fmt::format("{}[{}]", indexed(place),
+                          fmt::join(std::span(indexes).subspan(1, indexes.size() - 2), ", "));
+    }
     return fmt::format("{} = {}", place, parameter_types(signature).back());
   }
-  if (name.ends_with("[]"))
-    return fmt::format("{}[i]{}", name.substr(0, name.size() - 2), result_of(signature));
+  if (name.ends_with("[]")) {
+    const auto indexes = parameter_names(signature);
+    return fmt::format("{}[{}]{}", indexed(name), fmt::join(std::span(indexes).subspan(1), ", "),
+                       result_of(signature));
+  }
+  if (name.ends_with("[:]")) {
+    const auto ends = parameter_names(signature);
+    std::string ranges;
+    for (std::size_t i = 1; i + 1 < ends.size(); i += 2)
+      ranges += fmt::format("{}{}:{}", i == 1 ? "" : ", ", ends[i], ends[i + 1]);
+    return fmt::format("{}[{}]{}", indexed(name), ranges, result_of(signature));
+  }
   if (name.ends_with("{}"))
     return fmt::format("{} NAME {{ {} }}", name.substr(0, name.size() - 2),
                        parameters_of(signature));

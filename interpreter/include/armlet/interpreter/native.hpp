@@ -12,8 +12,9 @@
 //   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U};  to: a point
 //   or a double[] may be declared as two overloads
 //
-// Names with a meaning of their own: "point.x" is the field x of a point; "point[]" indexing;
-// "point.x=" and "point[]=" give the value that `p.x = v` and `p[i] = v` store, from the old one;
+// Names with a meaning of their own: "point.x" is the field x of a point; "point[]" indexing,
+// "point.sharp[]" of one of the kind sharp, "point[:]" a part; "point.x=" and "point[]=" give the
+// value that `p.x = v` and `p[i] = v` store, from the old one;
 // "operator*" and its like operators between host types or lists; "motor{}" what a block
 // declaration of type motor calls, whose parameter `name` receives the declared name, and a
 // parameter `phase: phaseRow[]` the rows `phase wound(...)`, each made by "motor.phase.wound";
@@ -124,7 +125,6 @@ class Timeline {
 };
 
 // ---- reading arguments and leaving results
-// ---------------------------------------------------------------------
 
 template <class T>
 [[nodiscard]] const T& host_value(Slot s) {
@@ -212,7 +212,6 @@ Failed fail(Vm& vm, Failure failure);
 Signal pause(Vm& vm, std::unique_ptr<Waiting> waiting);
 
 // ---- rules checked before running
-// -----------------------------------------------------------------------------
 
 // A value known from the text: literals, fixed variables and lists made of them.
 struct Constant {
@@ -229,6 +228,7 @@ struct Constant {
 class Fact {
  public:
   virtual ~Fact() = default;
+  [[nodiscard]] virtual std::string_view kind() const { return {}; }  // a text that lasts
 };
 
 // The size of a matrix, or the length of a list (its rows).

@@ -8,6 +8,7 @@
 #include "check/explain/divided_remarks.hpp"
 #include "check/learnt.hpp"
 #include "check/names/endless.hpp"
+#include "check/names/host_places.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/look_ahead.hpp"
 #include "check/types/any_table.hpp"
@@ -196,6 +197,7 @@ hir::Stmt* declare(Checker& checker, const ast::VarStmt& stmt, const ast::Declar
   const Declared how = !stmt.fixed    ? (stmt.classic ? Declared::kClassic : Declared::kVar)
                        : stmt.classic ? Declared::kFinal
                                       : Declared::kLet;
+  if (value != nullptr && type->is(Kind::kHost)) variable->kind = kind_of(*value);
   // Fixed in fact, when nothing in the text changes it.
   if (value != nullptr && (stmt.fixed || !checker.names.is_changed(name.text))) {
     variable->init = value;

@@ -1,9 +1,12 @@
 #include "check/names/host_places.hpp"
 
+#include <algorithm>
+
 #include "check/calls/native_calls.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/places.hpp"
 #include "check/statements/tasks.hpp"
+#include "check/types/constants.hpp"
 #include "check/types/long_lists.hpp"
 #include "check/types/matrices.hpp"
 #include "check/types/members.hpp"
@@ -42,12 +45,29 @@ const ast::Expr* object_of(const ast::Expr& target) {
   return nullptr;
 }
 
+// Whether a row of that name takes a value and so many further arguments.
+bool has_row(Checker& checker, const std::string& name, std::size_t further) {
+  return std::ranges::any_of(checker.registry.functions(name), [&](const NativeFunction* function) {
+    return checker.shared.signatures.of(*function).parameters.size() == further + 1;
+  });
+}
+
+// The row of the library that reads elements of a value by so many indexes; empty: there is none.
+std::string element_row(Checker& checker, const Type& type, std::string_view kind,
+                        std::size_t indexes) {
+  const std::string name = type_name(&type);
+  const std::string of_kind = name + '.' + std::string(kind) + "[]";
+  if (!kind.empty() && has_row(checker, of_kind, indexes)) return of_kind;
+  return has_row(checker, name + "[]", indexes) ? name + "[]" : std::string();
+}
+
 // One part of a host value in a place, whose indexes are evaluated once.
 struct Part {
   hir::Place place;
-  std::string name;            // "point.x", "point[]"
-  hir::Expr* index = nullptr;  // of an element
-  std::vector<hir::Stmt*> before;
+  std::string name;                   // "point.x", "point[]"
+  std::string read;                   // the row that reads it: "image.grey[]"
+  std::vector<hir::Expr*> indexes{};  // of an element
+  std::vector<hir::Stmt*> before{};
 };
 
 // What other code could change meanwhile is kept in a variable.
@@ -72,22 +92,28 @@ std::optional<Part> part_of(Checker& checker, const ast::Expr& target, Span stat
   out.name = type_name(place->type);
   if (target.kind == ast::ExprKind::kMember) {
     out.name += '.' + std::string(target.as<ast::MemberExpr>().member.text);
+    out.read = out.name;
     return out;
   }
-  const auto& index = target.as<ast::IndexExpr>();
+  const auto& items = target.as<ast::IndexExpr>().items;
+  const std::string_view kind = place->steps.empty() ? kind_of(*read_place(checker, *place)) : "";
+  out.read = element_row(checker, *place->type, kind, items.size());
   out.name += "[]";
-  if (index.items.size() == 1) out.index = index_value(checker, *index.items[0].first);
-  if (out.index == nullptr || out.index->type->is(Kind::kAny)) {
-    if (out.index == nullptr) checker.report(make_diagnostic("E0328", target.span));
+  if (out.read.empty()) {
+    checker.report(make_diagnostic("E0328", target.span));
     return std::nullopt;
   }
-  out.index = kept(checker, out.index, out.before);
+  for (const ast::IndexItem& item : items) {
+    hir::Expr* index = index_value(checker, *item.first);
+    if (index->type->is(Kind::kAny)) return std::nullopt;
+    out.indexes.push_back(kept(checker, index, out.before));
+  }
   return out;
 }
 
 std::vector<Argument> arguments(Checker& checker, const Part& part, hir::Expr* value) {
   std::vector<Argument> out = {Argument{.value = read_place(checker, part.place)}};
-  if (part.index != nullptr) out.push_back(Argument{.value = part.index});
+  for (hir::Expr* index : part.indexes) out.push_back(Argument{.value = index});
   if (value != nullptr) out.push_back(Argument{.value = value});
   return out;
 }
@@ -141,7 +167,7 @@ hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
   hir::Expr* value = checker.check_value(*assign.value);
   if (!part || value->type->is(Kind::kAny)) return nullptr;
   value = kept(checker, value, part->before);
-  hir::Expr* old = call_native(checker, part->name, checker.registry.functions(part->name),
+  hir::Expr* old = call_native(checker, part->read, checker.registry.functions(part->read),
                                target.span, target.span, arguments(checker, *part, nullptr));
   if (old->type->is(Kind::kAny)) return nullptr;
   const bool is_sum = assign.op == ast::BinaryOp::kAdd || assign.op == ast::BinaryOp::kSub;
@@ -157,6 +183,60 @@ hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
   hir::Expr* result = combine(checker, node, old, value);
   if (result->type->is(Kind::kAny)) return nullptr;
   return store(checker, *part, target, result, assign);
+}
+
+// ---- reading -----------------------------------------------------------------------------------
+
+namespace {
+
+hir::Expr* call_row(Checker& checker, const std::string& name, Span span,
+                    std::vector<Argument> arguments) {
+  return call_native(checker, name, checker.registry.functions(name), span, span,
+                     std::move(arguments));
+}
+
+// img[x0:x1, y0:y1], where every end may be left out.
+hir::Expr* host_part(Checker& checker, const ast::IndexExpr& index, hir::Expr* object) {
+  const std::string row = type_name(object->type) + "[:]";
+  if (!has_row(checker, row, 2 * index.items.size())) return nullptr;
+  const Signature& signature =
+      checker.shared.signatures.of(*checker.registry.functions(row).front());
+  std::vector<Argument> arguments = {Argument{.value = object}};
+  std::size_t parameter = 1;
+  for (const ast::IndexItem& item : index.items) {
+    for (const ast::Expr* end : {item.first, item.last}) {
+      const std::string_view name = signature.parameters[parameter++].name;
+      if (end == nullptr) continue;
+      arguments.push_back(
+          Argument{.name = name, .name_span = end->span, .value = index_value(checker, *end, {})});
+    }
+  }
+  return call_row(checker, row, index.span, std::move(arguments));
+}
+
+}  // namespace
+
+std::string_view kind_of(const hir::Expr& value) {
+  if (const Fact* fact = fact_of(value)) return fact->kind();
+  if (value.kind != hir::ExprKind::kVariable) return {};
+  const hir::Variable* variable = value.as<hir::VariableExpr>().variable;
+  while (variable->kind.empty() && variable->outer != nullptr) variable = variable->outer;
+  return variable->kind;
+}
+
+hir::Expr* host_element(Checker& checker, const ast::IndexExpr& index, hir::Expr* object) {
+  if (!object->type->is(Kind::kHost)) return nullptr;
+  const auto ranges = static_cast<std::size_t>(
+      std::ranges::count_if(index.items, [](const auto& item) { return item.is_range; }));
+  if (ranges == index.items.size()) return host_part(checker, index, object);
+  const std::string row =
+      ranges == 0 ? element_row(checker, *object->type, kind_of(*object), index.items.size())
+                  : std::string();
+  if (row.empty()) return nullptr;
+  std::vector<Argument> arguments = {Argument{.value = object}};
+  for (const ast::IndexItem& item : index.items)
+    arguments.push_back(Argument{.value = index_value(checker, *item.first, {})});
+  return call_row(checker, row, index.span, std::move(arguments));
 }
 
 }  // namespace armlet::lang

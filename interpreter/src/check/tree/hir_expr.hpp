@@ -44,6 +44,7 @@ struct Variable {
   bool maybe_unset = false;    // a global that may be read too early: reads are checked (R0623)
   bool is_open = false;        // the host sees it by name, and may change a `var` between slices
   const Expr* init = nullptr;  // the initialiser, for messages
+  std::string_view kind{};     // Fact::kind of its first value
   std::uint32_t index = 0;     // of a global: its number
 };
 

@@ -10,6 +10,7 @@
 #include "check/explain/listed_names.hpp"
 #include "check/learnt.hpp"
 #include "check/names/function_names.hpp"
+#include "check/names/host_places.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/statements/recordings.hpp"
@@ -283,6 +284,7 @@ hir::Expr* check_index(Checker& checker, const ast::IndexExpr& index) {
   const Type* type = object->type;
   if (type->is(Kind::kAny)) return checker.failed(index.span);
   if (type->is(Kind::kMatrix)) return check_matrix_index(checker, index, object);
+  if (hir::Expr* part = host_element(checker, index, object)) return part;
   if (index.items.size() > 1) {
     Diagnostic diagnostic =
         make_diagnostic("E0318", index.span, {"with a comma, " + type_phrase(type)});
@@ -307,12 +309,6 @@ hir::Expr* check_index(Checker& checker, const ast::IndexExpr& index) {
                                               place);
     return checker.make<hir::ElementExpr>(hir::ExprKind::kElement, type->element, index.span,
                                           object, place);
-  }
-  const std::string native = type_name(type) + "[]";
-  if (const auto found = checker.registry.functions(native); !found.empty() && !item.is_range) {
-    return call_native(
-        checker, native, found, index.span, index.span,
-        {Argument{.value = object}, Argument{.value = index_value(checker, *item.first)}});
   }
   checker.report(make_diagnostic("E0318", index.object->span, {type_phrase(type)}));
   return checker.failed(index.span);
