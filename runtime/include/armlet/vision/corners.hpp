@@ -1,0 +1,44 @@
+#pragma once
+// Corners by one of the detectors, refined, and those near given places.
+
+#include <cstdint>
+
+#include "armlet/image/image.hpp"
+#include "armlet/vision/plane_points.hpp"
+
+namespace armlet {
+
+enum class CornerMethod : std::uint8_t { kSusan, kHarris };
+
+// threshold    of SUSAN, grey levels (susan.hpp).
+// quality, distance, sensitivity  of Harris (harris.hpp).
+// max          at most so many corners, the strongest ones; 0: all.
+// refine       to fractions of a pixel (refine.hpp); a corner that cannot be refined stays at whole
+//              pixels.
+struct CornerOptions {
+  CornerMethod method = CornerMethod::kSusan;
+  int threshold = 20;
+  double quality = 0.01;
+  double distance = 10.0;
+  double sensitivity = 0.04;
+  int max = 0;
+  bool refine = true;
+};
+
+// The corners of a picture from the strongest to the weakest, equally strong ones in the order of
+// rows, n x 2.
+//
+// grey    one channel of 8 bits.
+// throws  ArgumentError for another kind of picture or an option out of range.
+PlanePoints find_corners(const Image& grey, const CornerOptions& options = {});
+
+// The same corners, as far as they are in the smallest upright box around some places that is
+// `within` pixels larger on every side; only that part of the picture is looked at. Responses of
+// Harris are compared within it.
+//
+// places  k x 2, k >= 1, px; they may lie outside of the picture.
+// throws  as find_corners, and for no places or numbers that are not finite.
+PlanePoints find_corners_around(const Image& grey, const PlanePoints& places, double within,
+                                const CornerOptions& options = {});
+
+}  // namespace armlet
