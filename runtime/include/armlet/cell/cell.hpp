@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "armlet/backend/backend.hpp"
+#include "armlet/cell/cameras.hpp"
 #include "armlet/cell/cell_robot.hpp"
 #include "armlet/cell/clock.hpp"
 #include "armlet/cell/contacts.hpp"
@@ -75,9 +76,8 @@ class Cell {
   [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
 
   // Exchanges what a robot is, for example its tool point; what it holds stays where it is.
-  // throws  ArgumentError while it moves, but for a motion under forces, whose next piece is that
-  // of
-  //         the new model; or if the number of joints differs.
+  // throws  ArgumentError while it moves, but for a motion under forces, whose next piece is
+  //         that of the new model; or if the number of joints differs.
   void set_model(int robot, std::shared_ptr<const Robot> model);
 
   // Puts a robot into a position without moving it. Throws ArgumentError while it moves.
@@ -117,8 +117,7 @@ class Cell {
   //
   // held_ns  for a velocity command: until when it holds.
   // throws   ArgumentError if the trajectory does not start with the position (within 1e-6 rad or
-  // m)
-  //          and speed (1e-6 per s) of the robot, or unless can_drive.
+  //          m) and speed (1e-6 per s) of the robot, or unless can_drive.
   int drive(int robot, Trajectory trajectory, std::optional<std::int64_t> held_ns = {});
 
   // Moves a robot under forces, piece by piece: the motion that simulation found for the time until
@@ -184,15 +183,17 @@ class Cell {
   // throws  ArgumentError if the hand is empty.
   Drop let_go(int robot);
 
-  // --- shapes that are only shown -------------------------------------------------------------
+  // --- shapes that are only shown, cameras ----------------------------------------------------
   // Shows a shape from now on, or changes the one of that name. On a frame of the world it goes
   // where that is now.
   // throws  ArgumentError for what Drawings::put refuses, and what it would be on and is not there.
   void draw(Drawing drawing);
   bool undraw(std::string_view name);  // false: there is none
   [[nodiscard]] const Drawings& drawings() const { return drawings_; }
-  // Where its frame is now.
+  // Where its frame is now, and one that something is mounted on; ArgumentError: it is not there.
   [[nodiscard]] Eigen::Isometry3d T_world_drawing(std::string_view name) const;
+  [[nodiscard]] Eigen::Isometry3d T_world_mount(const Mount& on) const;
+  [[nodiscard]] Cameras& cameras() { return cameras_; }
 
   // --- signals and the outside ----------------------------------------------------------------
   [[nodiscard]] Signals& signals() { return signals_; }
@@ -264,7 +265,6 @@ class Cell {
   void publish_object(std::string_view name);
   void publish_falls(const std::vector<Fall>& falls);
   void publish_drawing(const Drawing& drawing, bool removed);
-  [[nodiscard]] Eigen::Isometry3d T_world_mount(const Mount& on) const;
   void refuse_held(std::string_view name, std::string_view what) const;
   template <class Told>
   void tell(Told&& event);
@@ -276,6 +276,7 @@ class Cell {
 
   World world_;
   Drawings drawings_;
+  Cameras cameras_;
   CellOptions options_;
   Clock clock_;
   Signals signals_;

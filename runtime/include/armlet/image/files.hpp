@@ -22,7 +22,8 @@ namespace armlet {
 //          with the code "picture" whose message is a sentence with the position and the numbers.
 //          Memory is asked for only if the file is long enough to fill it.
 //
-// The functions of this file are not there in WebAssembly.
+// In WebAssembly nothing is read or written: read_image returns such an error, and the others throw
+// ArgumentError.
 [[nodiscard]] Result<Image> read_image(std::string_view bytes);
 
 // The bytes of a PNG file, by libpng. Reading them gives the same picture.

@@ -1,0 +1,109 @@
+#pragma once
+// Cameras of a cell: where they are, and what they see now.
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "armlet/camera/ground_truth.hpp"
+#include "armlet/camera/pinhole.hpp"
+#include "armlet/camera/scene.hpp"
+#include "armlet/image/image.hpp"
+#include "armlet/math/eigen_layout.hpp"
+#include "armlet/model/link_shapes.hpp"  // its kFlange would shadow that of world.hpp
+#include "armlet/world/world.hpp"
+
+namespace armlet {
+
+class Cell;
+
+// A camera that is mounted on the world, an object, a frame or a link of a robot.
+//
+// T_on_camera  its frame there: z forward, x right, y down.
+// samples      1 or 4 in each pixel.
+// noise        standard deviation of Gaussian noise in colours, grey levels, 0 to 255.
+// blur         standard deviation of a Gaussian bell over the picture, px, 0 to 30.
+// seed         of the noise; each picture has another one.
+// key_light    shades and shadows; else every surface shows its own colour.
+// ground       whether the ground is drawn, at the height of the world's floor or at 0.
+struct Camera {
+  std::string name;
+  Mount on{};
+  Eigen::Isometry3d T_on_camera = Eigen::Isometry3d::Identity();
+  Pinhole lens{Intrinsics{}};
+  int samples = 4;
+  double noise = 0.0;
+  double blur = 0.0;
+  std::uint64_t seed = 1;
+  bool key_light = true;
+  bool ground = true;
+};
+
+// The cameras of a cell. What is seen are the objects, the robots with their hands and fingers, and
+// the shapes that are only shown, but for texts; see-through ones are seen as solid. Surfaces are
+// made when a camera first looks, and kept.
+class Cameras {
+ public:
+  static constexpr int kMost = 100;
+  static constexpr std::int64_t kMostPixels = 4'194'304;  // of a picture
+
+  Cameras();
+  ~Cameras();
+  // A copy makes its surfaces anew when one of its cameras looks.
+  Cameras(const Cameras& other);
+  Cameras& operator=(const Cameras& other);
+  Cameras(Cameras&&) noexcept;
+  Cameras& operator=(Cameras&&) noexcept;
+
+  // Adds a camera and returns its number, from 0.
+  //
+  // throws  ArgumentError for a name that is empty or in use, more than kMost cameras or
+  //         kMostPixels pixels, a setting out of range, and a pose that is none.
+  int add(Camera camera);
+  [[nodiscard]] int count() const { return static_cast<int>(cameras_.size()); }
+  // throws  ArgumentError for a number that no camera has; so do all that take one.
+  [[nodiscard]] const Camera& at(int camera) const;
+
+  // Where it is now.
+  //
+  // throws  ArgumentError if what it is on was removed.
+  [[nodiscard]] Eigen::Isometry3d T_world_camera(const Cell& cell, int camera) const;
+  // Where it would be if the tool point of the arm that carries it were at `tool`; of a camera that
+  // is on no arm, `tool` is the camera's own frame.
+  //
+  // throws  ArgumentError for a camera on a link before the flange.
+  [[nodiscard]] Eigen::Isometry3d T_world_camera_for(const Cell& cell, int camera,
+                                                     const Eigen::Isometry3d& tool) const;
+
+  // Everything that it may see, at this instant.
+  [[nodiscard]] Scene scene(const Cell& cell, int camera);
+
+  // An RGB picture, with blur and noise; the next one has other noise.
+  [[nodiscard]] Image color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
+  // Depths z in metres; 0 where nothing is seen.
+  [[nodiscard]] Image depth(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
+  // Row by row, numbers of bodies of `scene`, kGroundBody or kNoBody.
+  [[nodiscard]] std::vector<std::int32_t> bodies(const Cell& cell, int camera,
+                                                 const Eigen::Isometry3d& T_world_camera);
+  // Share of the pixels of an object that is seen, 0 to 1 (Renderer::visible_share).
+  //
+  // throws  ArgumentError for an object that is not there; so does the next.
+  [[nodiscard]] double visible_share(const Cell& cell, int camera, std::string_view object);
+  // Corners of an object that are in the picture and not hidden.
+  [[nodiscard]] std::vector<SeenCorner> corners(const Cell& cell, int camera,
+                                                std::string_view object);
+
+ private:
+  class Surfaces;
+  class Drawer;
+  std::vector<Camera> cameras_;
+  std::vector<std::uint64_t> taken_;  // how many pictures each took
+  std::unique_ptr<Surfaces> surfaces_;
+  std::unique_ptr<Drawer> drawer_;  // null until a camera looks
+};
+
+}  // namespace armlet
