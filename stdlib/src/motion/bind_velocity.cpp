@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "armlet/core/format.hpp"
@@ -15,6 +16,7 @@
 #include "session/bind.hpp"
 #include "session/time_left.hpp"
 #include "values/values.hpp"
+#include "vision/cameras.hpp"
 #include "world/objects.hpp"
 
 namespace armlet::bind {
@@ -235,6 +237,31 @@ Started speed_c_named(Vm& vm, const RobotRef& r, std::span<const double> v, cons
   return speed_c(vm, r, {v, now->T.linear(), during, 3});
 }
 
+// The velocity of a camera along its own axes, as that of the tool point of the arm that carries
+// it.
+Started speed_c_camera(Vm& vm, const RobotRef& r, std::span<const double> v,
+                       const CameraRef& camera, double during) {
+  const auto T_world_camera = pose_now(vm, camera);
+  if (!T_world_camera) return Failed{};
+  Cell& cell = Host::of(vm).cell();
+  const Mount& on = cell.cameras().at(camera.id).on;
+  const int carrier =
+      on.base == FrameBase::kFrame ? cell.world().mount_of_frame(on.on).carrier : on.carrier;
+  const CellRobot& arm = cell.robot(r.id);
+  if (carrier != r.id && (arm.on < 0 || carrier != arm.on)) {
+    return fail_blind(vm, fmt::format("`{}` does not carry it", arm.name), 2,
+                      "give the velocity in the frame of a camera that is on the arm");
+  }
+  if (v.size() != 6) return speed_c(vm, r, {v, Eigen::Matrix3d::Identity(), during, 3});
+  const Eigen::Matrix3d& R = T_world_camera->linear();
+  const Eigen::Vector3d w = R * Eigen::Vector3d(v[3], v[4], v[5]);
+  const Eigen::Vector3d to_tool =
+      cell.T_world_tool(r.id).translation() - T_world_camera->translation();
+  const Eigen::Vector3d moved = R * Eigen::Vector3d(v[0], v[1], v[2]) + w.cross(to_tool);
+  const std::array<double, 6> twist{moved.x(), moved.y(), moved.z(), w.x(), w.y(), w.z()};
+  return speed_c(vm, r, {twist, Eigen::Matrix3d::Identity(), during, 3});
+}
+
 constexpr std::string_view kSpeedJHelp =
     "Takes up these joint speeds (rad/s, m/s) within the limits on acceleration and jerk and holds "
     "them; "
@@ -266,6 +293,15 @@ constexpr NativeFunction kVelocityFunctions[] = {
         "frame bench { at: rotZ(90deg) } moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, "
         "0.0, 0.0, 0.0], frame: bench, during: 500ms)",
         {.pauses = true}),
+    def<speed_c_camera>("speedC(r: robot, v: double[], frame: camera, during: time)",
+                        "Moves the arm so that the camera that it carries has this velocity along "
+                        "its own axes: vx, "
+                        "vy, vz in m/s, wx, wy, wz in rad/s, as interactionMatrix takes it. The "
+                        "rest as for speedJ.",
+                        "robot one = robots.scara(); one.moveJ(xyz(300mm, 200mm, 150mm)); camera "
+                        "eye { on: one } one.speedC([0.0, "
+                        "0.0, 0.05, 0.0, 0.0, 0.0], frame: eye, during: 500ms)",
+                        {.pauses = true}),
 };
 
 }  // namespace

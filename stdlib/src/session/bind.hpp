@@ -64,6 +64,12 @@ std::span<const NativeFunction> plot_functions();
 std::span<const NativeFunction> plot_line_functions();
 std::span<const NativeFunction> plot_motion_functions();
 std::span<const NativeFunction> lab_functions();
+std::span<const NativeFunction> picture_value_functions();
+std::span<const NativeFunction> picture_file_functions();
+std::span<const NativeFunction> camera_functions();
+std::span<const NativeFunction> sight_functions();
+std::span<const NativeFunction> feature_functions();
+std::span<const NativeFunction> tracker_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 

@@ -78,6 +78,12 @@ std::span<const Chapter> chapters() {
       {.title = "Figures: several lines", .functions = plot_line_functions()},
       {.title = "Figures: motions and records", .functions = plot_motion_functions()},
       {.title = "Laboratories", .functions = lab_functions()},
+      {.title = "Pictures", .functions = picture_value_functions(), .only_values = true},
+      {.title = "Pictures: files", .functions = picture_file_functions()},
+      {.title = "Cameras", .functions = camera_functions()},
+      {.title = "Cameras: what they see", .functions = sight_functions()},
+      {.title = "Pictures: features", .functions = feature_functions(), .only_values = true},
+      {.title = "Pictures: tracking", .functions = tracker_functions()},
       {.title = "Later", .functions = later_functions()},
   };
   return all;
@@ -89,7 +95,7 @@ void install(Engine& engine) {
   for (const HostType* type :
        {&bind::kPosJ, &bind::kPosC, &bind::kRobot, &bind::kObject, &bind::kFrame, &bind::kShape,
         &bind::kTool, &bind::kJointRow, &bind::kBodyRow, &bind::kLab, &bind::kLabRow,
-        &bind::kCamera, &bind::kImage, &bind::kTrajectory, &bind::kFinger}) {
+        &bind::kCamera, &bind::kImage, &bind::kTracker, &bind::kTrajectory, &bind::kFinger}) {
     engine.add_type(*type);
   }
   engine.add_record("Lu", "L: matrix, U: matrix, P: matrix");
@@ -109,7 +115,11 @@ void install(Engine& engine) {
                     "distance: length, from: posC, to: posC, body: string, other: string");
   engine.add_record("GraspQuality",
                     "epsilon: double, minSingular: double, contacts: int, forceClosure: bool");
-  engine.add_record("Blob", "x: double, y: double, area: double");
+  engine.add_record("Color", "r: int, g: int, b: int");
+  engine.add_record("Blob",
+                    "x: double, y: double, area: int, angle: angle, width: double, height: double, "
+                    "color: Color");
+  engine.add_record("PlanarPose", "pose: posC, error: double, other: posC, otherError: double");
   engine.add_record("Match", "x: double, y: double, score: double");
   engine.add_record("Compliance", "offset: double[], rate: double[]");
   engine.add_record("BaseParameters", "columns: int[], grouping: matrix, values: double[]");

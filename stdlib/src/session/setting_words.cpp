@@ -17,7 +17,7 @@ std::span<const std::string_view> words_of_parameter(std::string_view parameter)
       {"posture", kPostures},       {"sequence", kEulerSequences},
       {"direction", kDirections},   {"axis", kAxisSides},
       {"log", kLogarithmicAxes},    {"method", ode_method_names()},
-      {"use", kShapeUses},
+      {"use", kShapeUses},          {"light", kLightWords},
   };
   const auto* found = std::ranges::find(rows, parameter, &Row::parameter);
   return found != std::end(rows) ? found->words : std::span<const std::string_view>();

@@ -24,10 +24,17 @@ inline constexpr std::array<std::string_view, 3> kDirections = {"both", "rising"
 inline constexpr std::array<std::string_view, 2> kAxisSides = {"left", "right"};
 inline constexpr std::array<std::string_view, 4> kLogarithmicAxes = {"x", "y", "xy", "yx"};
 
+// In the order of CornerMethod.
+inline constexpr std::array<std::string_view, 2> kCornerMethods = {"susan", "harris"};
+// Of a camera: with shades and shadows, or without.
+inline constexpr std::array<std::string_view, 2> kLightWords = {"key", "flat"};
+
 // What the shape of a link is for, in the order of LinkSolidUse.
 inline constexpr std::array<std::string_view, 3> kShapeUses = {"both", "picture", "collision"};
 
 inline constexpr std::array<std::string_view, 2> kPictureEndings = {".svg", ".txt"};
+inline constexpr std::array<std::string_view, 5> kImageEndings = {".png", ".jpg", ".jpeg", ".pgm",
+                                                                  ".ppm"};
 inline constexpr std::array<std::string_view, 1> kTableEndings = {kTableEnding};
 
 // The words of the parameter of that name; none if it takes any text.

@@ -95,9 +95,9 @@ extern const HostType kJointRow;
 extern const HostType kBodyRow;
 extern const HostType kTrajectory;
 extern const HostType kFinger;
-// Without values of their own yet (bind_later.cpp).
-extern const HostType kCamera;
 extern const HostType kImage;
+extern const HostType kCamera;
+extern const HostType kTracker;
 
 [[nodiscard]] Obj* new_posj(Vm& vm, const PosJ& q);
 [[nodiscard]] Obj* new_posc(Vm& vm, const PosC& p);

@@ -1,0 +1,39 @@
+#pragma once
+// Cameras as values of programs, and points of their pictures as matrices.
+
+#include <string>
+#include <string_view>
+
+#include "armlet/cell/cameras.hpp"
+#include "armlet/core/error.hpp"
+#include "armlet/vision/plane_points.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+
+// A camera of the cell, by its number.
+struct CameraRef {
+  int id = 0;
+};
+
+// The sentence of an error as it goes on from other words.
+[[nodiscard]] inline std::string clause_of(const Error& error) {
+  return clause_of(ArgumentError(error.message));
+}
+
+// R0684: "this camera cannot see that: ...".
+Failed fail_blind(Vm& vm, std::string_view clause, int parameter = -1, std::string fix = {});
+
+// An N x 2 matrix of pixels, x first; R0613 for another number of columns or no rows.
+Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter);
+
+// Where the camera is now.
+Answer<Eigen::Isometry3d> pose_now(Vm& vm, const CameraRef& camera);
+
+}  // namespace armlet::bind
+
+namespace armlet {
+template <>
+inline constexpr const HostType* kHostType<bind::CameraRef> = &bind::kCamera;
+}  // namespace armlet

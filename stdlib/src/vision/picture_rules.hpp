@@ -1,0 +1,23 @@
+#pragma once
+// What the text shows of pictures: their kind, which decides what their elements are.
+
+#include "armlet/image/image.hpp"
+#include "armlet/interpreter/native.hpp"
+
+namespace armlet::bind {
+
+// The result of the call has this kind: elements of a grey picture are whole numbers, those of
+// depths lengths, all others colours.
+void note_kind(CheckCall& call, PixelKind kind);
+template <PixelKind kKind>
+void gives_kind(CheckCall& call) {
+  note_kind(call, kKind);
+}
+// The result has the kind of argument kParameter, if that is known.
+void note_same_kind(CheckCall& call, int parameter);
+template <int kParameter>
+void gives_same_kind(CheckCall& call) {
+  note_same_kind(call, kParameter);
+}
+
+}  // namespace armlet::bind

@@ -1,0 +1,105 @@
+#include "vision/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace armlet::bind {
+namespace {
+
+const Image& image_in(const void* value) {
+  return static_cast<const PictureValue*>(value)->kept->image;
+}
+
+void destroy(void* value) { static_cast<PictureValue*>(value)->~PictureValue(); }
+
+bool equal(const void* a, const void* b) { return image_in(a) == image_in(b); }
+
+void text(const void* value, std::string& out) {
+  const Image& image = image_in(value);
+  out += fmt::format("image {}, {}", size_of(image), kind_of(image.kind()));
+}
+
+// A host may keep its copy longer than the program lives, whose memory is counted.
+void copy(const void* from, void* to) {
+  auto kept = std::make_shared<KeptPicture>();
+  kept->image = image_in(from);
+  new (to) PictureValue{std::move(kept)};
+}
+
+}  // namespace
+
+const HostType kImage = {.name = "image",
+                         .size = sizeof(PictureValue),
+                         .destroy = destroy,
+                         .equal = equal,
+                         .text = text,
+                         .help = "A picture: grey, RGB, or of depths.",
+                         .noun = "an image",
+                         .copy = copy};
+
+std::uint64_t bytes_of(const Image& image) {
+  return image.bytes().size_bytes() + image.depths().size_bytes();
+}
+
+Obj* new_picture(Vm& vm, Image image) {
+  auto kept = std::make_shared<KeptPicture>();
+  kept->counted.emplace(vm, bytes_of(image));
+  if (!kept->counted->granted()) return nullptr;
+  kept->image = std::move(image);
+  return new_host_value(vm, kImage, PictureValue{std::move(kept)});
+}
+
+std::string size_of(const Image& image) {
+  return fmt::format("{} x {}", image.width(), image.height());
+}
+
+std::string_view kind_of(PixelKind kind) {
+  return kind == PixelKind::kGrey ? "grey" : kind == PixelKind::kRgb ? "RGB" : "depths";
+}
+
+Failed fail_picture(Vm& vm, std::string_view clause, int parameter, std::string fix) {
+  Failure f;
+  f.headline = {row("R0681"), {std::string(clause)}};
+  f.mark_parameter = parameter;
+  f.fix = std::move(fix);
+  return fail(vm, std::move(f));
+}
+
+Failed fail_outside(Vm& vm, const Image& image, std::int64_t x, std::int64_t y) {
+  const bool x_fits = x >= 0 && x < image.width();
+  const bool swapped_fits = y >= 0 && y < image.width() && x >= 0 && x < image.height();
+  return failure(vm, "R0606",
+                 fmt::format("pixel [{}, {}] is outside of a picture of {}", x, y, size_of(image)),
+                 x_fits ? 2 : 1,
+                 fmt::format("x goes from 0 to {} and y, downwards, from 0 to {}",
+                             image.width() - 1, image.height() - 1),
+                 swapped_fits ? "x comes first, then y" : "");
+}
+
+int rows_of_band(const Image& image, std::uint64_t cost) {
+  constexpr std::uint64_t kMostWork = std::uint64_t{1} << 24U;  // some 20 ms
+  const std::uint64_t row = std::max<std::uint64_t>(1, cost * image.width());
+  // A whole number of fours, by which noise is drawn.
+  const std::uint64_t rows = std::max<std::uint64_t>(16, kMostWork / row) & ~std::uint64_t{3};
+  return static_cast<int>(std::min<std::uint64_t>(rows, Image::kMostSide));
+}
+
+void copy_rows(const Image& from, int first, Image& to, int at, int count) {
+  for (int i = 0; i < count; ++i) {
+    if (from.kind() == PixelKind::kDepth) {
+      std::copy_n(from.depth_row(first + i), from.width(), to.depth_row(at + i));
+    } else {
+      std::copy_n(from.row(first + i), from.width() * from.channels(), to.row(at + i));
+    }
+  }
+}
+
+Image rows_of(const Image& image, int first, int last) {
+  Image out(image.width(), last - first, image.kind());
+  copy_rows(image, first, out, 0, last - first);
+  return out;
+}
+
+}  // namespace armlet::bind

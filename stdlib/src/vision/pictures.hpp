@@ -1,0 +1,110 @@
+#pragma once
+// Pictures as values of programs: shared until they are changed, counted against the heap limit.
+
+#include <concepts>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "armlet/image/image.hpp"
+#include "armlet/interpreter/work.hpp"
+#include "messages/library_messages.hpp"
+#include "session/bind.hpp"
+#include "values/values.hpp"
+
+namespace armlet::bind {
+
+// Pixels of one picture of a program at most.
+inline constexpr std::int64_t kMostPixels = std::int64_t{1} << 24U;
+
+// Pixels, and how they are counted; a copy that a host reads is not counted.
+struct KeptPicture {
+  Image image;
+  std::optional<Scratch> counted{};
+};
+// What an `image` of the language holds.
+struct PictureValue {
+  std::shared_ptr<KeptPicture> kept;  // shared by values that have the same pixels
+};
+
+// Of pixels, bytes.
+[[nodiscard]] std::uint64_t bytes_of(const Image& image);
+// A new value; null: the heap limit was reached and the failure is set.
+[[nodiscard]] Obj* new_picture(Vm& vm, Image image);
+
+// "640 x 480", "RGB".
+[[nodiscard]] std::string size_of(const Image& image);
+[[nodiscard]] std::string_view kind_of(PixelKind kind);
+
+// R0681: "this cannot be done with a picture: ...".
+Failed fail_picture(Vm& vm, std::string_view clause, int parameter = -1, std::string fix = {});
+// R0606 with the size of the picture.
+Failed fail_outside(Vm& vm, const Image& image, std::int64_t x, std::int64_t y);
+
+// f() of a function of pictures, after so many operations were counted; what it refuses is R0681.
+template <class F>
+auto with_pictures(Vm& vm, std::uint64_t operations, F f) -> Answer<decltype(f())> try {
+  if (!charge_work(vm, operations)) return Failed{};
+  return f();
+} catch (const ArgumentError& error) {
+  return fail_picture(vm, clause_of(error));
+}
+
+// f(part) for bands of rows one after the other, each with `margin` rows more above and below where
+// there are any, put together: the same as f(image) where a pixel depends on that many rows only.
+//
+// cost  operations for each pixel.
+template <class F>
+Answer<Image> by_bands(Vm& vm, const Image& image, int margin, std::uint64_t cost, F f);
+
+}  // namespace armlet::bind
+
+namespace armlet {
+
+template <>
+struct Argument<const Image&> {
+  static constexpr ValueKind kKind{ValueKind::Form::kHost, false, &bind::kImage};
+  static const Image& read(Vm&, Slot slot) {
+    return host_value<bind::PictureValue>(slot).kept->image;
+  }
+};
+template <>
+struct Given<Image> {
+  static constexpr ValueKind kKind = Argument<const Image&>::kKind;
+  static Signal leave(Vm& vm, Image image, Slot& slot) {
+    return give(&slot, bind::new_picture(vm, std::move(image)));
+  }
+};
+
+}  // namespace armlet
+
+namespace armlet::bind {
+
+// Rows of a band that are computed without a look at the wish to stop, for pixels of this cost.
+[[nodiscard]] int rows_of_band(const Image& image, std::uint64_t cost);
+// Copies `count` rows from one picture into another of the same width and kind.
+void copy_rows(const Image& from, int first, Image& to, int at, int count);
+// Rows [first, last) of a picture.
+[[nodiscard]] Image rows_of(const Image& image, int first, int last);
+
+template <class F>
+Answer<Image> by_bands(Vm& vm, const Image& image, int margin, std::uint64_t cost, F f) {
+  const int band = rows_of_band(image, cost);
+  std::optional<Image> out;
+  for (int y = 0; y < image.height(); y += band) {
+    const int end = std::min(y + band, image.height());
+    const int above = std::max(0, y - margin);
+    const int below = std::min(image.height(), end + margin);
+    const auto part =
+        with_pictures(vm, cost * static_cast<std::uint64_t>(below - above) * image.width(), [&] {
+          return above == 0 && below == image.height() ? f(image) : f(rows_of(image, above, below));
+        });
+    if (!part) return Failed{};
+    if (!out) out.emplace(image.width(), image.height(), part->kind());
+    copy_rows(*part, y - above, *out, y, end - y);
+  }
+  return *std::move(out);
+}
+
+}  // namespace armlet::bind
