@@ -47,8 +47,7 @@ void check_example(const NativeFunction& function) {
   // No folder is granted here.
   if (!compiled || function.name == "save" || function.name == "savePlot" ||
       function.name == "urdf" || function.name == "mesh" || function.name == "loadTable" ||
-      function.name == "loadImage" ||
-      function.name == "robot.body.mesh")
+      function.name == "loadImage" || function.name == "robot.body.mesh")
     return;
   const RunResult result = session.run();
   CHECK(result.status == Progress::kDone);
