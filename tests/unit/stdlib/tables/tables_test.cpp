@@ -84,7 +84,8 @@ print("done")
 }
 
 TEST_CASE("columns with units without a name of their own are read again as they were") {
-  const fs::path folder = empty_folder();
+  const TemporaryFolder made_here;
+  const fs::path folder = made_here.path();
   const Ran ran = run(R"(
 record made every (10ms) {
     perTime: 1.0 / (2s) ^ 2
