@@ -298,9 +298,9 @@ constexpr NativeFunction kVelocityFunctions[] = {
                         "its own axes: vx, "
                         "vy, vz in m/s, wx, wy, wz in rad/s, as interactionMatrix takes it. The "
                         "rest as for speedJ.",
-                        "robot one = robots.scara(); one.moveJ(xyz(300mm, 200mm, 150mm)); camera "
+                        "robot one = robots.scara(); one.moveJ(xyz(300mm, 200mm, 200mm)); camera "
                         "eye { on: one } one.speedC([0.0, "
-                        "0.0, 0.05, 0.0, 0.0, 0.0], frame: eye, during: 500ms)",
+                        "0.0, 0.02, 0.0, 0.0, 0.0], frame: eye, during: 500ms)",
                         {.pauses = true}),
 };
 
