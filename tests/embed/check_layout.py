@@ -46,7 +46,7 @@ def compiled(folder, flags, program=None):
     source.write_text(HOST)
     command = [COMPILER, "-std=c++20", *flags, f"-I{PREFIX}/include", "-isystem", eigen(), source]
     libraries = [str(next(PREFIX.rglob(f"libarmlet_{name}.a"))) for name in ("runtime", "core")]
-    command += ["-o", program, *libraries, "-lfmt", "-ldl"] if program else ["-fsyntax-only"]
+    command += ["-o", program, *libraries, "-lfmt", "-ldl", "-lpng", "-lz"] if program else ["-fsyntax-only"]
     return subprocess.run(command, capture_output=True, text=True)
 
 
