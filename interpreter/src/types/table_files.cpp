@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace armlet::lang {
+namespace armlet {
 
 TableFiles::TableFiles(const TableFiles* before) {
   if (before != nullptr) before_ = before->known_;
@@ -34,4 +34,4 @@ const TableFile& TableFiles::find(const ModuleLoader& load, const std::string& p
   return *(at->second = std::make_shared<const TableFile>(std::move(file)));
 }
 
-}  // namespace armlet::lang
+}  // namespace armlet

@@ -11,7 +11,7 @@
 #include "armlet/interpreter/host/compile_options.hpp"
 #include "armlet/interpreter/host/table_text.hpp"
 
-namespace armlet::lang {
+namespace armlet {
 
 // A table that a program reads with loadTable. If there is no text, `found` says why; it has no
 // text here in any case.
@@ -37,4 +37,4 @@ class TableFiles {
   std::map<Question, std::shared_ptr<const TableFile>> before_;
 };
 
-}  // namespace armlet::lang
+}  // namespace armlet

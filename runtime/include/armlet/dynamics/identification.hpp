@@ -19,7 +19,7 @@ namespace armlet {
 //
 // the first ten in the link's DH frame. Behind those of the links stand, in the same order, those
 // of each link with a mass or friction whose joint copies joints of the arm (RobotSpec::followers),
-// in its own frame and at its own joint: 14 (rows + followers) in all.
+// in its own frame and at its own joint: 14 (n + followers) in all.
 inline constexpr int kLinkParameters = 14;
 
 // p, 14 values for each link. A payload counts to the last link.

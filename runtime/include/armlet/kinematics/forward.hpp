@@ -16,20 +16,21 @@ namespace armlet {
 //         Applied Mechanics 22, 1955; B. Siciliano et al., Robotics, 2009, section 2.8.2.
 Eigen::Isometry3d forward(const Robot& robot, JointsIn q);
 
-// Pose of the frame after row k of the joint table in the world, without the tool; k counts from 1
-// and 0 is the base. An arm has a row for each joint, and one for each joint that copies another.
+// Pose of the frame after joint k in the world, without the tool; k counts from 1 and 0 is the
+// base.
 //
-// throws  ArgumentError unless 0 <= k <= robot.rows() and q has n finite elements.
+// throws  ArgumentError unless 0 <= k <= n and q has n finite elements.
 Eigen::Isometry3d link_frame(const Robot& robot, JointsIn q, int k);
 
-// The frames after all rows in the world, without the tool; q and what is thrown as for forward().
+// The n frames after joints 1 to n in the world, without the tool; q and what is thrown as for
+// forward().
 std::vector<Eigen::Isometry3d> link_frames(const Robot& robot, JointsIn q);
 
 // The same frames written where the caller wants them; nothing is allocated.
 //
-// frames   receives robot.rows() poses.
+// frames   receives n poses.
 // returns  the pose of the tool point in the world.
-// throws   as forward(), and ArgumentError unless there are so many frames.
+// throws   as forward(), and ArgumentError unless there are n frames.
 Eigen::Isometry3d link_frames(const Robot& robot, JointsIn q, std::span<Eigen::Isometry3d> frames);
 
 }  // namespace armlet

@@ -3,8 +3,6 @@
 #include <doctest/doctest.h>
 
 using namespace armlet;
-using lang::TableFile;
-using lang::TableFiles;
 
 namespace {
 

@@ -16,9 +16,7 @@ namespace armlet {
 
 class Program;
 struct WorldNames;
-namespace lang {
 class TableFiles;
-}
 
 struct ParseLimits {
   std::uint32_t bytes = 16U << 20U;
@@ -64,7 +62,7 @@ struct CompileOptions {
   // message R0629 alone.
   const std::atomic<bool>* cancelled = nullptr;
   // The compiler's own: tables that the program reads, as its checks found them.
-  std::shared_ptr<lang::TableFiles> tables{};
+  std::shared_ptr<TableFiles> tables{};
 };
 
 }  // namespace armlet
