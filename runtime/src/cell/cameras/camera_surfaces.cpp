@@ -9,6 +9,7 @@
 #include "armlet/camera/surfaces.hpp"
 #include "armlet/image/files.hpp"
 #include "armlet/math/rotation.hpp"
+#include "armlet/model/joint_coupling.hpp"
 #include "armlet/model/robot_scene.hpp"
 
 namespace armlet {
@@ -23,6 +24,8 @@ LinearRgb color_of(const std::string& name) {
 
 // The links of a robot as robot_scene has them, each with its surface; made once for each robot.
 struct LinkSurfaces {
+  using FromShape = void;
+
   struct Node {
     GlbNode frame;  // without its triangles
     std::shared_ptr<const Surface> surface{};
@@ -59,11 +62,12 @@ Isometry3d moved(const GlbNode& node, double q) {
 void add_robot(const Cell& cell, int index, std::vector<SceneBody>& bodies) {
   const CellRobot& robot = cell.robot(index);
   const auto& links = robot.model->derived<LinkSurfaces>();
+  const Eigen::VectorXd values = row_values(*robot.model, robot.q);
   std::vector<Isometry3d> poses;
-  int joint = 0;
+  int row = 0;
   for (const LinkSurfaces::Node& node : links.nodes) {
-    const Isometry3d T_parent_node = node.frame.joint && joint < robot.q.size()
-                                         ? moved(node.frame, robot.q[joint++])
+    const Isometry3d T_parent_node = node.frame.joint && row < values.size()
+                                         ? moved(node.frame, values[row++])
                                          : node.frame.T_parent_node;
     poses.push_back(node.frame.parent < 0
                         ? cell.T_world_base(index)

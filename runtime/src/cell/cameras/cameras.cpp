@@ -70,7 +70,7 @@ Eigen::Isometry3d Cameras::T_world_camera_for(const Cell& cell, int camera,
       each.on.base == FrameBase::kFrame ? cell.world().mount_of_frame(each.on.on) : each.on;
   if (on.base != FrameBase::kCarrier) return tool;
   const CellRobot& arm = cell.robot(on.carrier);
-  if (on.frame != kFlange && on.frame != arm.model->n()) {
+  if (on.frame != kFlange && on.frame != arm.model->rows()) {
     throw ArgumentError(fmt::format(
         "`{}` is on link {} of `{}`; where the tool point is does not say where that link is.",
         each.name, on.frame, arm.name));
