@@ -176,7 +176,6 @@ std::vector<std::string> later_features() {
     add(dot == std::string_view::npos ? fmt::format("`{}`", name)
                                       : fmt::format("the setting `{}`", name.substr(dot + 1)));
   }
-  for (const std::string_view feature : kLaterInLanguage) add(std::string(feature));
   return features;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "armlet/interpreter/later.hpp"
 #include "check/calls/lambdas.hpp"
 #include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
@@ -257,8 +256,12 @@ std::optional<hir::Step> check_place_step(Checker& checker, const ast::Expr& at,
   }
   const auto& index = at.as<ast::IndexExpr>();
   if (type->is(Kind::kMatrix)) return matrix_step(checker, index);
-  if (index.items.size() != 1 || index.items[0].is_range) {
-    not_available(checker, at.span, kStoringPlaces);
+  if (is_part(index)) {
+    refuse_element_of_part(checker, index);
+    return std::nullopt;
+  }
+  if (index.items.size() != 1) {
+    checker.report(make_diagnostic("E0318", at.span, {"with a comma, " + type_phrase(type)}));
     return std::nullopt;
   }
   if (type->is(Kind::kMap)) return entry_step(checker, index, type);
@@ -311,16 +314,54 @@ hir::Stmt* assign_one(Checker& checker, const ast::Expr& target, const ast::Assi
                                        hir::Op::kAddI, assign.op_span);
 }
 
+// What one of several targets takes.
+struct ManyTarget {
+  const ast::Expr* written;
+  std::optional<hir::Place> place{};  // empty: `part`, or a part of a host value
+  std::optional<PartStore> part{};
+
+  [[nodiscard]] const Type* type() const {
+    if (place) return place->type;
+    return part ? part->wanted.type : nullptr;
+  }
+};
+
+std::optional<ManyTarget> check_target(Checker& checker, const ast::Expr& target, Span statement) {
+  ManyTarget out{.written = &target};
+  if (is_host_part(checker, target)) return out;
+  if (is_part(target)) {
+    out.part = check_part(checker, target.as<ast::IndexExpr>(), statement);
+    if (!out.part) return std::nullopt;
+  } else {
+    out.place = check_place(checker, target, statement, true);
+    if (!out.place) return std::nullopt;
+  }
+  return out;
+}
+
+hir::Stmt* store_copy(Checker& checker, const ManyTarget& target, hir::Expr* copy,
+                      const ast::AssignStmt& assign) {
+  if (target.part) {
+    return fill_part(checker, *target.part, checker.require(copy, target.part->wanted),
+                     target.written->span);
+  }
+  if (!target.place) return store_host_part(checker, *target.written, copy, assign);
+  const hir::Place& place = *target.place;
+  copy = checker.require(copy, {.type = place.type, .name = place.variable->name});
+  if (place.steps.empty()) note_assigned(checker.scopes.here(), place.variable);
+  return checker.make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, place, copy, false,
+                                       hir::Op::kAddI, assign.op_span);
+}
+
 // a = b = e: e once, then from right to left.
 hir::Stmt* assign_many(Checker& checker, const ast::AssignStmt& assign) {
-  std::vector<std::optional<hir::Place>> places;  // empty: a part of a host value
+  std::vector<ManyTarget> targets;
   for (const ast::Expr* target : assign.targets) {
-    places.push_back(is_host_part(checker, *target)
-                         ? std::nullopt
-                         : check_place(checker, *target, assign.span, true));
-    if (!places.back() && !is_host_part(checker, *target)) return nullptr;
+    const auto checked = check_target(checker, *target, assign.span);
+    if (!checked) return nullptr;
+    targets.push_back(*checked);
   }
-  const Type* last = places.back() ? places.back()->type : nullptr;
+  const Type* last = targets.back().type();
   hir::Expr* value = checker.check_value(*assign.value, last);
   if (value->type->is(Kind::kAny)) return nullptr;
   if (value->kind == hir::ExprKind::kList && last != nullptr)
@@ -329,21 +370,12 @@ hir::Stmt* assign_many(Checker& checker, const ast::AssignStmt& assign) {
   once->init = value;
   std::vector<hir::Stmt*> body = {
       checker.make<hir::InitStmt>(hir::StmtKind::kInit, assign.span, once, value)};
-  for (std::size_t i = places.size(); i-- > 0;) {
-    const std::optional<hir::Place>& place = places[i];
+  for (std::size_t i = targets.size(); i-- > 0;) {
     hir::Expr* copy = is_zero(*value)
                           ? value
                           : checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, once->type,
                                                             value->span, once);
-    if (!place) {
-      if (hir::Stmt* stored = store_host_part(checker, *assign.targets[i], copy, assign))
-        body.push_back(stored);
-      continue;
-    }
-    copy = checker.require(copy, {.type = place->type, .name = place->variable->name});
-    if (place->steps.empty()) note_assigned(checker.scopes.here(), place->variable);
-    body.push_back(checker.make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, *place, copy,
-                                                 false, hir::Op::kAddI, assign.op_span));
+    if (hir::Stmt* stored = store_copy(checker, targets[i], copy, assign)) body.push_back(stored);
   }
   return checker.make<hir::Block>(hir::StmtKind::kBlock, assign.span, checker.seq(body));
 }

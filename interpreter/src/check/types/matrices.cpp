@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "armlet/interpreter/later.hpp"
 #include "check/explain/edits.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/places.hpp"
@@ -175,10 +174,19 @@ hir::Expr* check_matrix_index(Checker& checker, const ast::IndexExpr& index, hir
   return part;
 }
 
+void refuse_element_of_part(Checker& checker, const ast::IndexExpr& part) {
+  Diagnostic diagnostic = make_diagnostic("E0328", part.span);
+  diagnostic.why =
+      '`' + checker.text_of(part.span) + "` is a copy; what is stored in it changes nothing else";
+  const std::string whole = checker.text_of(part.object->span);
+  diagnostic.fix = Fix{.text = "name the element by its place in " + whole};
+  checker.report(std::move(diagnostic));
+}
+
 std::optional<hir::Step> matrix_step(Checker& checker, const ast::IndexExpr& index) {
   if (!has_two_places(checker, index)) return std::nullopt;
-  if (index.items[0].is_range || index.items[1].is_range) {
-    not_available(checker, index.span, kStoringParts);
+  if (is_part(index)) {
+    refuse_element_of_part(checker, index);
     return std::nullopt;
   }
   hir::Step step{};
@@ -240,41 +248,51 @@ hir::Expr* compound_value(Checker& checker, hir::StorePartStmt& store, const Typ
 
 }  // namespace
 
-hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
-                       const ast::AssignStmt& assign) {
-  const auto place = check_place(checker, *target.object, assign.span, false);
-  if (!place) {
-    checker.check(*assign.value);
-    return nullptr;
-  }
+std::optional<PartStore> check_part(Checker& checker, const ast::IndexExpr& target,
+                                    Span statement) {
+  const auto place = check_place(checker, *target.object, statement, false);
+  if (!place) return std::nullopt;
   const bool list = place->type->is(Kind::kList);
   if (!list && !place->type->is(Kind::kMatrix)) {
     checker.report(make_diagnostic("E0328", target.span));
-    return nullptr;
+    return std::nullopt;
   }
   if (list && target.items.size() != 1) {
     checker.report(
         make_diagnostic("E0318", target.span, {"with a comma, " + type_phrase(place->type)}));
-    return nullptr;
+    return std::nullopt;
   }
-  if (!list && !has_two_places(checker, target)) return nullptr;
-  auto* store = checker.make<hir::StorePartStmt>(hir::StmtKind::kStorePart, assign.span, *place,
+  if (!list && !has_two_places(checker, target)) return std::nullopt;
+  auto* store = checker.make<hir::StorePartStmt>(hir::StmtKind::kStorePart, statement, *place,
                                                  hir::PartEnds{}, hir::PartEnds{}, nullptr);
   store->rows = check_ends(checker, target.items[0],
                            list ? Indexed{.object = target.object->span} : rows_of(target));
   if (!list) store->cols = check_ends(checker, target.items[1], columns_of(target));
   const Type* type = list ? place->type : part_type(checker, store->rows, store->cols);
-  const Target wanted{.type = type, .name = place->variable->name};
-  std::vector<hir::Stmt*> before;
-  if (assign.compound) {
-    hir::Expr* result = compound_value(checker, *store, type, target, assign, before);
-    store->value = checker.require(result, wanted);
-  } else {
-    store->value = checker.check_as(*assign.value, wanted);
-  }
-  if (store->value->type->is(Kind::kAny) || !part_fits(checker, *store, target.span))
+  return PartStore{store, {.type = type, .name = place->variable->name}};
+}
+
+hir::Stmt* fill_part(Checker& checker, const PartStore& part, hir::Expr* value, Span target) {
+  part.store->value = value;
+  const bool fits = !value->type->is(Kind::kAny) && part_fits(checker, *part.store, target);
+  return fits ? part.store : nullptr;
+}
+
+hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
+                       const ast::AssignStmt& assign) {
+  const auto part = check_part(checker, target, assign.span);
+  if (!part) {
+    checker.check(*assign.value);
     return nullptr;
-  if (before.empty()) return store;
+  }
+  if (!assign.compound) {
+    return fill_part(checker, *part, checker.check_as(*assign.value, part->wanted), target.span);
+  }
+  std::vector<hir::Stmt*> before;
+  hir::Expr* result =
+      compound_value(checker, *part->store, part->wanted.type, target, assign, before);
+  hir::Stmt* store = fill_part(checker, *part, checker.require(result, part->wanted), target.span);
+  if (store == nullptr || before.empty()) return store;
   before.push_back(store);
   return checker.make<hir::Block>(hir::StmtKind::kBlock, assign.span, checker.seq(before));
 }

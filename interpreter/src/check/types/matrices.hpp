@@ -17,6 +17,17 @@ std::optional<hir::Step> matrix_step(Checker& checker, const ast::IndexExpr& ind
 
 // Whether a range stands between the last brackets of what is assigned to.
 [[nodiscard]] bool is_part(const ast::Expr& target);
+// E0328: xs[0:2][1] = v would store in a copy.
+void refuse_element_of_part(Checker& checker, const ast::IndexExpr& part);
+
+// A part that gets a value: the statement, which has none yet, and what it takes.
+struct PartStore {
+  hir::StorePartStmt* store;
+  Target wanted;
+};
+std::optional<PartStore> check_part(Checker& checker, const ast::IndexExpr& target, Span statement);
+// The statement with its value; null with E0305 if the text shows that they differ in size.
+hir::Stmt* fill_part(Checker& checker, const PartStore& part, hir::Expr* value, Span target);
 // xs[1:4] = ..., A[i, :] = ..., A[0:3, 0:3] += ...
 hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
                        const ast::AssignStmt& assign);
