@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "armlet/camera/renderer.hpp"
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/math/check_finite.hpp"
 #include "armlet/math/pose.hpp"
 
@@ -36,6 +37,7 @@ std::optional<RayHit> nearest(const Scene& scene, const Vector3d& p, const Vecto
   RayHit first{.t = std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const SceneBody& body = scene.bodies[i];
+    checkpoint(20 * body.surface->parts().corners.size());
     const Eigen::Isometry3d T_body_world = body.T_world_body.inverse(Eigen::Isometry);
     const double t = hit(*body.surface, T_body_world * p, T_body_world.linear() * d, first.t);
     if (t < first.t) first = {t, static_cast<int>(i)};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/math/pose.hpp"
 #include "camera/raster/bands.hpp"
@@ -44,6 +45,8 @@ class Renderer::Frame {
     triangles_.clear();
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       const auto number = static_cast<std::int32_t>(i);
+      constexpr std::uint64_t kTriangle = 300;  // operations
+      checkpoint(kTriangle * scene.bodies[i].surface->parts().corners.size());
       if (only < 0 || only == number)
         triangles_.add(scene.bodies[i], number, view, window, lighting, light);
     }
@@ -67,6 +70,7 @@ class Renderer::Frame {
       const Shader shader(scene, view, triangles_, shadows_, ground, lighting);
       for (int band = 0; band < lists_.bands(); ++band) {
         band_.draw(band, lists_, triangles_.drawn, window, samples, ground, camera.far);
+        count_band(window, samples);
         color_band(shader, out.color);
         if (samples == 1 && has_centres) centre_band(ground, options, out);
       }
@@ -75,8 +79,15 @@ class Renderer::Frame {
     if (!has_centres) return;
     for (int band = 0; band < lists_.bands(); ++band) {
       band_.draw(band, lists_, triangles_.drawn, window, 1, ground, camera.far);
+      count_band(window, 1);
       centre_band(ground, options, out);
     }
+  }
+
+  // Says how much work a band is.
+  void count_band(const Window& window, int samples) const {
+    constexpr std::uint64_t kSample = 20;  // operations
+    checkpoint(kSample * static_cast<std::uint64_t>(window.width * band_.pixel_rows() * samples));
   }
 
   void color_band(const Shader& shader, Image& color) const {
@@ -172,6 +183,7 @@ class Renderer::Frame {
     std::int64_t pixels = 0;
     for (int band = 0; band < lists_.bands(); ++band) {
       band_.draw(band, lists_, triangles_.drawn, window, 1, ground, view.camera.far);
+      count_band(window, 1);
       for (int row = 0; row < band_.pixel_rows(); ++row) {
         const std::int32_t* number = band_.numbers(row);
         for (int x = 0; x < window.width; ++x) {

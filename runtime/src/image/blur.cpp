@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/image/check_kind.hpp"
 #include "armlet/image/parameters.hpp"
 #include "armlet/math/det_math.hpp"
@@ -72,6 +73,7 @@ class GaussianBlur {
 
   // Row y, or the nearest of the picture, in 2^-8 grey levels.
   void blur_row(int y) {
+    checkpoint(values_ * weights_.size());
     extend_row(image_, nearest_row(image_, y), radius_, extended_);
     std::fill(sums_.begin(), sums_.end(), 128U);
     for (int d = -radius_; d <= radius_; ++d) {
@@ -84,6 +86,7 @@ class GaussianBlur {
   }
 
   void blur_columns(int y, std::uint8_t* out) {
+    checkpoint(values_ * weights_.size());
     std::fill(sums_.begin(), sums_.end(), 1U << 23);
     for (int d = -radius_; d <= radius_; ++d) {
       const std::uint32_t weight = weights_[static_cast<std::size_t>(std::abs(d))];
@@ -117,6 +120,7 @@ Image box_blurred(const Image& image, int radius) {
   std::vector<std::uint8_t> row(width);
   std::vector<std::uint32_t> columns(width);
   const auto add_row = [&](int y) {
+    checkpoint(8 * width);
     extend_row(image, nearest_row(image, y), radius, row);
     for (std::size_t i = 0; i < width; ++i) columns[i] += row[i];
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/image/check_kind.hpp"
 #include "armlet/image/parameters.hpp"
 #include "armlet/math/det_math.hpp"
@@ -47,7 +48,9 @@ void add_noise(Image& image, double sigma, Random& random) {
   const auto deviation = static_cast<float>(sigma);
   const std::size_t count = image.bytes().size();
   std::uint8_t* pixels = image.row(0);
+  constexpr std::size_t kBlock = 1 << 16;  // values
   for (std::size_t first = 0; first < count; first += 4) {
+    if (first % kBlock == 0) checkpoint(8 * kBlock);
     std::uint64_t bits = random.next();
     for (std::size_t i = first; i < std::min(first + 4, count); ++i, bits >>= 16) {
       const float z = deviation * kQuantiles[bits & (kEntries - 1)];

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/image/check_kind.hpp"
 #include "armlet/image/parameters.hpp"
@@ -118,6 +119,7 @@ class Regions {
 
   std::vector<Sums> find() {
     for (int y = 0; y < mask_.height(); ++y) {
+      checkpoint(16 * static_cast<std::uint64_t>(mask_.width()));
       add_runs(y);
       join_runs();
       close_row();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/math/check_finite.hpp"
 
@@ -63,6 +64,7 @@ class Assignment {
     row_at_[0] = row;
     Index column = 0;
     while (row_at_[at(column)] != 0) {
+      checkpoint(4 * at(columns_));
       done[at(column)] = true;
       const Index here = row_at_[at(column)];
       double step = kInfinity;
@@ -159,13 +161,13 @@ const PlanePoints& PointTracker::update(const PlanePoints& points, const PlanePo
     throw ArgumentError(fmt::format("{} points are tracked and {} are predicted.", points_.rows(),
                                     predicted.rows()));
   }
-  const PlanePoints expected = is_given ? predicted : PlanePoints(points_ + moved_);
-  const Matches matches = match_points(points, expected, gate_);
+  const PlanePoints aims = is_given ? predicted : expected();
+  const Matches matches = match_points(points, aims, gate_);
   for (Index i = 0; i < points_.rows(); ++i) {
     const auto label = static_cast<std::size_t>(i);
     const int found = matches.index[label];
     const Eigen::RowVector2d next =
-        found < 0 ? Eigen::RowVector2d(expected.row(i)) : Eigen::RowVector2d(points.row(found));
+        found < 0 ? Eigen::RowVector2d(aims.row(i)) : Eigen::RowVector2d(points.row(found));
     moved_.row(i) = next - points_.row(i);
     points_.row(i) = next;
     missed_[label] = found < 0 ? missed_[label] + 1 : 0;

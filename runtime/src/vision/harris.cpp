@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/image/check_kind.hpp"
 #include "armlet/image/parameters.hpp"
 
@@ -107,6 +108,7 @@ std::vector<HarrisCorner> local_maxima(const Image& grey, const HarrisOptions& o
   std::vector<HarrisCorner> corners;
   double strongest = 0.0;
   for (int y = 0; y < grey.height(); ++y) {
+    checkpoint(20 * width);
     std::vector<double>& below = ring[static_cast<std::size_t>(y % 3)];
     rows.compute(y, below.data());
     strongest = std::max(strongest, *std::max_element(below.begin(), below.end()));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/image/check_kind.hpp"
 #include "armlet/image/parameters.hpp"
@@ -99,7 +100,9 @@ bool is_inside(const Image& image, double x, double y) {
 RefinedCorner refined(const Image& grey, Window& window, double x0, double y0,
                       const RefineOptions& options) {
   RefinedCorner corner{x0, y0, RefineEnd::kIterations};
+  const auto side = static_cast<std::uint64_t>(2 * options.window + 1);
   for (int i = 0; i < options.iterations; ++i) {
+    checkpoint(16 * side * side);
     const NormalEquations sums = window.equations_at(corner.x, corner.y);
     const double determinant = sums.xx * sums.yy - sums.xy * sums.xy;
     const double trace = sums.xx + sums.yy;

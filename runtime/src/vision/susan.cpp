@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/image/check_kind.hpp"
 #include "armlet/image/parameters.hpp"
 #include "armlet/math/det_math.hpp"
@@ -145,12 +146,14 @@ std::vector<SusanCorner> susan_corners(const Image& grey, const SusanOptions& op
       options.set >= InstructionSet::kAvx2 ? susan_row_avx2 : susan_row_scalar;
 
   std::vector<SusanCorner> corners;
+  constexpr std::uint64_t kOfPixel = 40;  // operations
   const int width = grey.width() - 2 * kBorder;
   const int last = grey.height() - kBorder - 1;  // row
   if (width < 1) return corners;
   std::vector<std::uint16_t> areas(static_cast<std::size_t>(width));
   Responses responses(grey.width());
   for (int y = kBorder; y <= last + kSuppression; ++y) {
+    checkpoint(kOfPixel * static_cast<std::uint64_t>(width));
     responses.clear(y);
     if (y <= last) {
       compute_row(grey.row(y) + kBorder, grey.width(), width, table, areas.data());

@@ -43,6 +43,23 @@ Failed fail_blind(Vm& vm, std::string_view clause, int parameter, std::string fi
   return fail(vm, std::move(f));
 }
 
+Answer<Points> points_of(Vm& vm, std::span<const Slot> rows, int parameter) {
+  Points points(static_cast<Eigen::Index>(rows.size()), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const auto values = reals_value(rows[static_cast<std::size_t>(i)]);
+    if (values.size() != 3) {
+      return failure(vm, "R0613",
+                     fmt::format("point {} has {} values; expected x, y and z", i, values.size()),
+                     parameter);
+    }
+    points.row(i) << values[0], values[1], values[2];
+    if (!points.row(i).allFinite())
+      return not_finite(vm, fmt::format("a value of point {}", i), points.row(i).sum(), parameter);
+  }
+  if (points.rows() == 0) return failure(vm, "R0613", "there are no points", parameter);
+  return points;
+}
+
 Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter) {
   if (matrix.cols != kPixelSides || matrix.rows == 0) {
     return failure(
@@ -180,14 +197,6 @@ Answer<CameraRef> camera_on_robot(Vm& vm, std::string_view name, const RobotRef&
       {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed, light, ground});
 }
 
-Answer<Mount> mount_of(Vm& vm, const ObjectRef& on) {
-  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, kOn);
-  return Mount{.base = FrameBase::kObject, .on = on.name};
-}
-Answer<Mount> mount_of(Vm& vm, const FrameRef& on) {
-  if (!frame_now(vm, on, kOn)) return Failed{};
-  return Mount{.base = FrameBase::kFrame, .on = on.name};
-}
 template <class On>
 Answer<CameraRef> camera_on(Vm& vm, std::string_view name, const On& on, const PosC* at,
                             Wholes size, Number fov, Number focal, Doubles centre,
@@ -195,7 +204,7 @@ Answer<CameraRef> camera_on(Vm& vm, std::string_view name, const On& on, const P
                             double noise, double blur, std::int64_t seed, std::string_view light,
                             bool ground) {
   return make_camera(
-      vm, name, at, mount_of(vm, on),
+      vm, name, at, mount_on(vm, on, kOn),
       {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed, light, ground});
 }
 

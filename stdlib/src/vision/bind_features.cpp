@@ -35,8 +35,6 @@ Answer<void> searchable(Vm& vm, const Image& image) {
   }
   if (image.kind() != PixelKind::kGrey)
     return fail_picture(vm, "corners are looked for in grey pictures", 0, "gray({arg}) is one");
-  constexpr std::uint64_t kOfPixel = 60;  // operations
-  if (!charge_work(vm, kOfPixel * static_cast<std::uint64_t>(pixels))) return Failed{};
   return {};
 }
 
@@ -48,15 +46,15 @@ Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter)
       parameter);
 }
 
-Failed fail_lost(Vm& vm, const Matches& matches, double within, int parameter) {
+Failed fail_lost(Vm& vm, const std::vector<int>& lost, const std::vector<double>& distance,
+                 double within, int parameter) {
   std::string rows;
   std::string distances;
-  for (const int i : matches.lost()) {
+  for (const int i : lost) {
     rows += fmt::format("{}{}", rows.empty() ? "" : ", ", i);
-    const double distance = matches.distance[static_cast<std::size_t>(i)];
-    distances += fmt::format(
-        "{}{}", distances.empty() ? "" : ", ",
-        std::isfinite(distance) ? fmt::format("{:.1f} px", distance) : std::string("none"));
+    const double far = distance[static_cast<std::size_t>(i)];
+    distances += fmt::format("{}{}", distances.empty() ? "" : ", ",
+                             std::isfinite(far) ? fmt::format("{:.1f} px", far) : "none");
   }
   Failure f;
   f.headline = {row("R0682"), {rows, fmt::format("{:g} px", within)}};
@@ -109,16 +107,14 @@ Answer<PlanePoints> corners_near(Vm& vm, const Image& image, const CornerOptions
       with_pictures(vm, 0, [&] { return find_corners_around(image, wanted, within, options); });
   const auto points = found ? few_enough(vm, *found) : Failed{};
   if (!points) return Failed{};
-  return [&]() -> Answer<PlanePoints> {
-    const auto matches = with_pictures(vm, 64 * points->rows() * points->rows(),
-                                       [&] { return match_points(*points, wanted, within); });
-    if (!matches) return Failed{};
-    if (!matches->lost().empty()) return fail_lost(vm, *matches, within, kNearTo);
-    PlanePoints out(wanted.rows(), 2);
-    for (Eigen::Index i = 0; i < wanted.rows(); ++i)
-      out.row(i) = points->row(matches->index[static_cast<std::size_t>(i)]);
-    return out;
-  }();
+  const auto matches = with_pictures(vm, 0, [&] { return match_points(*points, wanted, within); });
+  if (!matches) return Failed{};
+  if (const std::vector<int> lost = matches->lost(); !lost.empty())
+    return fail_lost(vm, lost, matches->distance, within, kNearTo);
+  PlanePoints out(wanted.rows(), 2);
+  for (Eigen::Index i = 0; i < wanted.rows(); ++i)
+    out.row(i) = points->row(matches->index[static_cast<std::size_t>(i)]);
+  return out;
 }
 
 Answer<PlanePoints> corners(Vm& vm, const Image& image, std::string_view method,
@@ -221,26 +217,10 @@ Answer<Eigen::Matrix3d> homography_of(Vm& vm, const MatrixObj& a, const MatrixOb
   return no_plane(vm, {"", clause_of(error)});
 }
 
-using ObjectPoints = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
-Answer<ObjectPoints> object_points(Vm& vm, std::span<const Slot> rows, int parameter) {
-  ObjectPoints points(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto values = reals_value(rows[i]);
-    if (values.size() != 3) {
-      return failure(vm, "R0613",
-                     fmt::format("point {} has {} values; expected x, y and z", i, values.size()),
-                     parameter);
-    }
-    points.row(static_cast<Eigen::Index>(i)) << values[0], values[1], values[2];
-  }
-  return points;
-}
-
 Answer<RecordObj*> pose_from_points(Vm& vm, const CameraRef& c, const MatrixObj& matrix,
                                     std::span<const Slot> rows) try {
   const auto pixels = pixels_of(vm, matrix, 1);
-  const auto points = pixels ? object_points(vm, rows, 2) : Failed{};
+  const auto points = pixels ? points_of(vm, rows, 2) : Failed{};
   if (!points || !charge_work(vm, 20'000 * points->rows())) return Failed{};
   const Pinhole& lens = Host::of(vm).cell().cameras().at(c.id).lens;
   PlanePoints seen(pixels->rows(), 2);

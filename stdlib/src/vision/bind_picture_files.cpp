@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "armlet/image/files.hpp"
+#include "armlet/image/picture_size.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "robot/rules_settings.hpp"
 #include "session/setting_words.hpp"
@@ -25,7 +26,15 @@ Answer<Image> load_image(Vm& vm, std::string_view file) try {
   constexpr std::uint64_t kCost = 16;  // operations for a byte
   const Result<std::string> bytes = Host::of(vm).load_file(std::string(file), kMostBytes);
   if (!bytes.ok()) return bad_picture(vm, file, bytes.error().message, 0);
-  if (!charge_work(vm, kCost * bytes->size())) return Failed{};
+  const std::optional<PictureSize> size = picture_size(*bytes);  // of PNG and JPEG
+  const std::uint64_t pixels = size ? std::uint64_t{size->width} * size->height : 0;
+  if (pixels > std::uint64_t{kMostPixels}) {
+    return bad_picture(vm, file,
+                       fmt::format("it has {} x {} pixels; at most {} are possible", size->width,
+                                   size->height, kMostPixels),
+                       0);
+  }
+  if (!charge_work(vm, kCost * (bytes->size() + pixels))) return Failed{};
   Result<Image> image = read_image(*bytes);
   if (!image.ok()) {
     std::string why = image.error().message;

@@ -184,35 +184,21 @@ Answer<Image> over_level(Vm& vm, const Image& image, std::int64_t level) {
   });
 }
 Answer<Image> blur(Vm& vm, const Image& image, double sigma) {
-  const auto checked = with_pictures(vm, 0, [&] {
-    check_picture_parameter("blur", "sigma", sigma);
-    return static_cast<int>(std::ceil(3.0 * sigma));
-  });
-  if (!checked) return Failed{};
-  const std::uint64_t cost = (4 * *checked + 8) * image.channels();
-  return by_bands(vm, image, *checked, cost,
-                  [&](const Image& part) { return gaussian_blurred(part, sigma); });
+  return with_pictures(vm, 0, [&] { return gaussian_blurred(image, sigma); });
 }
 Answer<Image> box_blur(Vm& vm, const Image& image, std::int64_t radius) {
-  const auto checked = with_pictures(vm, 0, [&] {
+  return with_pictures(vm, 0, [&] {
     check_picture_parameter("boxBlur", "radius", static_cast<double>(radius));
-    return static_cast<int>(radius);
+    return box_blurred(image, static_cast<int>(radius));
   });
-  if (!checked) return Failed{};
-  return by_bands(vm, image, *checked, 16 * image.channels(),
-                  [&](const Image& part) { return box_blurred(part, *checked); });
 }
 Answer<Image> noise(Vm& vm, const Image& image, double sigma, std::int64_t seed) {
-  const auto checked = with_pictures(vm, 0, [&] {
-    check_picture_parameter("noise", "sigma", sigma);
+  return with_pictures(vm, bytes_of(image) / 8, [&] {
     check_picture_parameter("noise", "seed", static_cast<double>(seed));
-    return true;
-  });
-  if (!checked) return Failed{};
-  Random random(static_cast<std::uint64_t>(seed));
-  return by_bands(vm, image, 0, 8 * image.channels(), [&](Image part) {
-    add_noise(part, sigma, random);
-    return part;
+    Random random(static_cast<std::uint64_t>(seed));
+    Image noisy = image;
+    add_noise(noisy, sigma, random);
+    return noisy;
   });
 }
 

@@ -15,46 +15,32 @@
 namespace armlet::bind {
 namespace {
 
-// Operations of drawing a picture.
-std::uint64_t work_of(const Camera& camera, const Scene& scene, int samples) {
-  constexpr std::uint64_t kPixel = 20, kTriangle = 500;
-  std::uint64_t triangles = 0;
-  for (const SceneBody& body : scene.bodies) triangles += body.surface->parts().corners.size();
-  const Intrinsics& lens = camera.lens.intrinsics();
-  const std::uint64_t blurred = camera.blur > 0.0 ? 300 : 0;
-  return std::uint64_t{1} * lens.width * lens.height * (kPixel * samples + blurred) +
-         kTriangle * triangles;
-}
-
-// f(cell, pose of the camera there or now), after its work was counted; what is refused is R0684.
+// f(cell, pose of the camera there or now); what is refused is R0684.
 template <class F>
-auto looking(Vm& vm, const CameraRef& c, const PosC* from, int samples, F f)
+auto looking(Vm& vm, const CameraRef& c, const PosC* from, F f)
     -> Answer<decltype(f(std::declval<Cell&>(), Eigen::Isometry3d()))> try {
   Cell& cell = Host::of(vm).cell();
   const Eigen::Isometry3d T_world_camera =
       from == nullptr ? cell.cameras().T_world_camera(cell, c.id)
                       : cell.cameras().T_world_camera_for(cell, c.id, from->T);
-  const Camera& camera = cell.cameras().at(c.id);
-  if (!charge_work(vm, work_of(camera, cell.cameras().scene(cell, c.id), samples))) return Failed{};
   return f(cell, T_world_camera);
 } catch (const ArgumentError& error) {
   return fail_blind(vm, clause_of(error));
 }
 
 Answer<Image> capture(Vm& vm, const CameraRef& c, const PosC* from) {
-  const int samples = Host::of(vm).cell().cameras().at(c.id).samples;
-  return looking(vm, c, from, samples, [&](Cell& cell, const Eigen::Isometry3d& T) {
+  return looking(vm, c, from, [&](Cell& cell, const Eigen::Isometry3d& T) {
     return cell.cameras().color(cell, c.id, T);
   });
 }
 Answer<Image> capture_depth(Vm& vm, const CameraRef& c, const PosC* from) {
-  return looking(vm, c, from, 1, [&](Cell& cell, const Eigen::Isometry3d& T) {
+  return looking(vm, c, from, [&](Cell& cell, const Eigen::Isometry3d& T) {
     return cell.cameras().depth(cell, c.id, T);
   });
 }
 
 Answer<MatrixObj*> capture_ids(Vm& vm, const CameraRef& c, const PosC* from) {
-  const auto ids = looking(vm, c, from, 1, [&](Cell& cell, const Eigen::Isometry3d& T) {
+  const auto ids = looking(vm, c, from, [&](Cell& cell, const Eigen::Isometry3d& T) {
     return cell.cameras().bodies(cell, c.id, T);
   });
   if (!ids) return Failed{};
@@ -75,41 +61,23 @@ std::vector<std::string> bodies(Vm& vm, const CameraRef& c) {
 
 // ---- geometry
 
-// The rows of [x, y, z]; R0613 for another number of values.
-Answer<std::vector<Eigen::Vector3d>> points_of(Vm& vm, std::span<const Slot> rows, int parameter) {
-  std::vector<Eigen::Vector3d> points;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto values = reals_value(rows[i]);
-    if (values.size() != 3) {
-      return failure(vm, "R0613",
-                     fmt::format("point {} has {} values; expected x, y and z", i, values.size()),
-                     parameter);
-    }
-    points.emplace_back(values[0], values[1], values[2]);
-    if (!points.back().allFinite())
-      return not_finite(vm, fmt::format("a value of point {}", i), points.back().sum(), parameter);
-  }
-  if (points.empty()) return failure(vm, "R0613", "there are no points", parameter);
-  return points;
-}
-
 Answer<Eigen::MatrixXd> project(Vm& vm, const CameraRef& c, std::span<const Slot> rows,
                                 const PosC* from) try {
   const auto points = points_of(vm, rows, 1);
-  if (!points || !charge_work(vm, 64 * points->size())) return Failed{};
+  if (!points || !charge_work(vm, 64 * points->rows())) return Failed{};
   Cell& cell = Host::of(vm).cell();
   const Cameras& cameras = cell.cameras();
   const Eigen::Isometry3d T_world_camera = from == nullptr
                                                ? cameras.T_world_camera(cell, c.id)
                                                : cameras.T_world_camera_for(cell, c.id, from->T);
   const Eigen::Isometry3d T_camera_world = T_world_camera.inverse(Eigen::Isometry);
-  Eigen::MatrixXd pixels(static_cast<Eigen::Index>(points->size()), 2);
-  for (std::size_t i = 0; i < points->size(); ++i) {
-    const auto pixel = cameras.at(c.id).lens.project(T_camera_world * (*points)[i]);
+  Eigen::MatrixXd pixels(points->rows(), 2);
+  for (Eigen::Index i = 0; i < points->rows(); ++i) {
+    const auto pixel = cameras.at(c.id).lens.project(T_camera_world * points->row(i).transpose());
     if (!pixel) {
       return fail_blind(vm, fmt::format("point {}: {}", i, clause_of(pixel.error())), 1);
     }
-    pixels.row(static_cast<Eigen::Index>(i)) = pixel->transpose();
+    pixels.row(i) = pixel->transpose();
   }
   return pixels;
 } catch (const ArgumentError& error) {
@@ -210,12 +178,6 @@ Answer<Eigen::MatrixXd> interaction(Vm& vm, const CameraRef& c, const MatrixObj&
 
 // ---- what is true
 
-std::uint64_t triangles_in(const Scene& scene) {
-  std::uint64_t count = 0;
-  for (const SceneBody& body : scene.bodies) count += body.surface->parts().corners.size();
-  return count;
-}
-
 // How far along the axis of the camera what is nearest lies within a pixel around one: corners
 // belong to what is in front. Nothing if nothing is seen there.
 std::optional<double> nearest_depth(const Scene& scene, const Pinhole& lens,
@@ -234,7 +196,7 @@ std::optional<double> nearest_depth(const Scene& scene, const Pinhole& lens,
 
 Answer<std::vector<double>> depth(Vm& vm, const CameraRef& c, const MatrixObj& matrix) try {
   const auto pixels = pixels_of(vm, matrix, 1);
-  const auto rays = pixels ? rays_of(vm, c, *pixels, 1) : Failed{};
+  const auto rays = pixels ? rays_of(vm, c, *pixels, 1) : Failed{};  // for what it refuses
   const auto now = rays ? pose_now(vm, c) : Failed{};
   if (!now) return Failed{};
   Cell& cell = Host::of(vm).cell();
@@ -242,7 +204,6 @@ Answer<std::vector<double>> depth(Vm& vm, const CameraRef& c, const MatrixObj& m
   const Pinhole& lens = cell.cameras().at(c.id).lens;
   std::vector<double> depths;
   for (Eigen::Index i = 0; i < pixels->rows(); ++i) {
-    if (!charge_work(vm, 100 * triangles_in(scene))) return Failed{};
     const auto z = nearest_depth(scene, lens, *now, pixels->row(i).transpose());
     if (!z) return fail_blind(vm, fmt::format("row {}: nothing is seen at this pixel", i), 1);
     depths.push_back(*z);
@@ -254,14 +215,14 @@ Answer<std::vector<double>> depth(Vm& vm, const CameraRef& c, const MatrixObj& m
 
 Answer<double> sees(Vm& vm, const CameraRef& c, const ObjectRef& o) {
   if (find_object(vm, o.name) == nullptr) return fail_unknown_object(vm, o.name, 1);
-  return looking(vm, c, nullptr, 4, [&](Cell& cell, const Eigen::Isometry3d&) {
+  return looking(vm, c, nullptr, [&](Cell& cell, const Eigen::Isometry3d&) {
     return cell.cameras().visible_share(cell, c.id, o.name);
   });
 }
 
 Answer<MatrixObj*> seen_corners_of(Vm& vm, const CameraRef& c, const ObjectRef& o) {
   if (find_object(vm, o.name) == nullptr) return fail_unknown_object(vm, o.name, 1);
-  const auto corners = looking(vm, c, nullptr, 1, [&](Cell& cell, const Eigen::Isometry3d&) {
+  const auto corners = looking(vm, c, nullptr, [&](Cell& cell, const Eigen::Isometry3d&) {
     return cell.cameras().corners(cell, c.id, o.name);
   });
   if (!corners) return Failed{};

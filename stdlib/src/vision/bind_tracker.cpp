@@ -72,20 +72,16 @@ Answer<PlanePoints> update(Vm& vm, const TrackerValue& tracker, const Image& ima
                            std::optional<Slot> predicted) try {
   TrackerValue::State& state = *tracker.state;
   if (!searchable(vm, image)) return Failed{};
-  PlanePoints expected = state.points.points();
-  PlanePoints given(0, 2);
-  if (predicted) {
-    const auto read = pixels_of(vm, matrix_value(*predicted), 2);
-    if (!read) return Failed{};
-    given = expected = *read;
-  }
+  const auto expected = predicted ? pixels_of(vm, matrix_value(*predicted), 2)
+                                  : Answer<PlanePoints>(state.points.expected());
+  if (!expected) return Failed{};
   const auto found =
-      few_enough(vm, find_corners_around(image, expected, 2.0 * state.gate, state.corners));
+      few_enough(vm, find_corners_around(image, *expected, 2.0 * state.gate, state.corners));
   if (!found) return Failed{};
-  const PlanePoints now = state.points.update(*found, given);
-  if (state.points.lost().empty()) return now;
-  Matches matches = match_points(*found, now, state.gate);
-  return fail_lost(vm, matches, state.gate, 0);
+  const PlanePoints now = state.points.update(*found, *expected);
+  const std::vector<int> lost = state.points.lost();
+  if (lost.empty()) return now;
+  return fail_lost(vm, lost, match_points(*found, now, state.gate).distance, state.gate, 0);
 } catch (const ArgumentError& error) {
   return fail_picture(vm, clause_of(error));
 }

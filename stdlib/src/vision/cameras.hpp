@@ -28,6 +28,10 @@ Failed fail_blind(Vm& vm, std::string_view clause, int parameter = -1, std::stri
 // An N x 2 matrix of pixels, x first; R0613 for another number of columns or no rows.
 Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter);
 
+// Rows of [x, y, z], m; R0613 for another number of values or no rows.
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+Answer<Points> points_of(Vm& vm, std::span<const Slot> rows, int parameter);
+
 // Where the camera is now.
 Answer<Eigen::Isometry3d> pose_now(Vm& vm, const CameraRef& camera);
 

@@ -2,6 +2,7 @@
 // What functions of corners share.
 
 #include <string_view>
+#include <vector>
 
 #include "armlet/image/image.hpp"
 #include "armlet/vision/corners.hpp"
@@ -10,14 +11,17 @@
 
 namespace armlet::bind {
 
-// A grey picture that is not too large to be looked through; counts the work of that.
+// R0681 unless a picture is grey and not too large to be looked through.
 Answer<void> searchable(Vm& vm, const Image& image);
 
 // The detector of that name; R0681 if there is none.
 Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter);
 
-// R0682: which wanted points have no corner within so many pixels.
-Failed fail_lost(Vm& vm, const Matches& matches, double within, int parameter);
+// R0682: these wanted points have no corner within so many pixels.
+//
+// distance  of each wanted point from the nearest corner, px.
+Failed fail_lost(Vm& vm, const std::vector<int>& lost, const std::vector<double>& distance,
+                 double within, int parameter);
 
 // Points that match_points takes.
 Answer<PlanePoints> few_enough(Vm& vm, PlanePoints points);

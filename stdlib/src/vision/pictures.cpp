@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstring>
-
 namespace armlet::bind {
 namespace {
 
@@ -76,30 +73,6 @@ Failed fail_outside(Vm& vm, const Image& image, std::int64_t x, std::int64_t y) 
                  fmt::format("x goes from 0 to {} and y, downwards, from 0 to {}",
                              image.width() - 1, image.height() - 1),
                  swapped_fits ? "x comes first, then y" : "");
-}
-
-int rows_of_band(const Image& image, std::uint64_t cost) {
-  constexpr std::uint64_t kMostWork = std::uint64_t{1} << 24U;  // some 20 ms
-  const std::uint64_t row = std::max<std::uint64_t>(1, cost * image.width());
-  // A whole number of fours, by which noise is drawn.
-  const std::uint64_t rows = std::max<std::uint64_t>(16, kMostWork / row) & ~std::uint64_t{3};
-  return static_cast<int>(std::min<std::uint64_t>(rows, Image::kMostSide));
-}
-
-void copy_rows(const Image& from, int first, Image& to, int at, int count) {
-  for (int i = 0; i < count; ++i) {
-    if (from.kind() == PixelKind::kDepth) {
-      std::copy_n(from.depth_row(first + i), from.width(), to.depth_row(at + i));
-    } else {
-      std::copy_n(from.row(first + i), from.width() * from.channels(), to.row(at + i));
-    }
-  }
-}
-
-Image rows_of(const Image& image, int first, int last) {
-  Image out(image.width(), last - first, image.kind());
-  copy_rows(image, first, out, 0, last - first);
-  return out;
 }
 
 }  // namespace armlet::bind

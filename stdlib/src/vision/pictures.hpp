@@ -51,13 +51,6 @@ auto with_pictures(Vm& vm, std::uint64_t operations, F f) -> Answer<decltype(f()
   return fail_picture(vm, clause_of(error));
 }
 
-// f(part) for bands of rows one after the other, each with `margin` rows more above and below where
-// there are any, put together: the same as f(image) where a pixel depends on that many rows only.
-//
-// cost  operations for each pixel.
-template <class F>
-Answer<Image> by_bands(Vm& vm, const Image& image, int margin, std::uint64_t cost, F f);
-
 }  // namespace armlet::bind
 
 namespace armlet {
@@ -78,33 +71,3 @@ struct Given<Image> {
 };
 
 }  // namespace armlet
-
-namespace armlet::bind {
-
-// Rows of a band that are computed without a look at the wish to stop, for pixels of this cost.
-[[nodiscard]] int rows_of_band(const Image& image, std::uint64_t cost);
-// Copies `count` rows from one picture into another of the same width and kind.
-void copy_rows(const Image& from, int first, Image& to, int at, int count);
-// Rows [first, last) of a picture.
-[[nodiscard]] Image rows_of(const Image& image, int first, int last);
-
-template <class F>
-Answer<Image> by_bands(Vm& vm, const Image& image, int margin, std::uint64_t cost, F f) {
-  const int band = rows_of_band(image, cost);
-  std::optional<Image> out;
-  for (int y = 0; y < image.height(); y += band) {
-    const int end = std::min(y + band, image.height());
-    const int above = std::max(0, y - margin);
-    const int below = std::min(image.height(), end + margin);
-    const auto part =
-        with_pictures(vm, cost * static_cast<std::uint64_t>(below - above) * image.width(), [&] {
-          return above == 0 && below == image.height() ? f(image) : f(rows_of(image, above, below));
-        });
-    if (!part) return Failed{};
-    if (!out) out.emplace(image.width(), image.height(), part->kind());
-    copy_rows(*part, y - above, *out, y, end - y);
-  }
-  return *std::move(out);
-}
-
-}  // namespace armlet::bind

@@ -42,13 +42,14 @@ class PointTracker {
 
   // Takes the points of the next picture, in any order, to the labels.
   //
-  // predicted  k x 2: where the points are expected; empty: where they were, plus what they moved
-  //            by in the picture before.
+  // predicted  k x 2: where the points are expected; empty: expected().
   // returns    k x 2 in the order of the start.
   // throws     as match_points, and for a prediction of another number of points.
   const PlanePoints& update(const PlanePoints& points, const PlanePoints& predicted = {});
 
   [[nodiscard]] const PlanePoints& points() const { return points_; }
+  // Where they should be in the next picture: where they were, plus what they moved by before.
+  [[nodiscard]] PlanePoints expected() const { return points_ + moved_; }
   // Labels that have not been found for more pictures than `patience`, in order.
   [[nodiscard]] std::vector<int> lost() const;
   // In how many pictures, one after the other, a label has not been found.

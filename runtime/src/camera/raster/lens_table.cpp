@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 
 namespace armlet::raster {
@@ -29,6 +30,8 @@ void LensTable::prepare(const Pinhole& camera) {
   double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
   for (std::size_t n = 0; n < pixels.size(); ++n) {
     const auto width = static_cast<std::size_t>(i.width);
+    constexpr std::uint64_t kOfPixel = 100;  // operations
+    if (n % width == 0) checkpoint(kOfPixel * width);
     const Result<Eigen::Vector2d> pixel =
         camera.undistort({static_cast<double>(n % width), static_cast<double>(n / width)});
     places_[n].x = pixel ? 0.0F : -1.0F;

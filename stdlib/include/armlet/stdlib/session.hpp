@@ -74,8 +74,9 @@ class Session {
   //
   // throws  ArgumentError if there is nothing to run, for a budget of no steps, or if the session
   //         runs in another thread or in the function that calls this; all stays as it was then.
-  //         What backends and other functions of the host throw outside the program ends the run,
-  //         of which all backends are told; what they throw at its end leaves its result as it is.
+  //         An exception of a backend or of another function of the host ends the run; all backends
+  //         then hear that it has ended. One that is thrown at the end of a run does not change its
+  //         result.
   Progress run(const Budget& budget);
   // The same without a budget.
   [[nodiscard]] RunResult run();
