@@ -14,7 +14,7 @@
 
 namespace armlet::bench {
 
-// One thread; rays go in packets of 16 neighbours, which Embree is told.
+// Traces rays in one thread, in packets of 16 neighbours, with the flag for coherent rays.
 class EmbreeScene {
  public:
   EmbreeScene(const Scene& scene, const Pinhole& camera, const Eigen::Isometry3d& T_world_eye)

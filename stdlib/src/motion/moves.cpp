@@ -141,26 +141,6 @@ std::optional<IkTask> task_of(const Robot& robot, const PosC& target) {
   return frame_task(robot, target.T);
 }
 
-namespace {
-
-// The same pose with each joint that turns inside its limits if any whole revolution leads there,
-// and as near to `seed` as that allows.
-Eigen::VectorXd nearest_copies(const Robot& robot, Eigen::VectorXd q, const Eigen::VectorXd& seed) {
-  constexpr double kRevolution = 2.0 * kPi;
-  for (int i = 0; i < robot.n(); ++i) {
-    if (!robot.is_revolute(i)) continue;
-    q[i] = nearest_copy_of_angle(q[i], seed[i]);
-    const double low = robot.lower()[i], high = robot.upper()[i];
-    double inside = q[i];
-    if (inside > high) inside -= kRevolution * std::ceil((inside - high) / kRevolution);
-    if (inside < low) inside += kRevolution * std::ceil((low - inside) / kRevolution);
-    if (inside <= high) q[i] = inside;
-  }
-  return q;
-}
-
-}  // namespace
-
 Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,
                                      const Eigen::VectorXd& seed) {
   if (!check_arm(vm, call.robot)) return Failed{};
@@ -172,7 +152,7 @@ Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& t
       settings_of(vm).limits == LimitCheck::kWarn) {
     IkResult beyond =
         solve_ik(robot, target.T, {.seed = seed, .task = *task, .respect_limits = false});
-    if (beyond.ok()) return nearest_copies(robot, std::move(beyond.q), seed);
+    if (beyond.ok()) return wrap_near(robot, beyond.q, seed);
   }
   if (!result.ok()) return fail_unreachable(vm, call, target.T, result);
   return std::move(result.q);
