@@ -26,58 +26,115 @@ std::uint64_t mixed(std::uint64_t bits) {
   return bits ^ bits >> 31U;
 }
 
-std::uint64_t hash_of(std::string_view text) {
-  std::uint64_t hash = text.size() * 0x9E37'79B9'7F4A'7C15ULL;
-  while (!text.empty()) {
-    std::uint64_t word = 0;
-    const std::size_t count = std::min(text.size(), sizeof word);
-    std::memcpy(&word, text.data(), count);
-    hash = mixed(hash ^ word);
-    text.remove_prefix(count);
+// `count` bytes, at most 8, as a number.
+std::uint64_t word_of(const char* bytes, std::size_t count) {
+  std::uint64_t word = 0;
+  if (count >= 4) {  // two halves, which overlap where there are fewer than 8
+    std::uint32_t begin = 0, end = 0;
+    std::memcpy(&begin, bytes, sizeof begin);
+    std::memcpy(&end, bytes + count - sizeof end, sizeof end);
+    word = std::uint64_t{end} << 32U | begin;
+  } else {
+    for (std::size_t i = 0; i < count; ++i)
+      word = word << 8U | static_cast<unsigned char>(bytes[i]);
   }
-  return hash;
+  return word;
+}
+
+std::uint32_t hash_of(std::string_view text) {
+  std::uint64_t hash = text.size() * 0x9E37'79B9'7F4A'7C15ULL;
+  constexpr std::size_t kWord = 8;
+  while (text.size() > kWord) {
+    hash = mixed(hash ^ word_of(text.data(), kWord));
+    text.remove_prefix(kWord);
+  }
+  return static_cast<std::uint32_t>(mixed(hash ^ word_of(text.data(), text.size())));
 }
 
 std::uint32_t* index_of(const MapObj& map) {
   return reinterpret_cast<std::uint32_t*>(map.entries + map.capacity);
 }
 
-bool same_key(const MapObj& map, const MapEntry& entry, Slot key) {
-  if (entry.is_removed) return false;
-  if (!map.has_text_keys()) return entry.key.i == key.i;
-  return entry.key.o == key.o ||
-         static_cast<const TextObj*>(entry.key.o)->view() == static_cast<TextObj*>(key.o)->view();
+bool is_text_of(const MapEntry& entry, const TextObj* key, std::uint32_t hash) {
+  if (entry.hash != hash || entry.is_removed) return false;
+  const auto* text = static_cast<const TextObj*>(entry.key.o);
+  return text == key || text->view() == key->view();
 }
 
+// The hash of a text; numbers need none.
 [[nodiscard]] bool hash_key(VmState& state, const MapObj& map, Slot key, std::uint32_t& hash) {
-  if (!map.has_text_keys()) {
-    hash = static_cast<std::uint32_t>(mixed(static_cast<std::uint64_t>(key.i)));
-    return true;
-  }
+  hash = 0;
+  if (!map.has_text_keys()) return true;
   const std::string_view text = static_cast<TextObj*>(key.o)->view();
-  hash = static_cast<std::uint32_t>(hash_of(text));
+  hash = hash_of(text);
   return charge_work(state.vm, text.size() / 4);
 }
 
-// The place in the index where a hash begins, or goes on.
-void enter(const MapObj& map, std::uint32_t number, std::uint32_t hash) {
-  const std::uint32_t mask = 2 * map.capacity - 1;
+// The places of the index where a key may be, one after the other. Numbers begin near their own
+// value, so that the usual keys, which are neighbours, lie side by side and never meet; those that
+// begin at one place are parted by steps of different lengths (D. E. Knuth, The Art of Computer
+// Programming 3, 1998, 6.4, algorithm D).
+template <bool is_text>
+class Places {
+ public:
+  Places(const MapObj& map, Slot key, std::uint32_t hash)
+      : mask_(2 * map.capacity - 1), key_(static_cast<std::uint64_t>(key.i)), hash_(hash) {
+    at_ = (is_text ? hash : static_cast<std::uint32_t>(key_ ^ key_ >> 16U)) & mask_;
+  }
+
+  [[nodiscard]] std::uint32_t at() const { return at_; }
+  void next() {
+    if (step_ == 0) step_ = (is_text ? hash_ : static_cast<std::uint32_t>(mixed(key_))) >> 16U | 1U;
+    at_ = (at_ + step_) & mask_;
+  }
+
+ private:
+  std::uint32_t mask_;
+  std::uint64_t key_;
+  std::uint32_t hash_;
+  std::uint32_t at_;
+  std::uint32_t step_ = 0;
+};
+
+template <bool is_text>
+MapEntry* look_up(const MapObj& map, Slot key, std::uint32_t hash, std::uint32_t& probes) {
+  const std::uint32_t* const index = index_of(map);
+  for (Places<is_text> places(map, key, hash); index[places.at()] != 0; places.next()) {
+    MapEntry& found = map.entries[index[places.at()] - 1];
+    ++probes;
+    if constexpr (is_text) {
+      if (is_text_of(found, static_cast<TextObj*>(key.o), hash)) return &found;
+    } else {
+      if (found.key.i == key.i && !found.is_removed) return &found;
+    }
+  }
+  return nullptr;
+}
+
+template <bool is_text>
+void enter_as(const MapObj& map, std::uint32_t number) {
+  const MapEntry& entry = map.entries[number];
   std::uint32_t* const index = index_of(map);
-  std::uint32_t at = hash & mask;
-  while (index[at] != 0) at = (at + 1) & mask;
-  index[at] = number + 1;
+  Places<is_text> places(map, entry.key, entry.hash);
+  while (index[places.at()] != 0) places.next();
+  index[places.at()] = number + 1;
+}
+
+// Puts the entry with a number, from 0, into the index.
+void enter(const MapObj& map, std::uint32_t number) {
+  map.has_text_keys() ? enter_as<true>(map, number) : enter_as<false>(map, number);
 }
 
 // The entries that are not removed move to a block with room for `capacity` of them.
 bool move_entries(VmState& state, MapObj& map, std::uint64_t capacity) {
   if (capacity > kMost) return raise_out_of_memory(state);
-  MapObj* fresh = state.heap.new_map(0, static_cast<std::uint32_t>(capacity));
+  MapObj* fresh = state.heap.new_map(map.flags, static_cast<std::uint32_t>(capacity));
   if (fresh == nullptr) return raise_out_of_memory(state);
   const auto move = [&](std::size_t begin, std::size_t end) {
     for (const MapEntry& entry : map.all().subspan(begin, end - begin)) {
       if (entry.is_removed) continue;
-      enter(*fresh, fresh->used, entry.hash);
-      fresh->entries[fresh->used++] = entry;
+      fresh->entries[fresh->used] = entry;
+      enter(*fresh, fresh->used++);
     }
   };
   const bool moved = in_blocks(state.vm, map.used, 8, move);
@@ -108,43 +165,39 @@ std::uint8_t map_flags(const Type& type) {
 bool find_entry(VmState& state, const MapObj& map, Slot key, std::uint32_t hash, MapEntry*& entry) {
   entry = nullptr;
   if (map.size == 0) return true;
-  const std::uint32_t mask = 2 * map.capacity - 1;
-  const std::uint32_t* const index = index_of(map);
   std::uint32_t probes = 0;
-  for (std::uint32_t at = hash & mask; index[at] != 0; at = (at + 1) & mask) {
-    MapEntry& found = map.entries[index[at] - 1];
-    ++probes;
-    if (found.hash == hash && same_key(map, found, key)) {
-      entry = &found;
-      break;
-    }
+  if (!map.has_text_keys()) {
+    entry = look_up<false>(map, key, hash, probes);
+    return probes <= kFreeProbes || charge_work(state.vm, probes * 2);
   }
-  const std::uint64_t bytes = map.has_text_keys() ? static_cast<TextObj*>(key.o)->size / 8 : 0;
+  entry = look_up<true>(map, key, hash, probes);
+  const std::uint64_t bytes = static_cast<TextObj*>(key.o)->size / 8;
   if (entry != nullptr && probes <= kFreeProbes && 2 * bytes < kWorkPerStep)
     state.shared.last_entry = {map.entries, static_cast<std::uint32_t>(entry - map.entries)};
   return probes <= kFreeProbes || charge_work(state.vm, probes * (2 + bytes));
 }
 
-// Programs often look for a key several times in a row, as in `if (m.has(k)) m[k] += 1`: the entry
+// Programs often look for a text several times in a row, as in `if (m.has(k)) m[k] += 1`: the entry
 // found last is tried first. Texts count as the same here if they are one object. Only what was
 // found without counting work is remembered, so that steps do not depend on what a host looked for.
-static bool find_again(const VmState& state, const MapObj& map, Slot key, MapEntry*& entry) {
+static MapEntry* find_again(const VmState& state, const MapObj& map, Slot key) {
   const LastEntry& last = state.shared.last_entry;
-  if (last.entries != map.entries || last.number >= map.used) return false;
+  if (!map.has_text_keys() || last.entries != map.entries || last.number >= map.used)
+    return nullptr;
   MapEntry& found = map.entries[last.number];
-  if (found.key.i != key.i || found.is_removed) return false;
-  entry = &found;
-  return true;
+  return found.key.o == key.o && !found.is_removed ? &found : nullptr;
 }
 
 bool find_entry(VmState& state, const MapObj& map, Slot key, MapEntry*& entry) {
-  if (find_again(state, map, key, entry)) return true;
+  entry = find_again(state, map, key);
+  if (entry != nullptr) return true;
   std::uint32_t hash = 0;
   return hash_key(state, map, key, hash) && find_entry(state, map, key, hash, entry);
 }
 
 bool find_or_add(VmState& state, MapObj& map, Slot key, MapEntry*& entry) {
-  if (find_again(state, map, key, entry)) return true;
+  entry = find_again(state, map, key);
+  if (entry != nullptr) return true;
   std::uint32_t hash = 0;
   if (!hash_key(state, map, key, hash) || !find_entry(state, map, key, hash, entry)) return false;
   if (entry != nullptr) return true;
@@ -152,7 +205,7 @@ bool find_or_add(VmState& state, MapObj& map, Slot key, MapEntry*& entry) {
   entry = &map.entries[map.used];
   *entry = {.key = key, .value = Slot{.i = 0}, .hash = hash, .is_removed = false};
   if (map.has_text_keys()) retain_object(key.o);
-  enter(map, map.used++, hash);
+  enter(map, map.used++);
   ++map.size;
   return true;
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "refused_memory.hpp"
 #include "script_support.hpp"
@@ -30,32 +31,31 @@ for (k, v in copy) m[k + 1000] = v
 print(m == copy, m.keys().length, nested, bin, m.get(5, "none"), copy.values()[0], m.length)
 )";
 
-// The number of which the mixing of vm/heap/map.cpp makes `hash`.
-std::uint64_t with_hash(std::uint64_t hash) {
-  const auto undo_shift = [](std::uint64_t x, unsigned by) {
-    std::uint64_t out = x;
-    for (unsigned done = by; done < 64; done += by) out = x ^ out >> by;
-    return out;
-  };
-  const auto inverse = [](std::uint64_t odd) {
-    std::uint64_t out = odd;
-    for (int i = 0; i < 6; ++i) out *= 2 - odd * out;
-    return out;
-  };
-  hash = undo_shift(hash, 31) * inverse(0x94D0'49BB'1331'11EBULL);
-  hash = undo_shift(hash, 27) * inverse(0xBF58'476D'1CE4'E5B9ULL);
-  return undo_shift(hash, 30);
+// As the map mixes them (vm/heap/map.cpp).
+std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ bits >> 30U) * 0xBF58'476D'1CE4'E5B9ULL;
+  bits = (bits ^ bits >> 27U) * 0x94D0'49BB'1331'11EBULL;
+  return bits ^ bits >> 31U;
 }
 
-// Stores under 2000 keys.
-std::uint64_t steps_with_keys(bool same_hash) {
-  std::string keys;
-  for (std::uint64_t i = 1; i <= 2000; ++i) {
-    const auto key = static_cast<std::int64_t>(same_hash ? with_hash(i << 32U) : i);
-    keys += (keys.empty() ? "" : ", ") + std::to_string(key);
+constexpr int kKeys = 2000;
+
+// Keys that begin at one place of an index for so many and go on by the same steps.
+std::vector<std::int64_t> keys_that_meet() {
+  std::vector<std::int64_t> keys;
+  constexpr std::uint64_t kBitsOfStep = 0x1FFE'0000U;  // but for its last one
+  for (std::uint64_t i = 1; keys.size() < kKeys; ++i) {
+    if ((mixed(i << 32U) & kBitsOfStep) == 0) keys.push_back(static_cast<std::int64_t>(i << 32U));
   }
+  return keys;
+}
+
+// Stores under all keys.
+std::uint64_t steps_with_keys(const std::vector<std::int64_t>& keys) {
+  std::string list;
+  for (const std::int64_t key : keys) list += (list.empty() ? "" : ", ") + std::to_string(key);
   const auto program =
-      compile_script("var m: int[int] = [:]\nfor (k in [" + keys + "]) m[k] = 1\nprint(m.length)")
+      compile_script("var m: int[int] = [:]\nfor (k in [" + list + "]) m[k] = 1\nprint(m.length)")
           .program;
   REQUIRE(program != nullptr);
   const ScriptRun run = run_compiled(program, {});
@@ -82,10 +82,24 @@ TEST_CASE("any allocation of a map may fail without a leak") {
   CHECK(failed < 299);
 }
 
-TEST_CASE("keys with the same hash are paid for in steps") {
-  const std::uint64_t usual = steps_with_keys(false);
+TEST_CASE("keys that meet in the index are paid for in steps, those that people take are not") {
+  const auto keys_of = [](auto key) {
+    std::vector<std::int64_t> keys;
+    for (std::int64_t i = 0; i < kKeys; ++i) keys.push_back(key(i));
+    return keys;
+  };
+  const std::uint64_t usual = steps_with_keys(keys_of([](std::int64_t i) { return i; }));
   CHECK(usual < 2200);
-  CHECK(steps_with_keys(true) > 5 * usual);
+  CHECK(steps_with_keys(keys_that_meet()) > 5 * usual);
+  for (const std::int64_t stride :
+       {std::int64_t{-1}, std::int64_t{1000}, std::int64_t{1} << 12U, std::int64_t{1} << 16U,
+        std::int64_t{1} << 20U, std::int64_t{1} << 32U, std::int64_t{1} << 48U}) {
+    CAPTURE(stride);
+    CHECK(steps_with_keys(keys_of([&](std::int64_t i) { return i * stride; })) == usual);
+  }
+  // Places of a plane, packed into one number.
+  CHECK(steps_with_keys(keys_of([](std::int64_t i) { return (i / 40) << 32U | (i % 40); })) ==
+        usual);
 }
 
 TEST_CASE("a map is released without recursion, however deep it is") {
