@@ -118,6 +118,8 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
   add_test(NAME world.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/world_command.py
            $<TARGET_FILE:armlet>)
+  add_test(NAME storyboard.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/storyboard_command.py
+           $<TARGET_FILE:armlet>)
   add_test(NAME notices COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/notices.py
            $<TARGET_FILE:armlet> ${PROJECT_BINARY_DIR})
   armlet_add_convert_tests()

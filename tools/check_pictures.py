@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Compares the pictures of laboratories in docs/images with what their programs draw.
+"""Compares the pictures of laboratories and the storyboard in docs/images with what their programs draw.
 
 usage: check_pictures.py COMMAND [--write]
 
-Each program runs with one line more, which saves its figures. --write puts them into docs/images.
+Each program runs with one line more, which saves its figures, or with --storyboard. --write puts them into docs/images.
 """
 
 import pathlib
@@ -19,6 +19,7 @@ PICTURES = {
     "laboratory_15.svg": "examples/labs/15_falling_arm.rbt",
     "laboratory_16.svg": "examples/labs/16_controllers.rbt",
     "laboratory_17.svg": "examples/labs/17_stick_slip.rbt",
+    "storyboard.png": "examples/06_handover.rbt",
 }
 
 
@@ -26,12 +27,14 @@ def drawn(command, picture, program):
     """The picture as its program draws it now."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / pathlib.Path(program).name
-        copy.write_text((ROOT / program).read_text(encoding="utf-8") + f'\nsavePlot("{picture}")\n', encoding="utf-8")
-        run = subprocess.run([command, "run", str(copy)], capture_output=True, text=True)
+        is_figure = picture.endswith(".svg")
+        copy.write_text((ROOT / program).read_text(encoding="utf-8") + (f'\nsavePlot("{picture}")\n' if is_figure else ""), encoding="utf-8")
+        words = [] if is_figure else ["--storyboard", str(copy.parent / picture)]
+        run = subprocess.run([command, "run", str(copy), *words], capture_output=True, text=True)
         saved = copy.parent / picture
         if run.returncode != 0 or not saved.exists():
             sys.exit(f"{program} drew nothing:\n{run.stdout}{run.stderr}")
-        return saved.read_text(encoding="utf-8")
+        return saved.read_bytes()
 
 
 def main():
@@ -39,11 +42,11 @@ def main():
         sys.exit(__doc__)
     stale = []
     for picture, program in PICTURES.items():
-        text = drawn(str(pathlib.Path(sys.argv[1]).resolve()), picture, program)
+        drawing = drawn(str(pathlib.Path(sys.argv[1]).resolve()), picture, program)
         place = IMAGES / picture
         if sys.argv[2:] == ["--write"]:
-            place.write_text(text, encoding="utf-8")
-        elif not place.exists() or place.read_text(encoding="utf-8") != text:
+            place.write_bytes(drawing)
+        elif not place.exists() or place.read_bytes() != drawing:
             stale.append(f"docs/images/{picture} is not what {program} draws")
     if stale:
         sys.exit("\n".join(stale) + "\nmake them again: ./dev generate docs")

@@ -32,11 +32,12 @@ struct RunOptions {
   std::string file;
   std::string trace;  // ends as a trace format; empty: none
   bool realtime = false;
-  bool quiet = false;  // no progress, no summary
-  bool plots = false;  // draw the figures in the terminal
-  bool hash = false;   // print the hash of the run
-  std::string record;  // where the log of the session is left; empty: nowhere
-  std::string inputs;  // of a laboratory, played without a page; empty: it is no laboratory
+  bool quiet = false;      // no progress, no summary
+  bool plots = false;      // draw the figures in the terminal
+  bool hash = false;       // print the hash of the run
+  std::string storyboard;  // a .png file; empty: none
+  std::string record;      // where the log of the session is left; empty: nowhere
+  std::string inputs;      // of a laboratory, played without a page; empty: it is no laboratory
 };
 
 struct ReplayOptions {

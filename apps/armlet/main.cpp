@@ -117,6 +117,10 @@ void add_run_outputs(CLI::App& command, Asked& asked, CLI::Option* needed) {
   all.push_back(command.add_flag("--hash", asked.run.hash,
                                  "print a number that tells runs apart, bit for bit"));
   all.push_back(command
+                    .add_option("--storyboard", asked.run.storyboard,
+                                "draw the cell at the end of each move, on one sheet, a .png file")
+                    ->type_name("FILE"));
+  all.push_back(command
                     .add_option("--record", asked.run.record,
                                 "leave what `armlet replay` needs to take the run again in an "
                                 ".arec file; of a laboratory also as a page, an .html file")

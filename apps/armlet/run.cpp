@@ -23,6 +23,7 @@
 #include "output_file.hpp"
 #include "record.hpp"
 #include "run_report.hpp"
+#include "storyboard/storyboard.hpp"
 
 namespace armlet::cli {
 namespace {
@@ -69,6 +70,47 @@ class Trace {
   std::unique_ptr<Backend> backend_;
   OutputFile file_{"trace"};
   std::optional<FileStream> stream_;
+};
+
+// What a run leaves in files.
+class Outputs {
+ public:
+  // The exit status, after a message if a name is refused.
+  int choose(const RunOptions& options, SessionOptions& session) {
+    if (const int exit = trace_.choose(options.trace); exit != kDone) return exit;
+    if (const int exit = record_.choose(options.record); exit != kDone) return exit;
+    if (const int exit = storyboard_.choose(options.storyboard); exit != kDone) return exit;
+    if (trace_.backend() != nullptr) session.backends.push_back(trace_.backend());
+    if (record_.is_wanted()) session.backends.push_back(&marks_);
+    return kDone;
+  }
+
+  // Once it is known that the program runs. The texts are what it was made of.
+  int open(const std::vector<std::string>& texts) {
+    if (const int exit = trace_.open(texts); exit != kDone) return exit;
+    if (const int exit = record_.open(texts); exit != kDone) return exit;
+    return storyboard_.open(texts);
+  }
+
+  [[nodiscard]] bool wants_moves() const { return storyboard_.is_wanted(); }
+  void take(const MoveReport& move, const Cell& cell) { storyboard_.take(move, cell); }
+
+  // Puts the files in their places. Whether all of it was written.
+  bool finish(const Session& session) {
+    is_traced_ = trace_.finish() == kDone;
+    SessionLog log = session.log();
+    log.marks = marks_.marks();
+    const bool recorded = record_.finish(log) == kDone;
+    return storyboard_.finish() == kDone && recorded && is_traced_;
+  }
+  [[nodiscard]] bool is_traced() const { return is_traced_; }  // behind finish
+
+ private:
+  Trace trace_;
+  Record record_;
+  RunMarks marks_;
+  Storyboard storyboard_;
+  bool is_traced_ = false;
 };
 
 // The files that a program consists of.
@@ -151,20 +193,21 @@ int run(const RunOptions& options) {
   if (!text) return kNoFile;
   Setup setup = make_setup(options.program, options.file);
   if (setup.exit != kDone) return setup.exit;
-  Trace trace;
-  if (const int exit = trace.choose(options.trace); exit != kDone) return exit;
-  if (trace.backend() != nullptr) setup.session.backends.push_back(trace.backend());
-  Record record;
-  if (const int exit = record.choose(options.record); exit != kDone) return exit;
-  RunMarks marks;
-  if (record.is_wanted()) setup.session.backends.push_back(&marks);
+  Outputs outputs;
+  if (const int exit = outputs.choose(options, setup.session); exit != kDone) return exit;
   if (options.realtime) setup.session.pace = real_time();
   InputScript script;
   if (const int exit = script.read(options.inputs); exit != kDone) return exit;
   RunHash hash;
   if (options.hash) setup.session.backends.push_back(&hash);
   const bool talks = !json && !options.quiet;
-  if (talks) setup.session.on_move = show_move;
+  const Session* running = nullptr;
+  if (talks || outputs.wants_moves()) {
+    setup.session.on_move = [&](const MoveReport& move) {
+      if (talks) show_move(move);
+      outputs.take(move, running->host()->cell());
+    };
+  }
   const SourceSet* sources = nullptr;
   setup.session.advice = [&](const Diagnostic& d) { show(d, *sources, json); };
   script.listen(setup.session, [&](const Diagnostic& d) { show(d, *sources, json); });
@@ -174,9 +217,9 @@ int run(const RunOptions& options) {
   show(session.problems(), json);
   if (!runs) return kRejected;
   sources = &session.sources();
+  running = &session;
   const std::vector<std::string> texts = texts_of(options, *sources);
-  if (const int exit = trace.open(texts); exit != kDone) return exit;
-  if (const int exit = record.open(texts); exit != kDone) return exit;
+  if (const int exit = outputs.open(texts); exit != kDone) return exit;
 
   RunResult result;
   {
@@ -190,19 +233,15 @@ int run(const RunOptions& options) {
   if (options.plots) draw_figures(session);
   if (options.hash) print_out("hash " + hash.text() + "\n");
   const bool written = finish_output();
-  const bool traced = trace.finish() == kDone;
-  SessionLog log = session.log();
-  log.marks = marks.marks();
-  const bool recorded = record.finish(log) == kDone;
+  const bool left = outputs.finish(session);
   Figures figures(session);
-  const bool pictured = !traced || figures.save_beside(options.trace) == kDone;
+  const bool pictured = !outputs.is_traced() || figures.save_beside(options.trace) == kDone;
   if (talks && output_is_read()) {
-    show_summary(session, traced ? options.trace : std::string(), result.status);
+    show_summary(session, outputs.is_traced() ? options.trace : std::string(), result.status);
     figures.show(options.plots);
   }
   if (result.status == Progress::kCancelled) return kStopped;
-  return result.status == Progress::kDone && written && traced && recorded && pictured ? kDone
-                                                                                       : kFailed;
+  return result.status == Progress::kDone && written && left && pictured ? kDone : kFailed;
 }
 
 }  // namespace armlet::cli

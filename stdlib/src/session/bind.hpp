@@ -66,6 +66,7 @@ std::span<const NativeFunction> plot_motion_functions();
 std::span<const NativeFunction> lab_functions();
 std::span<const NativeFunction> picture_value_functions();
 std::span<const NativeFunction> picture_file_functions();
+std::span<const NativeFunction> snapshot_functions();
 std::span<const NativeFunction> camera_functions();
 std::span<const NativeFunction> sight_functions();
 std::span<const NativeFunction> feature_functions();

@@ -28,12 +28,11 @@ constexpr std::span<const std::string_view> kPlanned = {};
 
 namespace bind {
 
+static Chapter mathematics(std::string_view title, std::span<const NativeFunction> functions) {
+  return {.title = title, .functions = functions, .is_mathematics = true, .only_values = true};
+}
+
 std::span<const Chapter> chapters() {
-  constexpr auto mathematics = [](std::string_view title,
-                                  std::span<const NativeFunction> functions) {
-    return Chapter{
-        .title = title, .functions = functions, .is_mathematics = true, .only_values = true};
-  };
   static const Chapter all[] = {
       mathematics("Mathematics", math_functions()),
       {.title = "Random numbers", .functions = random_functions(), .is_mathematics = true},
@@ -82,6 +81,7 @@ std::span<const Chapter> chapters() {
       {.title = "Pictures: files", .functions = picture_file_functions()},
       {.title = "Cameras", .functions = camera_functions()},
       {.title = "Cameras: what they see", .functions = sight_functions()},
+      {.title = "Cameras: pictures of the cell", .functions = snapshot_functions()},
       {.title = "Pictures: features", .functions = feature_functions(), .only_values = true},
       {.title = "Pictures: tracking", .functions = tracker_functions()},
       {.title = "Later", .functions = later_functions()},

@@ -35,6 +35,7 @@ inline constexpr std::array<std::string_view, 3> kShapeUses = {"both", "picture"
 inline constexpr std::array<std::string_view, 2> kPictureEndings = {".svg", ".txt"};
 inline constexpr std::array<std::string_view, 5> kImageEndings = {".png", ".jpg", ".jpeg", ".pgm",
                                                                   ".ppm"};
+inline constexpr std::array<std::string_view, 3> kSnapshotEndings = {".png", ".jpg", ".jpeg"};
 inline constexpr std::array<std::string_view, 1> kTableEndings = {kTableEnding};
 
 // The words of the parameter of that name; none if it takes any text.

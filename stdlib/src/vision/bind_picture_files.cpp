@@ -52,26 +52,7 @@ Answer<Image> load_image(Vm& vm, std::string_view file) try {
 }
 
 Answer<void> save_image(Vm& vm, const Image& image, std::string_view file) {
-  const std::string path(file);
-  if (image.kind() == PixelKind::kDepth)
-    return bad_picture(vm, file, "it holds depths, which such files do not take", 0);
-  const bool is_grey = image.kind() == PixelKind::kGrey;
-  if (path.ends_with(is_grey ? ".ppm" : ".pgm")) {
-    return bad_picture(vm, file,
-                       is_grey ? "it is grey, and .ppm files are RGB: take .pgm or .png"
-                               : "it is RGB, and .pgm files are grey: take .ppm or .png",
-                       1);
-  }
-  constexpr std::uint64_t kCost = 32;  // operations for a value
-  const auto bytes = with_pictures(vm, kCost * bytes_of(image), [&] {
-    if (path.ends_with(".png")) return write_png(image);
-    return path.ends_with(".jpg") || path.ends_with(".jpeg") ? write_jpeg(image)
-                                                             : write_netpbm(image);
-  });
-  if (!bytes) return Failed{};
-  const auto saved = Host::of(vm).save_file(kImageFile, path, *bytes);
-  if (!saved.ok()) return bad_picture(vm, file, saved.error().message, 1);
-  return {};
+  return save_picture(vm, image, file, 1);
 }
 
 constexpr NativeFunction kPictureFileFunctions[] = {
@@ -89,6 +70,29 @@ constexpr NativeFunction kPictureFileFunctions[] = {
 };
 
 }  // namespace
+
+Answer<void> save_picture(Vm& vm, const Image& image, std::string_view file, int parameter) {
+  const std::string path(file);
+  if (image.kind() == PixelKind::kDepth)
+    return bad_picture(vm, file, "it holds depths, which such files do not take", 0);
+  const bool is_grey = image.kind() == PixelKind::kGrey;
+  if (path.ends_with(is_grey ? ".ppm" : ".pgm")) {
+    return bad_picture(vm, file,
+                       is_grey ? "it is grey, and .ppm files are RGB: take .pgm or .png"
+                               : "it is RGB, and .pgm files are grey: take .ppm or .png",
+                       parameter);
+  }
+  constexpr std::uint64_t kEachValue = 32;  // operations
+  const auto bytes = with_pictures(vm, kEachValue * bytes_of(image), [&] {
+    if (path.ends_with(".png")) return write_png(image);
+    return path.ends_with(".jpg") || path.ends_with(".jpeg") ? write_jpeg(image)
+                                                             : write_netpbm(image);
+  });
+  if (!bytes) return Failed{};
+  const auto saved = Host::of(vm).save_file(kImageFile, path, *bytes);
+  if (!saved.ok()) return bad_picture(vm, file, saved.error().message, parameter);
+  return {};
+}
 
 std::span<const NativeFunction> picture_file_functions() { return kPictureFileFunctions; }
 

@@ -81,6 +81,8 @@ class Cameras {
 
   // Everything that it may see, at this instant.
   [[nodiscard]] Scene scene(const Cell& cell, int camera);
+  // The same for a picture that none of them takes: in the key light, with the ground.
+  [[nodiscard]] Scene scene(const Cell& cell);
 
   // An RGB picture, with blur and noise; the next one has other noise.
   [[nodiscard]] Image color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);

@@ -81,12 +81,17 @@ Eigen::Isometry3d Cameras::T_world_camera_for(const Cell& cell, int camera,
 
 Scene Cameras::scene(const Cell& cell, int camera) {
   const Camera& each = at(camera);
+  Scene all = scene(cell);
+  if (!each.key_light) all.light = Light::flat();
+  all.ground.drawn = each.ground;
+  return all;
+}
+
+Scene Cameras::scene(const Cell& cell) {
   if (surfaces_ == nullptr) surfaces_ = std::make_unique<Surfaces>();
-  Scene scene{.bodies = surfaces_->bodies_of(cell)};
-  if (!each.key_light) scene.light = Light::flat();
-  scene.ground.drawn = each.ground;
-  scene.ground.z = cell.world().floor_z().value_or(0.0);
-  return scene;
+  Scene all{.bodies = surfaces_->bodies_of(cell)};
+  all.ground.z = cell.world().floor_z().value_or(0.0);
+  return all;
 }
 
 Image Cameras::color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera) {
