@@ -3,7 +3,7 @@
 
 usage: check_pictures.py COMMAND [--write]
 
-Each program runs with one line more, which saves its figures, or with --storyboard. --write puts them into docs/images.
+Each program runs with one line more, which saves the picture, or with --storyboard. --write puts them into docs/images.
 """
 
 import pathlib
@@ -13,23 +13,25 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs" / "images"
+FIGURES, STORYBOARD = "savePlot(FILE)", None  # the line that saves the picture
 PICTURES = {
-    "laboratory_13.svg": "examples/figures/fig10_inverse_dynamics_payload.rbt",
-    "laboratory_14.svg": "examples/figures/fig11_M_C_G_live.rbt",
-    "laboratory_15.svg": "examples/labs/15_falling_arm.rbt",
-    "laboratory_16.svg": "examples/labs/16_controllers.rbt",
-    "laboratory_17.svg": "examples/labs/17_stick_slip.rbt",
-    "storyboard.png": "examples/06_handover.rbt",
+    "laboratory_13.svg": ("examples/figures/fig10_inverse_dynamics_payload.rbt", FIGURES),
+    "laboratory_14.svg": ("examples/figures/fig11_M_C_G_live.rbt", FIGURES),
+    "laboratory_15.svg": ("examples/labs/15_falling_arm.rbt", FIGURES),
+    "laboratory_16.svg": ("examples/labs/16_controllers.rbt", FIGURES),
+    "laboratory_17.svg": ("examples/labs/17_stick_slip.rbt", FIGURES),
+    "laboratory_18.png": ("examples/labs/18_see_the_cube.rbt", "eye.capture().save(FILE)"),
+    "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
 }
 
 
-def drawn(command, picture, program):
+def drawn(command, picture, program, line):
     """The picture as its program draws it now."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / pathlib.Path(program).name
-        is_figure = picture.endswith(".svg")
-        copy.write_text((ROOT / program).read_text(encoding="utf-8") + (f'\nsavePlot("{picture}")\n' if is_figure else ""), encoding="utf-8")
-        words = [] if is_figure else ["--storyboard", str(copy.parent / picture)]
+        more = f'\n{line.replace("FILE", chr(34) + picture + chr(34))}\n' if line else ""
+        copy.write_text((ROOT / program).read_text(encoding="utf-8") + more, encoding="utf-8")
+        words = [] if line else ["--storyboard", str(copy.parent / picture)]
         run = subprocess.run([command, "run", str(copy), *words], capture_output=True, text=True)
         saved = copy.parent / picture
         if run.returncode != 0 or not saved.exists():
@@ -41,8 +43,8 @@ def main():
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     stale = []
-    for picture, program in PICTURES.items():
-        drawing = drawn(str(pathlib.Path(sys.argv[1]).resolve()), picture, program)
+    for picture, (program, line) in PICTURES.items():
+        drawing = drawn(str(pathlib.Path(sys.argv[1]).resolve()), picture, program, line)
         place = IMAGES / picture
         if sys.argv[2:] == ["--write"]:
             place.write_bytes(drawing)
