@@ -21,6 +21,7 @@ PICTURES = {
     "laboratory_16.svg": ("examples/labs/16_controllers.rbt", FIGURES),
     "laboratory_17.svg": ("examples/labs/17_stick_slip.rbt", FIGURES),
     "laboratory_18.png": ("examples/labs/18_see_the_cube.rbt", "eye.capture().save(FILE)"),
+    "laboratory_19.svg": ("examples/labs/19_visual_servoing.rbt", FIGURES),
     "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
 }
 
