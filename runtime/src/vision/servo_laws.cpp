@@ -20,9 +20,9 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // Singular values that count.
-Index rank_of(const VectorXd& s) {
+Index rank_of(const VectorXd& s, double share = kSmallSingularValue) {
   Index rank = 0;
-  while (rank < s.size() && s[rank] > kSmallSingularValue * s[0]) ++rank;
+  while (rank < s.size() && s[rank] > share * s[0]) ++rank;
   return s.size() > 0 && s[0] > 0.0 ? rank : 0;
 }
 
@@ -89,6 +89,19 @@ ServoStep servo_step(const MatrixXd& A, const VectorXd& error, double gain) {
 MatrixXd uncontrollable_directions(const MatrixXd& A) {
   const SvdParts parts = full_singular_values(A);
   return parts.U.rightCols(A.rows() - rank_of(parts.s));
+}
+
+Index rank_above(const MatrixXd& A, double share) { return rank_of(singular_values(A).s, share); }
+
+VectorXd null_motion(const MatrixXd& A, const VectorXd& wished) {
+  if (A.cols() != wished.size()) {
+    throw ArgumentError(
+        fmt::format("A matrix of {} columns has no motion of {} joints.", A.cols(), wished.size()));
+  }
+  check_finite("wished", wished);
+  const SvdParts parts = singular_values(A);
+  const auto V = parts.V.leftCols(rank_of(parts.s));
+  return wished - V * (V.transpose() * wished);
 }
 
 MatrixXd camera_jacobian(const Eigen::Ref<const MatrixXd>& J_world,

@@ -258,6 +258,26 @@ TEST_CASE("what a motion cannot reach is told") {
   CHECK(still.condition == std::numeric_limits<double>::infinity());
 }
 
+TEST_CASE("a null motion leaves the error alone and is the nearest to what is wished") {
+  Random random(19);
+  const auto any = [&] { return random.uniform(-1, 1); };
+  for (int trial = 0; trial < 50; ++trial) {
+    const Eigen::MatrixXd A =
+        Eigen::MatrixXd::NullaryExpr(8, 5, any) * Eigen::MatrixXd::NullaryExpr(5, 7, any);
+    CHECK(rank_above(A, 1e-9) == 5);
+    const Eigen::VectorXd wished = Eigen::VectorXd::NullaryExpr(7, any);
+    const Eigen::VectorXd motion = null_motion(A, wished);
+    CHECK((A * motion).norm() < 1e-12);
+    CHECK((null_motion(A, motion) - motion).norm() < 1e-12);
+    CHECK(std::abs(motion.dot(wished - motion)) < 1e-12);
+  }
+  CHECK(rank_above(Eigen::Vector3d(1.0, 0.01, 0.0).asDiagonal().toDenseMatrix(), 0.1) == 1);
+  CHECK(rank_above(Eigen::MatrixXd::Zero(3, 3), 0.1) == 0);
+  CHECK_FALSE(refusal_of([] {
+                null_motion(Eigen::MatrixXd::Ones(2, 3), Eigen::VectorXd::Ones(2));
+              }).empty());
+}
+
 TEST_CASE("the adaptive gain goes from one value to the other with the slope that it is given") {
   const AdaptiveGain gain{4.0, 0.4, 30.0};
   CHECK(gain.at(0.0) == doctest::Approx(4.0));

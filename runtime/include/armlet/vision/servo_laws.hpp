@@ -79,6 +79,18 @@ ServoStep servo_step(const Eigen::MatrixXd& A, const Eigen::VectorXd& error, dou
 // does not reach, m x (m - rank).
 Eigen::MatrixXd uncontrollable_directions(const Eigen::MatrixXd& A);
 
+// How many singular values are above that share of the largest one.
+//
+// throws  ArgumentError for numbers that are not finite.
+Eigen::Index rank_above(const Eigen::MatrixXd& A, double share);
+
+// The part of wished joint speeds that leaves the error alone: (I - A^+ A) wished.
+//
+// throws  ArgumentError unless A has a column for each of them.
+// source  A. Liegeois, Automatic supervisory control of the configuration and behavior of
+//         multibody mechanisms, IEEE Trans. SMC 7(12), 1977.
+Eigen::VectorXd null_motion(const Eigen::MatrixXd& A, const Eigen::VectorXd& wished);
+
 // Joint speeds to the twist of the camera in its own axes.
 //
 // J_world       6 x n, of the tool point in the axes of the world.
