@@ -1,9 +1,11 @@
 // Error records: what programs see of a failure, and how it comes back to life when they throw it
 // again.
 
+#include <algorithm>
 #include <new>
 #include <optional>
 
+#include "armlet/interpreter/host/taken_failure.hpp"
 #include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/virtual_time.hpp"
 #include "vm/failures/failures.hpp"
@@ -137,3 +139,17 @@ bool rethrow(VmState& state, Obj* held) {
 }
 
 }  // namespace armlet::lang
+
+namespace armlet {
+
+std::optional<std::string> take_failure(Vm& vm, std::span<const std::string_view> kinds) {
+  lang::FaultPtr& fault = vm.state().fault;
+  if (fault == nullptr || fault->reach != lang::Reach::kHandlers ||
+      std::ranges::find(kinds, fault->kind) == kinds.end())
+    return {};
+  std::string message = std::move(fault->diagnostic.message);
+  fault.reset();
+  return message;
+}
+
+}  // namespace armlet
