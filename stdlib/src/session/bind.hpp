@@ -71,6 +71,7 @@ std::span<const NativeFunction> camera_functions();
 std::span<const NativeFunction> sight_functions();
 std::span<const NativeFunction> feature_functions();
 std::span<const NativeFunction> tracker_functions();
+std::span<const NativeFunction> servo_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 

@@ -84,6 +84,7 @@ std::span<const Chapter> chapters() {
       {.title = "Cameras: pictures of the cell", .functions = snapshot_functions()},
       {.title = "Pictures: features", .functions = feature_functions(), .only_values = true},
       {.title = "Pictures: tracking", .functions = tracker_functions()},
+      {.title = "Visual servoing", .functions = servo_functions()},
       {.title = "Later", .functions = later_functions()},
   };
   return all;
@@ -120,6 +121,11 @@ void install(Engine& engine) {
                     "x: double, y: double, area: int, angle: angle, width: double, height: double, "
                     "color: Color");
   engine.add_record("PlanarPose", "pose: posC, error: double, other: posC, otherError: double");
+  engine.add_record("ServoGain", "atZero: double, atInfinity: double, slope: double");
+  engine.add_record("ServoRun",
+                    "reason: string, why: string, t: time[], error: double[], twist: matrix, "
+                    "features: matrix, smallest: double[], condition: double[], qd: matrix, "
+                    "uncontrollable: matrix, explanation: string");
   engine.add_record("Match", "x: double, y: double, score: double");
   engine.add_record("Compliance", "offset: double[], rate: double[]");
   engine.add_record("BaseParameters", "columns: int[], grouping: matrix, values: double[]");

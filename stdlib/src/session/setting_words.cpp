@@ -18,6 +18,7 @@ std::span<const std::string_view> words_of_parameter(std::string_view parameter)
       {"direction", kDirections},   {"axis", kAxisSides},
       {"log", kLogarithmicAxes},    {"method", ode_method_names()},
       {"use", kShapeUses},          {"light", kLightWords},
+      {"law", kServoLaws},
   };
   const auto* found = std::ranges::find(rows, parameter, &Row::parameter);
   return found != std::end(rows) ? found->words : std::span<const std::string_view>();

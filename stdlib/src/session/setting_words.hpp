@@ -26,6 +26,9 @@ inline constexpr std::array<std::string_view, 4> kLogarithmicAxes = {"x", "y", "
 
 // In the order of CornerMethod.
 inline constexpr std::array<std::string_view, 2> kCornerMethods = {"susan", "harris"};
+// In the order of ServoLaw.
+inline constexpr std::array<std::string_view, 5> kServoLaws = {"current", "desired", "mean",
+                                                               "position", "hybrid"};
 // Of a camera: with shades and shadows, or without.
 inline constexpr std::array<std::string_view, 2> kLightWords = {"key", "flat"};
 

@@ -327,6 +327,8 @@ constexpr NativeFunction kSightFunctions[] = {
 
 }  // namespace
 
+Answer<Image> picture_now(Vm& vm, const CameraRef& camera) { return capture(vm, camera, nullptr); }
+
 std::span<const NativeFunction> sight_functions() { return kSightFunctions; }
 
 }  // namespace armlet::bind

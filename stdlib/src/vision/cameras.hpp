@@ -6,6 +6,7 @@
 
 #include "armlet/cell/cameras.hpp"
 #include "armlet/core/error.hpp"
+#include "armlet/image/image.hpp"
 #include "armlet/vision/plane_points.hpp"
 #include "session/bind.hpp"
 #include "values/values.hpp"
@@ -31,6 +32,9 @@ Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter);
 // Rows of [x, y, z], m; R0613 for another number of values or no rows.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 Answer<Points> points_of(Vm& vm, std::span<const Slot> rows, int parameter);
+
+// The picture of the camera at this instant.
+Answer<Image> picture_now(Vm& vm, const CameraRef& camera);
 
 // Where the camera is now.
 Answer<Eigen::Isometry3d> pose_now(Vm& vm, const CameraRef& camera);
