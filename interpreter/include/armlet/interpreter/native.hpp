@@ -19,9 +19,9 @@
 // declaration of type motor calls, whose parameter `name` receives the declared name, and a
 // parameter `phase: phaseRow[]` the rows `phase wound(...)`, each made by "motor.phase.wound";
 // "motor.phase.NAME" makes rows that the program names, `phase u(...)`: it gets the name as `name`,
-// what it gets as `value` becomes the variable `m.u` that the host may set, and "motor{}" gets all
-// of them in order as `rows`; "motor()" gives the ambient motor of the host; "Math.sqrt" names live
-// in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
+// its `value`, or else its function, is the variable `m.u` that the host may set, and "motor{}"
+// gets all of them in order as `rows`; "motor()" gives the ambient motor of the host; "Math.sqrt"
+// is in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
 // settings of the block and before "with}" restores those from before on every way out of it;
 // "path.blend", "path{", "path}" likewise for `path`, whose motions "path{move}" makes at its end.
 

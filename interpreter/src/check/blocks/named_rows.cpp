@@ -44,12 +44,18 @@ namespace {
 
 bool is_lambda(const ast::Arg& arg) { return arg.value->kind == ast::ExprKind::kLambda; }
 
-// The parameter `value` of the function that was called; null if it has none or none is given.
+// What a row holds: the parameter `value` of the function that was called, or a function that it is
+// given; null if there is neither.
 hir::Expr** value_of(Checker& checker, hir::CallNativeExpr& call) {
   const int at = checker.shared.signatures.of(*call.function).index_of("value");
-  if (at < 0) return nullptr;
-  hir::Expr*& value = call.arguments[static_cast<std::size_t>(at)];
-  return value->kind == hir::ExprKind::kAbsent ? nullptr : &value;
+  if (at >= 0) {
+    hir::Expr*& value = call.arguments[static_cast<std::size_t>(at)];
+    return value->kind == hir::ExprKind::kAbsent ? nullptr : &value;
+  }
+  const auto found = std::ranges::find_if(
+      call.arguments, [](const hir::Expr* each) { return each->type->is(Kind::kFunction); });
+  return found == call.arguments.end() || (*found)->kind == hir::ExprKind::kAbsent ? nullptr
+                                                                                   : &*found;
 }
 
 class NamedRows {

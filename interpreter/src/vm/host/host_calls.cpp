@@ -6,6 +6,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/host/function_value.hpp"
 #include "armlet/interpreter/script_function.hpp"
+#include "vm/host/aside.hpp"
 #include "vm/host/checked.hpp"
 #include "vm/host/frames.hpp"
 
@@ -54,19 +55,25 @@ bool VmState::enter(std::uint32_t function, ClosureObj* closure) {
   return true;
 }
 
-bool VmState::evaluate(Task& owner, Obj* function, Slot& result) {
-  const std::uint32_t depth = options.limits.call_depth;
-  if (condition_task == nullptr) condition_task = std::make_unique<Task>(depth, ample_slots(depth));
+bool evaluate_with(VmState& state, Task& owner, Obj* function, std::span<const Slot> arguments,
+                   Slot& result) {
+  const std::uint32_t depth = state.options.limits.call_depth;
+  if (state.condition_task == nullptr)
+    state.condition_task = std::make_unique<Task>(depth, ample_slots(depth));
   struct Restore {
     Task*& running;
     Task* before;
     ~Restore() { running = before; }
   };
-  const Restore restore{running, running};
-  running = condition_task.get();
-  running->origin.parent = &owner;
-  running->host_data = owner.host_data;
-  return vm.call(function, {}, result);
+  const Restore restore{state.running, state.running};
+  state.running = state.condition_task.get();
+  state.running->origin.parent = &owner;
+  state.running->host_data = owner.host_data;
+  return state.vm.call(function, arguments, result);
+}
+
+bool VmState::evaluate(Task& owner, Obj* function, Slot& result) {
+  return evaluate_with(*this, owner, function, {}, result);
 }
 
 bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {

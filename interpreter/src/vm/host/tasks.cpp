@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "vm/entries.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/host/access.hpp"
+#include "vm/host/aside.hpp"
 #include "vm/host/no_trace.hpp"
 #include "vm/host/values.hpp"
 #include "vm/tasks/tasks.hpp"
@@ -23,12 +25,40 @@ namespace {
 
 std::string named(std::string_view name) { return '`' + std::string(name) + '`'; }
 
-const lang::hir::Variable& require_function(const lang::VmState& state, std::string_view name) {
+const lang::hir::Variable& require_function(const lang::VmState& state, std::string_view name,
+                                            std::size_t parameters = 0) {
   const lang::hir::Variable& variable = lang::require_global(state, name);
-  if (variable.type->is(Kind::kFunction) && variable.type->parameters.empty()) return variable;
-  throw ArgumentError(named(name) + " is " + type_phrase(variable.type) +
-                      ", no function without parameters.");
+  if (variable.type->is(Kind::kFunction) && variable.type->parameters.size() == parameters)
+    return variable;
+  throw ArgumentError(named(name) + " is " + type_phrase(variable.type) + ", no function " +
+                      (parameters == 0 ? "without parameters."
+                                       : "of " + std::to_string(parameters) + " parameters."));
 }
+
+// Values in slots of a program, while a function reads them.
+class GivenSlots {
+ public:
+  GivenSlots(lang::VmState& state, const Type& function)
+      : state_(state), types_(function.parameters) {}
+  void give(std::span<const Value> values) {
+    for (const Value& value : values) {
+      slots_.push_back(
+          lang::slot_of_value(state_, value, *types_[slots_.size()], "The argument of a function"));
+    }
+  }
+  ~GivenSlots() {
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+      if (types_[i]->is_reference()) state_.heap.release(slots_[i].o);
+  }
+  GivenSlots(const GivenSlots&) = delete;
+  GivenSlots& operator=(const GivenSlots&) = delete;
+  [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
+
+ private:
+  lang::VmState& state_;
+  std::span<const Type* const> types_;
+  std::vector<Slot> slots_;
+};
 
 void require_staying(const lang::VmState& state) {
   if (!state.options.stays)
@@ -67,10 +97,10 @@ void finish(Vm& vm) {
   vm.result_ = {.status = Progress::kDone, .error = {}, .steps = state.host.aside.steps};
 }
 
-Result<Value> read_function(Vm& vm, std::string_view name) {
+Result<Value> read_function(Vm& vm, std::string_view name, std::span<const Value> arguments) {
   lang::VmState& state = vm.state();
   const lang::Turn turn(state);
-  const lang::hir::Variable& variable = require_function(state, name);
+  const lang::hir::Variable& variable = require_function(state, name, arguments.size());
   const Type& type = *variable.type->result;
   std::optional<Result<Value>> out;
   on_ample_stack([&] {
@@ -78,8 +108,11 @@ Result<Value> read_function(Vm& vm, std::string_view name) {
     const Supervised kernels(&state.kernels);
     Slot result{.i = 0};
     bool done = false;
+    GivenSlots given(state, *variable.type);
+    given.give(arguments);
     try {
-      done = state.evaluate(state.main, state.globals.values[variable.index].o, result);
+      done = lang::evaluate_with(state, state.main, state.globals.values[variable.index].o,
+                                 given.slots(), result);
     } catch (...) {
       lang::raise_thrown(state, state.main);
     }

@@ -8,6 +8,7 @@
 //
 // All of it between two slices of the run.
 
+#include <span>
 #include <string_view>
 
 #include "armlet/core/error.hpp"
@@ -32,11 +33,12 @@ std::optional<Error> start_task(Vm& vm, std::string_view variable);
 // throws  ArgumentError if it is not at rest.
 void finish(Vm& vm);
 
-// What a function gives now that a variable holds. The run is afterwards as it was before: its
-// variables, its chance, its steps and its output.
+// What a function gives now that a variable holds, for these arguments. The run is afterwards as it
+// was before: its variables, its chance, its steps and its output.
 //
 // returns  an error with the message of its failure.
-// throws   ArgumentError as start_task, but in any run.
-[[nodiscard]] Result<Value> read_function(Vm& vm, std::string_view variable);
+// throws   ArgumentError as start_task, but in any run, and for arguments of other types.
+[[nodiscard]] Result<Value> read_function(Vm& vm, std::string_view variable,
+                                          std::span<const Value> arguments = {});
 
 }  // namespace armlet

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+
+#include "vm/state.hpp"
+
+namespace armlet::lang {
+
+// VmState::evaluate for a function with parameters, whose arguments are borrowed.
+[[nodiscard]] bool evaluate_with(VmState& state, Task& owner, Obj* function,
+                                 std::span<const Slot> arguments, Slot& result);
+
+}  // namespace armlet::lang
