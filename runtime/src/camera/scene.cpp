@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "armlet/core/error.hpp"
+#include "armlet/core/hash.hpp"
 #include "armlet/math/check_finite.hpp"
 #include "armlet/math/pose.hpp"
 
@@ -52,6 +53,23 @@ void check_parts(const SurfaceParts& parts) {
   }
 }
 
+template <class T>
+void add(Fnv1a& hash, const std::vector<T>& values) {
+  hash.add(static_cast<std::uint64_t>(values.size()));
+  hash.add_bytes({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+}
+
+std::uint64_t fingerprint_of(const SurfaceParts& parts) {
+  Fnv1a hash;
+  add(hash, parts.positions);
+  add(hash, parts.normals);
+  add(hash, parts.on_image);
+  add(hash, parts.corners);
+  add(hash, parts.materials);
+  hash.add(parts.closed ? 1 : 0);
+  return hash.value();
+}
+
 }  // namespace
 
 Surface::Surface(SurfaceParts parts) : parts_(std::move(parts)) {
@@ -66,6 +84,7 @@ Surface::Surface(SurfaceParts parts) : parts_(std::move(parts)) {
     radius_ = std::max(radius_, (p - middle_).norm());
   for (const std::uint8_t material : parts_.materials)
     material_count_ = std::max(material_count_, material + 1);
+  fingerprint_ = fingerprint_of(parts_);
 }
 
 void check_scene(const Scene& scene) {

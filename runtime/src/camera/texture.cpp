@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "armlet/core/error.hpp"
+#include "armlet/core/hash.hpp"
 #include "armlet/math/det_math.hpp"
 #include "camera/raster/srgb_tables.hpp"
 
@@ -62,6 +63,10 @@ Texture::Texture(const Image& picture) {
         level.rgb.push_back(picture.row(y)[x * channels + (channels == 3 ? c : 0)]);
     }
   }
+  Fnv1a hash;
+  hash.add(level.width);
+  hash.add_bytes({reinterpret_cast<const char*>(level.rgb.data()), level.rgb.size()});
+  fingerprint_ = hash.value() | 1U;
   levels_.push_back(std::move(level));
   while (levels_.back().width > 1 || levels_.back().height > 1)
     levels_.push_back(half_of(levels_.back()));

@@ -77,7 +77,9 @@ std::unique_ptr<Host> Session::make_host(Journal* journal) {
       fill_world(host, *options_.default_world, problems_);
     };
   }
-  return std::make_unique<Host>(std::move(host_options));
+  auto host = std::make_unique<Host>(std::move(host_options));
+  host->cell().cameras().keep_pictures(options_.pictures);
+  return host;
 }
 
 // A world is a program that declares objects; it runs in the cell before time begins.

@@ -47,12 +47,15 @@ class Surface {
   [[nodiscard]] const Eigen::Vector3d& middle() const { return middle_; }
   [[nodiscard]] double radius() const { return radius_; }  // of the ball about the middle, m
   [[nodiscard]] int material_count() const { return material_count_; }  // the highest one + 1
+  // A hash of what is drawn of it.
+  [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
 
  private:
   SurfaceParts parts_;
   Eigen::Vector3d low_, high_, middle_;
   double radius_ = 0.0;
   int material_count_ = 1;
+  std::uint64_t fingerprint_ = 0;
 };
 
 // texture  its colours are multiplied by `color`; null: none.

@@ -33,6 +33,8 @@ class Texture {
 
   [[nodiscard]] int width() const { return levels_.front().width; }
   [[nodiscard]] int height() const { return levels_.front().height; }
+  // A hash of its pixels, never 0.
+  [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
 
   // Values from 0 to 255 as in the picture, interpolated between pixels of the copy that has about
   // one for each pixel drawn.
@@ -50,6 +52,7 @@ class Texture {
   static Level half_of(const Level& whole);
 
   std::vector<Level> levels_;
+  std::uint64_t fingerprint_ = 0;
 };
 
 }  // namespace armlet

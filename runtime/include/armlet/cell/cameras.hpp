@@ -12,6 +12,7 @@
 #include "armlet/camera/ground_truth.hpp"
 #include "armlet/camera/pinhole.hpp"
 #include "armlet/camera/scene.hpp"
+#include "armlet/cell/kept_pictures.hpp"
 #include "armlet/image/image.hpp"
 #include "armlet/math/eigen_layout.hpp"
 #include "armlet/model/link_shapes.hpp"  // its kFlange would shadow that of world.hpp
@@ -84,6 +85,15 @@ class Cameras {
   // The same for a picture that none of them takes: in the key light, with the ground.
   [[nodiscard]] Scene scene(const Cell& cell);
 
+  // Looks for pictures here before it draws them, and keeps them; null: it does not. Noise is added
+  // anew.
+  void keep_pictures(std::shared_ptr<KeptPictures> kept) { kept_ = std::move(kept); }
+  // How many pictures each camera took, which decides on the noise of the next one. Who only looks
+  // at what a program would see sets it as it was.
+  [[nodiscard]] const std::vector<std::uint64_t>& taken() const { return taken_; }
+  // throws  ArgumentError for numbers of more cameras than there are.
+  void set_taken(std::vector<std::uint64_t> taken);
+
   // An RGB picture, with blur and noise; the next one has other noise.
   [[nodiscard]] Image color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
   // Depths z in metres; 0 where nothing is seen.
@@ -102,10 +112,14 @@ class Cameras {
  private:
   class Surfaces;
   class Drawer;
+  // Without noise.
+  [[nodiscard]] Image clean(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
+
   std::vector<Camera> cameras_;
   std::vector<std::uint64_t> taken_;  // how many pictures each took
   std::unique_ptr<Surfaces> surfaces_;
   std::unique_ptr<Drawer> drawer_;  // null until a camera looks
+  std::shared_ptr<KeptPictures> kept_;
 };
 
 }  // namespace armlet

@@ -23,7 +23,8 @@ class Cameras::Drawer {
 
 Cameras::Cameras() = default;
 Cameras::~Cameras() = default;
-Cameras::Cameras(const Cameras& other) : cameras_(other.cameras_), taken_(other.taken_) {}
+Cameras::Cameras(const Cameras& other)
+    : cameras_(other.cameras_), taken_(other.taken_), kept_(other.kept_) {}
 Cameras& Cameras::operator=(const Cameras& other) {
   if (this != &other) *this = Cameras(other);
   return *this;
@@ -94,13 +95,34 @@ Scene Cameras::scene(const Cell& cell) {
   return all;
 }
 
-Image Cameras::color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera) {
+void Cameras::set_taken(std::vector<std::uint64_t> taken) {
+  if (taken.size() > cameras_.size()) {
+    throw ArgumentError(fmt::format("There are {} cameras, and {} counts of their pictures.",
+                                    cameras_.size(), taken.size()));
+  }
+  std::ranges::copy(taken, taken_.begin());
+}
+
+Image Cameras::clean(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera) {
   const Camera& each = at(camera);
+  const Scene now = scene(cell, camera);
+  KeptPictures::Key key{};
+  if (kept_ != nullptr) {
+    key = KeptPictures::key_of(now, each.lens, T_world_camera, each.samples, each.blur);
+    if (Image known = kept_->find(key); !known.is_empty()) return known;
+  }
   if (drawer_ == nullptr) drawer_ = std::make_unique<Drawer>();
-  drawer_->renderer.render(scene(cell, camera), each.lens, T_world_camera,
-                           {.samples = each.samples}, drawer_->pictures);
+  drawer_->renderer.render(now, each.lens, T_world_camera, {.samples = each.samples},
+                           drawer_->pictures);
   Image image = drawer_->pictures.color;
   if (each.blur > 0.0) image = gaussian_blurred(image, each.blur);
+  if (kept_ != nullptr) kept_->put(key, image);
+  return image;
+}
+
+Image Cameras::color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera) {
+  const Camera& each = at(camera);
+  Image image = clean(cell, camera, T_world_camera);
   const std::uint64_t number = taken_[static_cast<std::size_t>(camera)]++;
   if (each.noise > 0.0) {
     Random random = Random(each.seed).split(number);

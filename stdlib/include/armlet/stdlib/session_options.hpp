@@ -14,7 +14,14 @@
 
 namespace armlet {
 
-struct SessionOptions {
+// What sessions that take the same runs share.
+//
+// pictures  of cameras (Cameras::keep_pictures); null: each is drawn again.
+struct SharedBySessions {
+  std::shared_ptr<KeptPictures> pictures;
+};
+
+struct SessionOptions : SharedBySessions {
   std::shared_ptr<const Robot> robot;      // for programs that declare none; null: none
   std::vector<NamedPlanner> planners;      // beside the built-in ones
   std::optional<WorldText> world;          // given by the user
