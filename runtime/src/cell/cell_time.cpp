@@ -164,7 +164,7 @@ void Cell::advance_to(std::int64_t t_ns) {
     const std::int64_t sample = next_multiple(options_.sample_period_ns);
     const bool moves =
         std::ranges::any_of(robots_, [](const CellRobot& each) { return each.motion.has_value(); });
-    if (moves && listening()) next = std::min(next, sample);
+    if (moves && (listening() || !trails_.empty())) next = std::min(next, sample);
     const bool due = next == sample;
     clock_.advance_to(next);
     bring_to(next);
@@ -173,6 +173,7 @@ void Cell::advance_to(std::int64_t t_ns) {
       const CellRobot& arm = robot(i);
       const bool goes_on = arm.motion && (arm.motion->end_ns() > next || arm.forces.size() != 0);
       if (goes_on) publish(i, arm.motion_id);
+      if (goes_on) trails_.extend(*this, i, false);
     }
     let_happen();
     end_due_motions();
@@ -209,6 +210,7 @@ void Cell::end_motion(int index) {
   arm.motion.reset();
   carry_along(index);
   publish(index, arm.motion_id);
+  trails_.extend(*this, index, true);
   events_.push_back({.t_ns = now_ns(), .robot = index, .motion = arm.motion_id});
   if (const int carrier = arm.on >= 0 ? arm.on : index; hand_on(carrier) >= 0) review_grip(carrier);
   if (!options_.contact_picking || arm.on >= 0) return;

@@ -21,7 +21,6 @@ constexpr NativeFunction kLaterFunctions[] = {
     later("match", "(img: image, template: image) -> Match"),
     // pictures
     later("show", "(img: image)"),
-    later("trail", "(r: robot)"),
 };
 
 }  // namespace

@@ -118,6 +118,15 @@ Answer<void> remove_drawing(Vm& vm, std::string_view name) {
                  meant ? fmt::format("did you mean \"{}\"?", *meant) : std::string());
 }
 
+Answer<void> trail(Vm& vm, const RobotRef& r, std::string_view color, double width) try {
+  if (!is_color(color)) report_color(vm, color, 1);
+  Cell& cell = Host::of(vm).cell();
+  cell.trails().begin(cell, r.id, std::string(color), width);
+  return {};
+} catch (const ArgumentError& error) {
+  return failure_of(vm, row("R0672"), error, 2);
+}
+
 Answer<void> clear_drawings(Vm& vm) {
   Cell& cell = Host::of(vm).cell();
   for (const std::string& name : cell.drawings().names()) cell.undraw(name);
@@ -170,6 +179,12 @@ constexpr NativeFunction kDrawingFunctions[] = {
     ARMLET_SHOWN(capsule, "draw.capsule(name: string, from: posC, to: posC, radius: length, ",
                  ARMLET_STYLE(""), kCapsuleHelp,
                  "draw.capsule(\"zone\", xyz(), xyz(z: 400mm), 50mm)"),
+    def<trail>("trail(r: robot, color: string = \"orange\", width: length = 3mm)",
+               "Draws the path of the hand from now on, as lines that are only shown: on the page "
+               "of a laboratory and in the pictures of cameras. draw.clear() takes away what was "
+               "drawn.",
+               "robot arm = robots.scara(); arm.trail(); arm.moveJ(posJ(20deg, 30deg, 10mm, 0deg))",
+               {.acts = true}),
     def<remove_drawing>("draw.remove(name: string)", "Takes a shape away that was drawn.",
                         "draw.line(\"edge\", xyz(), xyz(x: 300mm)); draw.remove(\"edge\")",
                         {.acts = true}),

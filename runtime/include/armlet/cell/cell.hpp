@@ -15,6 +15,7 @@
 #include "armlet/cell/motion.hpp"
 #include "armlet/cell/reports.hpp"
 #include "armlet/cell/signals.hpp"
+#include "armlet/cell/trails.hpp"
 #include "armlet/math/twist.hpp"
 #include "armlet/model/hands.hpp"
 #include "armlet/model/robot.hpp"
@@ -190,10 +191,12 @@ class Cell {
   void draw(Drawing drawing);
   bool undraw(std::string_view name);  // false: there is none
   [[nodiscard]] const Drawings& drawings() const { return drawings_; }
+  [[nodiscard]] Trails& trails() { return trails_; }
   // Where its frame is now, and one that something is mounted on; ArgumentError: it is not there.
   [[nodiscard]] Eigen::Isometry3d T_world_drawing(std::string_view name) const;
   [[nodiscard]] Eigen::Isometry3d T_world_mount(const Mount& on) const;
   [[nodiscard]] Cameras& cameras() { return cameras_; }
+  [[nodiscard]] const Cameras& cameras() const { return cameras_; }
 
   // --- signals and the outside ----------------------------------------------------------------
   [[nodiscard]] Signals& signals() { return signals_; }
@@ -207,18 +210,14 @@ class Cell {
   // Tells the backend. What is said before the first motion is kept until the run begins, so that
   // robots may be added after it.
   void note(NoteKind kind, std::string_view text);
-
   // Begins the run for the backend with what is there; the first motion or passing of time does so
   // by itself.
   void begin();
-
   // Tells the backend that a figure has begun or has changed. What changes before the run begins is
   // kept as notes are, the last state of each figure.
   void figure_changed(const Figure& figure);
-
   // Hands the backend a figure as the program left it.
   void figure(const Figure& figure);
-
   // Ends the run for the backend. Nothing may happen afterwards.
   void end();
 
@@ -276,6 +275,7 @@ class Cell {
 
   World world_;
   Drawings drawings_;
+  Trails trails_;
   Cameras cameras_;
   CellOptions options_;
   Clock clock_;
