@@ -114,6 +114,42 @@ wait(5s)
     check(ran.stdout == "a = 15\nb = 15\nc = [16]\n", ran.stdout + ran.stderr)
 
 
+EYE = """robot arm = robots.scara()
+camera eye { on: arm; at: xyz(z: 20mm); size: [160, 120]; fov: 60deg; noise: 2.0 }
+object card { shape: box(80mm, 60mm, 5mm); at: xyz(450mm, 120mm, 2.5mm); color: "white"; fixed: true }
+var found = [10, 20; 30.5, 40]
+lab cell {
+    image photo(fn() => gray(eye.capture()))
+    view plain(of: eye, wanted: [5, 6;])
+    view marked(of: eye, overlay: fn() => found)
+    view truth(of: eye, overlay: "truth")
+    view broken(of: eye, overlay: fn() => [1, 2, 3;])
+    image lost(fn() => eye.capture()[0:0, 0:0])
+}
+arm.moveJ(arm.ikine(xyz(450mm, 120mm, 260mm)), time: 1s)
+for (i in range(3)) { let img = eye.capture(); print(img[80, 60].r, img[10, 10].g); wait(500ms) }
+"""
+
+
+def check_pictures(folder):
+    """Cameras say in words and numbers what they show, and the program sees what it would have seen."""
+    shows = ["photo", "plain", "marked", "truth", "broken"]
+    script = "".join(f'{{"t": {t}, "show": "{each}"}}\n' for t in (1.2, 2) for each in shows)
+    ran = lab(folder, EYE, script, "--quiet", "--hash")
+    check(ran.returncode == 0 and ran.stderr == "", f"exit {ran.returncode}: {ran.stderr}")
+    told = ran.stdout.splitlines()
+    check("photo = image 160 x 120, grey" in told, ran.stdout)
+    check("plain = image 160 x 120, RGB; 1 wanted [5, 6]" in told, ran.stdout)
+    check("marked = image 160 x 120, RGB; 2 features [10, 20; 30.5, 40]" in told, ran.stdout)
+    check("truth = image 160 x 120, RGB; 4 corners of card [" in ran.stdout, ran.stdout)
+    check("broken = image 160 x 120, RGB; no features: " in ran.stdout and "1 x 3" in ran.stdout, ran.stdout)
+    own = [line for line in told if "=" not in line]
+    plain = armlet(folder, "run", "--quiet", "--hash", "cell.rbt")
+    check(plain.stdout.splitlines() == own, f"{plain.stdout} for {own}")
+    lost = lab(folder, EYE, '{"t": 2, "show": "lost"}\n')
+    check(lost.returncode == 70 and ":1: " in lost.stderr, f"exit {lost.returncode}: {lost.stderr}")
+
+
 def check_figures(folder):
     """Each figure with a `lab` block has inputs beside it, which say in comments what they show."""
     played = 0
@@ -139,4 +175,5 @@ with tempfile.TemporaryDirectory() as name:
     check_refused(Path(name))
     check_played(Path(name))
     check_variables(Path(name))
+    check_pictures(Path(name))
     check_figures(Path(name))

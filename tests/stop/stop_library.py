@@ -142,7 +142,7 @@ def of_example(example):
     for text in (loop(example), loop("let result = " + example), loop(f"print({example})"),
                  before + loop("let result = " + last), before + loop(last), example + "\nwhile (true) { }",
                  "robot one { " + example + " }\nwhile (true) { }",
-                 "robot arm = robots.scara()\nlab one { " + example + " }\nwhile (true) { }"):
+                 "robot arm = robots.scara()\ncamera eye { on: arm }\nlab one { " + example + " }\nwhile (true) { }"):
         check = subprocess.run([COMMAND, "check", "/dev/stdin"], input=text, capture_output=True, text=True, check=False)
         if check.returncode == 0:
             return text

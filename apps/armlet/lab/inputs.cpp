@@ -163,7 +163,39 @@ std::string shown(const Value& value) {
       value.content());
 }
 
+// "image 320 x 240, RGB; 2 features [100, 80; 120.5, 90]".
+std::string shown(const LabPicture& picture) {
+  const Image& image = picture.image;
+  std::string out = fmt::format("image {} x {}, {}", image.width(), image.height(),
+                                image.kind() == PixelKind::kRgb    ? "RGB"
+                                : image.kind() == PixelKind::kGrey ? "grey"
+                                                                   : "depth");
+  for (const LabMarks& marks : picture.marks) {
+    out += fmt::format("; {} {}{}{} [", marks.pixels.size(),
+                       marks.what == "truth" ? "corner" : marks.what,
+                       marks.pixels.size() == 1 || marks.what == "wanted" ? "" : "s",
+                       marks.object.empty() ? "" : " of " + marks.object);
+    for (std::size_t i = 0; i < marks.pixels.size(); ++i)
+      out += fmt::format("{}{}, {}", i == 0 ? "" : "; ", format_number(marks.pixels[i][0], 5),
+                         format_number(marks.pixels[i][1], 5));
+    out += ']';
+  }
+  if (!picture.fault.empty()) out += "; no features: " + picture.fault;
+  return out;
+}
+
+bool has_picture(const LabRow& row) {
+  return row.kind == LabRowKind::kView || (row.kind == LabRowKind::kImage && row.is_read);
+}
+
 std::optional<Error> show_row(LabControls& controls, const std::string& row) {
+  const LabRow* known = controls.rows() == nullptr ? nullptr : controls.rows()->find(row);
+  if (known != nullptr && has_picture(*known)) {
+    const Result<LabPicture> picture = controls.picture(row);
+    if (!picture) return picture.error();
+    print_out(fmt::format("{} = {}\n", row, shown(*picture)));
+    return std::nullopt;
+  }
   const Result<Value> value = controls.read(row);
   if (!value) return value.error();
   print_out(fmt::format("{} = {}\n", row, shown(*value)));

@@ -9,12 +9,11 @@
 #include <array>
 #include <optional>
 
-#include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
-#include "armlet/world/looks.hpp"
 #include "laboratory/lab_rules.hpp"
 #include "laboratory/lab_values.hpp"
+#include "laboratory/row_results.hpp"
 #include "messages/library_messages.hpp"
 #include "session/bind.hpp"
 #include "session/number_units.hpp"
@@ -25,20 +24,6 @@ namespace {
 
 using Text = std::string_view;
 using OptionalWord = std::optional<std::string_view>;
-
-Failed refuse_row(Vm& vm, LabRowKind kind, const std::string& why, int parameter) {
-  Failure f;
-  f.headline = {row("R0641"), {std::string(word_of(kind)), why}};
-  f.mark_parameter = parameter;
-  return fail(vm, std::move(f));
-}
-
-LabRow row_of(Vm& vm, LabRowKind kind, Text name, OptionalWord label) {
-  return {.kind = kind,
-          .name = std::string(name),
-          .label = std::string(label.value_or(name)),
-          .at = running_at(vm)};
-}
 
 Answer<LabRow> sliders(Vm& vm, const RobotRef& of, OptionalWord as, OptionalWord label, Text name) {
   LabRow made = row_of(vm, LabRowKind::kSliders, name, label);
@@ -134,18 +119,6 @@ LabRow changing_text(Vm& vm, FunctionValue, Text name) {
   return made;
 }
 
-// A picture beside the program.
-Answer<LabRow> picture(Vm& vm, Text file, OptionalWord label, Text name) {
-  constexpr std::size_t kMostBytes = 16 << 20;
-  LabRow made = row_of(vm, LabRowKind::kImage, name, label);
-  Result<std::string> bytes = Host::of(vm).load_file(std::string(file), kMostBytes);
-  if (!bytes.ok()) return refuse_row(vm, made.kind, bytes.error().message, 0);
-  if (const std::string fault = picture_fault(*bytes); !fault.empty())
-    return refuse_row(vm, made.kind, fmt::format("\"{}\": {}", file, fault), 0);
-  made.picture = std::make_shared<const std::string>(std::move(bytes).value());
-  return made;
-}
-
 LabRow trail(Vm& vm, const RobotRef& of, OptionalWord label, Text name) {
   LabRow made = row_of(vm, LabRowKind::kTrail, name, label);
   made.robot = of.cell->robot(of.id).name;
@@ -173,11 +146,6 @@ Answer<LabRef> lab(Vm& vm, Text name, OptionalWord title, OptionalWord layout,
   for (std::size_t i = 0; i < rows.size(); ++i) page.rows.push_back(rows[i]);
   Host::of(vm).set_lab(std::move(page));
   return LabRef{};
-}
-
-constexpr NativeFunction later(std::string_view name, std::string_view signature,
-                               std::string_view feature) {
-  return {.name = name, .signature = signature, .help = feature, .later = true};
 }
 
 constexpr NativeFunction kLabFunctions[] = {
@@ -231,9 +199,6 @@ constexpr NativeFunction kLabFunctions[] = {
                        "A text in Markdown, with formulas between $ signs; a function gives one "
                        "that changes.",
                        "text where(fn() => f\"The hand is at {arm.here()}.\")"),
-    def<picture>("lab.image.NAME(file: string, label: string?, name: string) -> labRow",
-                 "A picture, PNG or JPEG, in the folder of the program.",
-                 "text intro(\"A file `cell.png` is shown by: image photo(\\\"cell.png\\\")\")"),
     def<trail>("lab.trail.NAME(of: robot, label: string?, name: string) -> labRow",
                "The path of the hand of a robot, in the view of the cell.", "trail way(of: arm)"),
     def<torques>("lab.torques.NAME(of: robot, label: string?, name: string) -> labRow",
@@ -242,10 +207,6 @@ constexpr NativeFunction kLabFunctions[] = {
                  "torques bars(of: arm)"),
     def<program>("lab.program.NAME(label: string?, name: string) -> labRow",
                  "A place to write, check and run programs.", "program editor()"),
-    later("lab.image.NAME", "(value: fn() -> image, label: string?, name: string) -> labRow",
-          "the row `image` of a `lab` block"),
-    later("lab.view.NAME", "(of: camera, overlay: string?, label: string?, name: string) -> labRow",
-          "the row `view` of a `lab` block"),
 };
 
 }  // namespace

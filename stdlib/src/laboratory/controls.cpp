@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "armlet/core/format.hpp"
-#include "armlet/interpreter/host/tasks.hpp"
 #include "armlet/kinematics/limits.hpp"
 #include "armlet/stdlib/laboratory_controls.hpp"
 #include "laboratory/hand.hpp"
@@ -201,18 +200,20 @@ Result<Value> LabControls::read(std::string_view name) {
   session_.require_idle("read a row");
   if (rows() == nullptr) return no_lab();
   const LabRow* row = rows()->find(name);
-  if (row == nullptr || !row->is_read) {
+  if (row == nullptr || !row->is_read || row->kind == LabRowKind::kImage) {
     return Error{"unknown",
                  fmt::format("`{}` has no plot, table or changing text `{}`.", rows()->name, name)};
   }
-  try {
-    Result<Value> value =
-        read_function(*session_.run_->vm, fmt::format("{}.{}", rows()->name, name));
-    if (!value) return value;
-    return with_units(shown(*std::move(value)), row->dims, session_.run_->host->cell());
-  } catch (const ArgumentError& error) {
-    return Error{"failed", error.what()};
+  if (row->kind == LabRowKind::kView) {
+    try {
+      return features(*row, row->takes_picture ? seen(*row) : Image());
+    } catch (const ArgumentError& error) {
+      return Error{"failed", error.what()};
+    }
   }
+  Result<Value> value = call(*row);
+  if (!value) return value;
+  return with_units(shown(*std::move(value)), row->dims, session_.run_->host->cell());
 }
 
 // ---- robots ---------------------------------------------------------------------------------

@@ -50,6 +50,17 @@ std::string unknown_layout(std::string_view word) {
   return fmt::format("a page has no layout \"{}\"", word);
 }
 
+std::optional<LabOverlay> overlay_named(std::string_view word) {
+  if (word == "corners") return LabOverlay::kCorners;
+  if (word == "truth") return LabOverlay::kTruth;
+  if (word == "wanted") return LabOverlay::kWanted;
+  return std::nullopt;
+}
+
+std::string unknown_overlay(std::string_view word) {
+  return fmt::format("a view has no overlay \"{}\"; it has {}", word, kOverlays);
+}
+
 std::string outside_range(const Value& value, const LabRow& field) {
   const auto [lower, upper] = *field.range;
   return fmt::format("{} lies outside of its range, {} to {}", field_text(value),
@@ -120,6 +131,19 @@ void check_plot(CheckCall& call) {
   if (is_numbers(shown) || (shown.is(Kind::kHost) && shown.host == &kPosJ)) return;
   refuse(call, 0, fmt::format("its function gives {}, not numbers", type_phrase(&shown)),
          "give a number, a list of numbers or joint values");
+}
+
+void check_view(CheckCall& call) {
+  constexpr int kOverlay = 1;
+  constexpr int kWanted = 2;
+  const auto overlay = call.given(kOverlay) ? call.constant(kOverlay) : std::nullopt;
+  if (!overlay) return;
+  const auto known = overlay_named(overlay->text);
+  if (!known) {
+    refuse(call, kOverlay, fmt::format("a view has no overlay \"{}\"", overlay->text), kOverlays);
+  } else if (*known == LabOverlay::kWanted && !call.given(kWanted)) {
+    refuse(call, kOverlay, kWantedMissing, "give `wanted:` an N x 2 matrix of pixels");
+  }
 }
 
 void check_table(CheckCall& call) {

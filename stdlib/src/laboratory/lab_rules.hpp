@@ -18,10 +18,16 @@ inline constexpr const char* kRangeOrder =
 inline constexpr const char* kLayouts =
     "\"columns\" puts elements side by side, \"stack\" one below the other";
 
+inline constexpr const char* kOverlays =
+    "\"corners\", \"truth\", \"wanted\", or a function that gives pixels";
+inline constexpr const char* kWantedMissing = "its overlay \"wanted\" needs `wanted:`";
+
 // "x y z roll" as axes, or why it names none.
 [[nodiscard]] Result<std::vector<HandAxis>> hand_axes(std::string_view words);
 [[nodiscard]] std::optional<LabLayout> layout_named(std::string_view word);
 [[nodiscard]] std::string unknown_layout(std::string_view word);
+[[nodiscard]] std::optional<LabOverlay> overlay_named(std::string_view word);
+[[nodiscard]] std::string unknown_overlay(std::string_view word);
 
 // "250 mm lies outside of its range, 20 mm to 200 mm", for a field with a range.
 [[nodiscard]] std::string outside_range(const Value& value, const LabRow& field);
@@ -31,5 +37,6 @@ void check_sliders(CheckCall& call);  // (of, as, ...)
 void check_field(CheckCall& call);    // (value, range, ...)
 void check_plot(CheckCall& call);     // (value: fn() -> T, ...)
 void check_table(CheckCall& call);    // (value: fn() -> T, ...)
+void check_view(CheckCall& call);     // (of, overlay, wanted, ...)
 
 }  // namespace armlet::bind

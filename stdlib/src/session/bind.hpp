@@ -64,6 +64,7 @@ std::span<const NativeFunction> plot_functions();
 std::span<const NativeFunction> plot_line_functions();
 std::span<const NativeFunction> plot_motion_functions();
 std::span<const NativeFunction> lab_functions();
+std::span<const NativeFunction> lab_picture_functions();
 std::span<const NativeFunction> picture_value_functions();
 std::span<const NativeFunction> picture_file_functions();
 std::span<const NativeFunction> snapshot_functions();

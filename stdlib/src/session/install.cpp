@@ -77,6 +77,7 @@ std::span<const Chapter> chapters() {
       {.title = "Figures: several lines", .functions = plot_line_functions()},
       {.title = "Figures: motions and records", .functions = plot_motion_functions()},
       {.title = "Laboratories", .functions = lab_functions()},
+      {.title = "Laboratories: pictures", .functions = lab_picture_functions()},
       {.title = "Pictures", .functions = picture_value_functions(), .only_values = true},
       {.title = "Pictures: files", .functions = picture_file_functions()},
       {.title = "Cameras", .functions = camera_functions()},

@@ -33,7 +33,7 @@ void check_example(const NativeFunction& function) {
   if (function.name.starts_with("robot.joint.") || function.name.starts_with("robot.body."))
     text = "robot one { " + text + " }";
   if (function.name.starts_with("lab."))
-    text = "robot arm = robots.scara()\nlab one { " + text + " }";
+    text = "robot arm = robots.scara()\ncamera eye { on: arm }\nlab one { " + text + " }";
   std::string printed;
   Session session(library_engine(), options(printed));
   bool compiled = session.compile(before(function.name) + text, "example.rbt");

@@ -276,7 +276,7 @@ std::shared_ptr<const Program> example_of(const NativeFunction& f, std::string& 
   const std::string example(f.example);
   for (const std::string& body :
        {example, "let r = " + example, "print(" + example + ")", "robot one { " + example + " }",
-        "robot arm = robots.scara()\nlab one { " + example + " }"}) {
+        "robot arm = robots.scara()\ncamera eye { on: arm }\nlab one { " + example + " }"}) {
     text = "beginWatch()\n" + body + "\nendWatch()";
     if (auto program = compiled(text)) return program;
   }

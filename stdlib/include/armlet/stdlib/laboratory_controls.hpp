@@ -18,16 +18,35 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "armlet/core/error.hpp"
+#include "armlet/image/image.hpp"
 #include "armlet/interpreter/host/value.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
 #include "armlet/stdlib/session.hpp"
 
 namespace armlet {
+
+// Points in a picture.
+//
+// what    "corner", "truth", "wanted" or "feature".
+// object  truth: whose corners they are; empty otherwise.
+// pixels  x first. Features stand in the order of the rows that the function gives.
+struct LabMarks {
+  std::string what;
+  std::string object{};
+  std::vector<std::array<double, 2>> pixels{};
+};
+// fault  why the function of a view gives no features; empty: it does, or there is none.
+struct LabPicture {
+  Image image;
+  std::vector<LabMarks> marks{};
+  std::string fault{};
+};
 
 // Of a session with SessionOptions::laboratory, between two slices: its functions throw
 // ArgumentError while the session runs. The codes of errors are "no lab" (the program has not come
@@ -65,9 +84,13 @@ class LabControls {
   [[nodiscard]] Result<Eigen::VectorXd> joints_for_hand(std::string_view sliders,
                                                         const std::vector<double>& values) const;
 
-  // What a plot, a table or a text shows now. It leaves no trace in the run. Joint values and
-  // places are lists of numbers with their units; an error says why there is nothing to show.
+  // What a plot, a table or a text shows now, or where the features of a view are. It leaves no
+  // trace in the run. Joint values and places are lists of numbers with their units; an error says
+  // why there is nothing to show.
   [[nodiscard]] Result<Value> read(std::string_view row);
+  // The picture of an image that is computed, or of a view, with its marks. It leaves no trace,
+  // either.
+  [[nodiscard]] Result<LabPicture> picture(std::string_view row);
 
  private:
   struct Hand {
@@ -77,6 +100,9 @@ class LabControls {
   [[nodiscard]] std::optional<Error> refusal() const;
   [[nodiscard]] std::optional<Error> apply(const Action& action);
   [[nodiscard]] Result<Hand> find_hand(std::string_view sliders) const;
+  [[nodiscard]] Result<Value> call(const LabRow& row, std::span<const Value> arguments = {});
+  [[nodiscard]] Image seen(const LabRow& view);
+  [[nodiscard]] Result<Value> features(const LabRow& view, const Image& image);
 
   Session& session_;
 };

@@ -35,6 +35,10 @@ enum class LabRowKind {
 
 enum class LabLayout { kColumns, kStack };
 
+// What the row of a camera marks in its picture: corners that are found there, the true corners of
+// objects that are in view, or only pixels that the program names.
+enum class LabOverlay { kNone, kCorners, kTruth, kWanted };
+
 // What a hand slider sets of the tool point in the world, m or rad.
 //
 // kTurn  the turn about z, with the tilt of the tool as it is: "roll" without "pitch" and "yaw".
@@ -70,8 +74,12 @@ struct LabNumber {
 // header   table: over its columns.
 // dims     plot, table: of the things in what is read, in their order, where their type has none,
 //          as speeds of joints in a double[]; empty: nothing is known of them.
-// picture  image: the bytes of its file, PNG or JPEG.
-// is_read  plot, table, and text that changes: LabControls::read gives what it shows now.
+// picture  image: the bytes of its file, PNG or JPEG; null: LabControls::picture gives what it
+// shows. camera   view: by its name in the cell. overlay  view: what is marked beside the features
+// of its function. wanted   view: pixels at which features are to be, x first. is_read  plot,
+// table, and text that changes: LabControls::read gives what it shows now. image: it
+//          is computed. view: it has a function that gives features.
+// takes_picture  view: the function is given the picture.
 // at       where the program says so; empty: it does not.
 struct LabRow {
   LabRowKind kind = LabRowKind::kText;
@@ -87,7 +95,11 @@ struct LabRow {
   std::vector<std::string> header{};
   std::vector<LabNumber> dims{};
   std::shared_ptr<const std::string> picture{};
+  std::string camera{};
+  LabOverlay overlay = LabOverlay::kNone;
+  std::vector<std::array<double, 2>> wanted{};
   bool is_read = false;
+  bool takes_picture = false;
   Span at{};
 };
 
