@@ -8,10 +8,22 @@
 
 namespace armlet::lab {
 
+namespace {
+
+// Pictures are drawn once for all runs, and looks into them, that come to the same.
+SessionOptions with_pictures(SessionOptions options, std::size_t most_bytes) {
+  options.pictures = std::make_shared<KeptPictures>(most_bytes);
+  return options;
+}
+
+}  // namespace
+
 Laboratory::State::State(LaboratoryOptions given)
     : options(std::move(given)),
       imported(std::make_shared<TakenFiles>()),
-      session_options(lab::session_options(noting(options.session, imported), options.bounds)),
+      session_options(
+          with_pictures(lab::session_options(noting(options.session, imported), options.bounds),
+                        options.most_picture_bytes)),
       pages(options.most_pages),
       text_session(library_engine(), session_options),
       looker(session_options) {

@@ -38,7 +38,8 @@ struct LaboratoryOptions {
   std::size_t most_runs = 24;
   std::size_t most_bytes = std::size_t{192} << 20U;
   int most_pages = 64;
-  std::size_t most_kept_bytes = std::size_t{512} << 20U;  // of files that pages send
+  std::size_t most_picture_bytes = std::size_t{96} << 20U;  // of cameras, kept for all runs
+  std::size_t most_kept_bytes = std::size_t{512} << 20U;    // of files that pages send
   // Keeps a file beside the program, under this name or, where another file has it, one like it,
   // which is returned; or says why not, as a sentence. Null: nothing can be kept. A name without
   // letters: it is kept for what comes later.

@@ -24,6 +24,7 @@ struct Look {
   std::optional<StepHow> step;
   bool moves_cursor = false;
   bool looks_only = false;  // the values of elements come with the instant
+  std::string picture{};    // of this element, and nothing else; empty: not that
   bool has_stepped = false;
 };
 
@@ -37,6 +38,7 @@ struct Laboratory::State {
   void handle(Page& page, Seq seq, const AskText& ask);
   void handle(Page& page, Seq seq, const FormatText& format);
   void handle(Page& page, Seq seq, const GoTo& go);
+  void handle(Page& page, Seq seq, const AskPicture& ask);
   void handle(Page& page, Seq seq, const Step& step);
   void handle(Page& page, Seq seq, const SetBreakpoints& breakpoints);
   void handle(Page& page, Seq seq, const GiveInput& input);
@@ -85,6 +87,9 @@ struct Laboratory::State {
   bool advance_look();
   void begin_look();
   void end_look();
+  void answer_picture(Page& page);
+  // The run to look into at a time; null: the page was told why not.
+  [[nodiscard]] RunRecord* run_to_see(Page& page, Seq seq, std::optional<int> number, double t);
 
   // ---- what pages are told (delivery.cpp)
   [[nodiscard]] std::vector<Message> take_messages(Page& page, std::size_t most_bytes);

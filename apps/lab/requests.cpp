@@ -132,15 +132,33 @@ void Laboratory::State::handle(Page& page, Seq seq, const FormatText&) {
 
 // ---- instants -------------------------------------------------------------------------------
 
-void Laboratory::State::handle(Page& page, Seq seq, const GoTo& go) {
-  RunRecord* run = go.run ? find_run(*go.run) : shown_run();
-  if (run == nullptr) return refuse(page, seq, "refused", "There is no such run.");
-  if (log_of(*run) == nullptr || !(go.t >= 0.0) || go.t > run->t_end + 1e-9) {
-    return refuse(
-        page, seq, "refused",
-        fmt::format("The run has come to t = {:.3f} s; there is no t = {:.3f} s to go to.",
-                    run->t_end, std::min(go.t, kMostSeconds)));
+RunRecord* Laboratory::State::run_to_see(Page& page, Seq seq, std::optional<int> number, double t) {
+  RunRecord* run = number ? find_run(*number) : shown_run();
+  if (run == nullptr) {
+    refuse(page, seq, "refused", "There is no such run.");
+  } else if (log_of(*run) == nullptr || !(t >= 0.0) || t > run->t_end + 1e-9) {
+    refuse(page, seq, "refused",
+           fmt::format("The run has come to t = {:.3f} s; there is no t = {:.3f} s to go to.",
+                       run->t_end, std::min(t, kMostSeconds)));
+    return nullptr;
   }
+  return run;
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const AskPicture& ask) {
+  RunRecord* run = run_to_see(page, seq, ask.run, ask.t);
+  if (run == nullptr) return;
+  ask_to_look({.page = page.number,
+               .seq = seq,
+               .run = run->number,
+               .place = {.t_ns = to_ns(std::min(ask.t, run->t_end)), .statements = {}},
+               .step = {},
+               .picture = ask.element});
+}
+
+void Laboratory::State::handle(Page& page, Seq seq, const GoTo& go) {
+  RunRecord* run = run_to_see(page, seq, go.run, go.t);
+  if (run == nullptr) return;
   ask_to_look({.page = page.number,
                .seq = seq,
                .run = run->number,
@@ -168,8 +186,13 @@ void Laboratory::State::handle(Page& page, Seq seq, const Step& step) {
 void Laboratory::State::ask_to_look(Look wish) {
   if (!wish.step) {
     // Of several instants that a page wants to see only the newest counts.
-    std::erase_if(looks.waiting,
-                  [&](const Look& each) { return each.page == wish.page && !each.step; });
+    Page* page = pages.find(wish.page);
+    std::erase_if(looks.waiting, [&](const Look& each) {
+      if (each.page != wish.page || each.step || each.picture != wish.picture) return false;
+      if (page != nullptr && !each.picture.empty())
+        refuse(*page, each.seq, "refused", "A newer question has taken its place.");
+      return true;
+    });
   }
   if (looks.waiting.size() >= kMostLooks) {
     Page* page = pages.find(wish.page);

@@ -10,6 +10,7 @@
 #include "armlet/cell/clock.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/stdlib/install.hpp"
+#include "armlet/stdlib/laboratory_controls.hpp"
 #include "laboratory_state.hpp"
 
 namespace armlet::lab {
@@ -322,9 +323,23 @@ bool Laboratory::State::advance_look() {
   return looks.now || !looks.waiting.empty();
 }
 
+void Laboratory::State::answer_picture(Page& page) {
+  const Look& look = *looks.now;
+  LabControls controls(looker.session());
+  const Result<LabPicture> picture = controls.picture(look.picture);
+  if (!picture) return refuse(page, look.seq, "refused", picture.error().message);
+  if (!look.seq) return refuse(page, look.seq, "message", "A question for a picture has a number.");
+  pages.answer(page, write_picture(static_cast<std::uint32_t>(*look.seq), *picture));
+}
+
 void Laboratory::State::end_look() {
-  const SeenInstant seen = looker.look();
   Page* page = pages.find(looks.now->page);
+  if (!looks.now->picture.empty()) {
+    if (page != nullptr) answer_picture(*page);
+    looks.now.reset();
+    return;
+  }
+  const SeenInstant seen = looker.look();
   if (looks.now->moves_cursor) {
     const LookAt place = looks.now->has_stepped ? looker.place() : looks.now->place;
     cursor = Cursor{.run = looks.now->run,

@@ -174,6 +174,11 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
     out.looks = has(message, "looks") && truth(message, "looks");
     return out;
   }
+  if (type == "picture") {
+    AskPicture out{text_of(message, "element", kNameBytes), number(field(message, "t"), "t")};
+    if (has(message, "run")) out.run = small(message, "run");
+    return out;
+  }
   if (type == "step") return step(message);
   if (type == "breakpoints") return breakpoints(message);
   if (type == "input") return input(message);

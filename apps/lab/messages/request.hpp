@@ -39,6 +39,12 @@ struct GoTo {
   std::optional<int> run{};
   bool looks = false;
 };
+// The picture of an element at an instant.
+struct AskPicture {
+  std::string element;
+  double t = 0.0;  // s
+  std::optional<int> run{};
+};
 enum class StepHow : std::uint8_t { kInto, kOver, kOut, kBack, kContinue };
 struct Step {
   StepHow how = StepHow::kOver;
@@ -111,9 +117,9 @@ struct GiveControl {
 
 struct Request {
   std::optional<std::int64_t> seq{};
-  std::variant<Hello, SetText, AskText, FormatText, GoTo, Step, SetBreakpoints, GiveInput,
-               AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, AskExport, AskFile, SendFile,
-               TakeControl, GiveControl>
+  std::variant<Hello, SetText, AskText, FormatText, GoTo, AskPicture, Step, SetBreakpoints,
+               GiveInput, AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, AskExport, AskFile,
+               SendFile, TakeControl, GiveControl>
       what;
 };
 

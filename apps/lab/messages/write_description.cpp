@@ -178,7 +178,25 @@ OrderedJson element_json(const LabElements& lab, std::size_t i) {
   if (row.kind == LabRowKind::kTable) out["header"] = row.header;
   if (i < lab.pictures.size() && !lab.pictures[i].empty()) out["file"] = lab.pictures[i];
   if (row.kind == LabRowKind::kText) out["text"] = value_json(row.value);
+  if (row.kind == LabRowKind::kView) {
+    constexpr std::string_view kWords[] = {"", "corners", "truth", "wanted"};
+    out["camera"] = row.camera;
+    out["overlay"] = kWords[static_cast<std::size_t>(row.overlay)];
+    out["wanted"] = row.wanted;
+  }
   return out;
+}
+
+OrderedJson camera_json(const RecordedCamera& camera) {
+  const Intrinsics& lens = camera.lens;
+  return {{"name", camera.name},
+          {"size", {lens.width, lens.height}},
+          {"focal", {lens.fx, lens.fy}},
+          {"centre", {lens.cx, lens.cy}},
+          {"robot", camera.robot < 0 ? OrderedJson() : OrderedJson(camera.robot)},
+          {"link", camera.link},
+          {"object", camera.object},
+          {"T", matrix_json(camera.T_on_camera)}};
 }
 
 }  // namespace
@@ -245,6 +263,9 @@ Message write_description(const RunRecord& run) {
     }
     if (!files.texture.empty()) out["objects"].back()["texture"] = files.texture;
   }
+  out["cameras"] = OrderedJson::array();
+  for (const RecordedCamera& camera : run.cameras.list)
+    out["cameras"].push_back(camera_json(camera));
   out["lab"] = run.lab && run.lab->has_block ? OrderedJson(run.lab->rows.name) : OrderedJson();
   out["title"] = run.lab ? run.lab->rows.title : std::string();
   out["layout"] = run.lab && run.lab->rows.layout == LabLayout::kStack ? "stack" : "columns";

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "armlet/interpreter/editor/analysis.hpp"
+#include "armlet/stdlib/laboratory_controls.hpp"
 #include "kept_file.hpp"
 #include "runs/lab_elements.hpp"
 #include "runs/looker.hpp"
@@ -111,6 +112,9 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 // The bytes of a file that a page has asked for in its message number `to`.
 inline constexpr std::uint32_t kFileMessage = 6;
 [[nodiscard]] Message write_file(std::uint32_t to, std::string_view bytes);
+// The picture of an element that a page has asked for in its message number `to`, with its marks.
+inline constexpr std::uint32_t kPictureMessage = 8;
+[[nodiscard]] Message write_picture(std::uint32_t to, const LabPicture& picture);
 // The file that a page has sent is kept under this name.
 [[nodiscard]] Message write_kept(Seq to, const KeptFile& kept);
 // A laboratory as it goes on elsewhere.

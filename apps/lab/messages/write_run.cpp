@@ -92,6 +92,7 @@ Message write_run(const RunRecord& run) {
   out["inputs"] = OrderedJson::array();
   for (const RunInput& input : run.inputs) out["inputs"].push_back(input_json(input));
   out["hash"] = run.hash;
+  out["pictures"] = run.cameras.taken;
   out["error"] = run.error ? json_of(*run.error) : OrderedJson();
   return message_of(out);
 }

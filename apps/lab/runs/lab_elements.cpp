@@ -17,6 +17,7 @@ namespace {
 constexpr std::int64_t kPlotStep_ns = 10'000'000;
 constexpr std::int64_t kPlotPoints = 2000;
 constexpr int kPointsInSlice = 40;
+constexpr std::int64_t kWayPoints = 250;  // of features in a picture
 constexpr std::size_t kMostColumns = 64;
 
 // A number as the field takes it.
@@ -91,7 +92,7 @@ std::vector<ElementValue> element_values(Session& session, const LabElements& la
       add(row, controls.field(row.name));
     } else if (row.kind == LabRowKind::kSliders && !row.axes.empty()) {
       add(row, controls.hand(row.name));
-    } else if (row.is_read) {
+    } else if (row.is_read && row.kind != LabRowKind::kImage && row.kind != LabRowKind::kView) {
       add(row, controls.read(row.name));
     }
   }
@@ -144,6 +145,10 @@ PlotReader::PlotReader(const SessionOptions& options, RunRecord& record)
   end_ns_ = to_ns(record.t_end);
   step_ns_ = std::max(kPlotStep_ns, end_ns_ / kPlotPoints);
   record_.element_rows.clear();
+  const std::int64_t points = end_ns_ / step_ns_ + 1;
+  views_every_ = std::max<std::int64_t>(1, (points + kWayPoints - 1) / kWayPoints);
+  for (const LabRow& row : record_.lab->rows.rows)
+    draws_ = draws_ || (row.kind == LabRowKind::kView && row.takes_picture);
 }
 
 bool PlotReader::advance() {
@@ -154,22 +159,27 @@ bool PlotReader::advance() {
     if (progress == Progress::kPaused && session_->result().steps - steps >= kSliceSteps)
       return true;
     if (progress == Progress::kFailed || progress == Progress::kCancelled) return false;
-    read_all(to_seconds(next_ns_));
+    const bool views = points_++ % views_every_ == 0 || next_ns_ == end_ns_;
+    read_all(to_seconds(next_ns_), views);
     if (progress != Progress::kPaused) return false;
+    if (views && draws_) i = kPointsInSlice;  // a picture takes as long as many points
     next_ns_ = next_ns_ < end_ns_ ? std::min(next_ns_ + step_ns_, end_ns_) : end_ns_ + 1;
   }
   return true;
 }
 
-void PlotReader::read_all(double t) {
+void PlotReader::read_all(double t, bool views) {
   LabControls controls(*session_);
   const std::vector<LabRow>& elements = record_.lab->rows.rows;
   while (record_.element_rows.size() < elements.size()) record_.element_rows.emplace_back(1);
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (elements[i].kind != LabRowKind::kPlot || !elements[i].is_read) continue;
+    const bool is_wanted =
+        elements[i].kind == LabRowKind::kPlot || (elements[i].kind == LabRowKind::kView && views);
+    if (!is_wanted || !elements[i].is_read) continue;
     const Result<Value> read = controls.read(elements[i].name);
     std::vector<double> row{t};
-    if (!read.ok() || !add_numbers(*read, row) || row.size() > kMostColumns) continue;
+    if (!read.ok() || !add_numbers(*read, row) || row.size() > kMostColumns || row.size() == 1)
+      continue;
     if (!std::ranges::all_of(row, [](double each) { return std::isfinite(each); })) continue;
     Rows& rows = record_.element_rows[i];
     if (rows.columns() != row.size()) {

@@ -31,7 +31,7 @@ struct ElementValue {
 // The units of the numbers that add_numbers gives.
 void add_units(const Value& value, std::vector<std::string>& units);
 
-// Takes a run once more, unheard, and reads its plots at even times.
+// Takes a run once more, unheard, and reads its plots and the features of its views at even times.
 class PlotReader {
  public:
   PlotReader(const SessionOptions& options, RunRecord& record);
@@ -42,13 +42,16 @@ class PlotReader {
   [[nodiscard]] Session& session() { return *session_; }
 
  private:
-  void read_all(double t);
+  void read_all(double t, bool views);
 
   RunRecord& record_;
   std::unique_ptr<Session> session_;
   std::int64_t next_ns_ = 0;
   std::int64_t step_ns_ = 0;
   std::int64_t end_ns_ = 0;
+  std::int64_t points_ = 0;
+  std::int64_t views_every_ = 1;  // of the points, views are read at one of so many
+  bool draws_ = false;            // a view needs a picture for its features
 };
 
 }  // namespace armlet::lab

@@ -74,6 +74,7 @@ void LiveRun::advance_fork() {
   const Progress progress = session_->run({.until_ns = fork_->t_ns, .steps = kSliceSteps});
   recording_.look_at_models();
   recording_.look_at_objects();
+  recording_.look_at_cameras();
   take_rows();
   const bool is_there = session_->result().steps - steps < kSliceSteps;
   if (progress == Progress::kPaused && !is_there) return;
@@ -86,6 +87,7 @@ void LiveRun::run_slice() {
   const Progress progress = session_->run({.steps = kSliceSteps});
   recording_.look_at_models();
   recording_.look_at_objects();
+  recording_.look_at_cameras();
   take_rows();
   record_.t_end = std::max(record_.t_end, to_seconds(now_ns()));
   ++record_.changes;

@@ -20,6 +20,7 @@
 #include "messages/request.hpp"
 #include "messages/text_message.hpp"
 #include "messages/text_places.hpp"
+#include "recorded_cameras.hpp"
 #include "recorded_drawings.hpp"
 #include "rows.hpp"
 #include "shown_files.hpp"
@@ -144,8 +145,9 @@ struct RunHead {
   std::optional<TextMessage> error;
   std::vector<TextMessage> advice;  // that it gave, with times; only the first of very many
   RecordedDrawings drawings;        // shapes that are only shown
-  std::uint64_t changes = 1;        // counts what has happened to the fields above
-  std::uint64_t described = 0;      // to the robots and objects
+  RecordedCameras cameras;
+  std::uint64_t changes = 1;    // counts what has happened to the fields above
+  std::uint64_t described = 0;  // to the robots and objects
   std::uint64_t figure_changes = 0;
 };
 
@@ -200,6 +202,8 @@ class Recording : public Backend {
   void on_end();
   // Reads off what the cell knows beside its events: models of the robots, the name of the world.
   void look_at_models();
+  // Cameras, and how many pictures they took.
+  void look_at_cameras();
   // The same of the pictures of a page.
   void keep_pictures(LabElements& lab);
   // The same of objects: where the program declares those that were there when the run began. While

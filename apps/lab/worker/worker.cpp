@@ -91,6 +91,7 @@ LaboratoryOptions options_of(SavedLaboratory saved) {
   options.version = ARMLET_VERSION;
   options.is_demo = saved.is_demo;
   options.most_bytes = std::size_t{96} << 20U;
+  options.most_picture_bytes = std::size_t{48} << 20U;
   return options;
 }
 

@@ -27,6 +27,15 @@ inline void finish_work(Laboratory& laboratory) {
   }
 }
 
+// A picture of an element, as a message has it.
+struct TestPicture {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::vector<std::uint8_t> pixels;
+  TestJson told;
+};
+
 // A page that keeps everything it is told.
 class TestPage {
  public:
@@ -74,6 +83,8 @@ class TestPage {
   using Key = std::array<std::uint32_t, 3>;  // kind, run, index
   std::vector<TestJson> told;
   std::map<Key, std::vector<double>> rows;
+  std::map<std::int64_t, TestPicture> pictures;  // by the number of the question
+  [[nodiscard]] std::int64_t last_seq() const { return seq_; }
 
  private:
   void keep(const Message& message) {
@@ -83,6 +94,17 @@ class TestPage {
     }
     std::uint32_t head[6];
     std::memcpy(head, message.bytes.data(), sizeof head);
+    if (head[0] == kPictureMessage) {
+      const std::size_t size = std::size_t{head[2]} * head[3] * head[4];
+      if (message.bytes.size() != sizeof head + size + head[5]) told.push_back({{"type", "gap"}});
+      const char* pixels = message.bytes.data() + sizeof head;
+      pictures[head[1]] = {static_cast<int>(head[3]),
+                           static_cast<int>(head[4]),
+                           static_cast<int>(head[2]),
+                           {pixels, pixels + size},
+                           TestJson::parse(std::string(pixels + size, head[5]))};
+      return;
+    }
     std::vector<double> values((message.bytes.size() - sizeof head) / sizeof(double));
     std::memcpy(values.data(), message.bytes.data() + sizeof head, values.size() * sizeof(double));
     std::vector<double>& known = rows[{head[0], head[1], head[2]}];

@@ -107,3 +107,25 @@ TEST_CASE("worker: a page in a browser speaks to a laboratory without a server")
   CHECK(state == "done");
   CHECK(rows == 101);
 }
+
+TEST_CASE("worker: a page that stands alone gets the picture of a camera as a served one does") {
+  REQUIRE(open_saved(saved("camera eye { at: xyz(z: 1m) * rotX(180deg); size: [64, 48] }\n"
+                           "lab cell { view window(of: eye) }\nwait(1s)\n")) == 0);
+  CHECK(told_last("run")["state"] == "done");
+  const std::string ask = R"({"type": "picture", "element": "window", "t": 0.5, "seq": 77})";
+  REQUIRE(armlet_lab_receive(ask.data(), static_cast<int>(ask.size())) == 0);
+  while (armlet_lab_advance() == 1) {
+  }
+  std::uint32_t head[6] = {};
+  for (int kind = armlet_lab_take(); kind != 0; kind = armlet_lab_take()) {
+    std::uint32_t each[6] = {};
+    if (kind == 2) std::memcpy(each, armlet_lab_bytes(), sizeof each);
+    if (each[0] != 8) continue;
+    std::memcpy(head, each, sizeof head);
+    CHECK(armlet_lab_size() == static_cast<int>(sizeof head + 64 * 48 * 3 + each[5]));
+  }
+  CHECK(head[1] == 77);
+  CHECK(head[2] == 3);
+  CHECK(head[3] == 64);
+  CHECK(head[4] == 48);
+}
