@@ -7,6 +7,7 @@ import { inControl, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { button, field, handSliders, jointSliders } from "./controls.ts";
 import { plot } from "./plot.ts";
+import { cameraView } from "./camera_view.ts";
 import { figures, image, noted, table, text, torques } from "./shown.ts";
 import type { ElementView, Place } from "./view.ts";
 
@@ -36,11 +37,11 @@ function viewOf(place: Place, run: Run): ElementView | null {
     case "text":
       return text(place);
     case "image":
-      return image(place);
+      return element.file ? image(place) : cameraView(place);
     case "torques":
       return torques(place, run);
     case "view":
-      return noted(element.label || element.name, "This version of the page has no pictures of cameras.");
+      return cameraView(place);
     case "program": // the editor
     case "trail": // the 3D view draws the paths of all robots
       return null;
@@ -80,7 +81,7 @@ export function elementPanel(host: HTMLElement, below: HTMLElement, store: Store
     const allowed = intents.live && inControl(state);
     for (const view of views) view.update(run, state, allowed);
   };
-  store.watch((s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, shownRun(s)?.values, s.refusals, inControl(s), s.plotsBelow], update);
+  store.watch((s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, shownRun(s)?.values, shownRun(s)?.pictures, s.refusals, inControl(s), s.plotsBelow], update);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => update(store.state));
 }
 

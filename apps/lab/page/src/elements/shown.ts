@@ -71,29 +71,20 @@ export function text({ element }: Place): ElementView {
   };
 }
 
+// A picture beside the program.
 export function image({ element, intents }: Place): ElementView {
   const label = element.label || element.name;
   const picture = el("img", { alt: label });
   const note = el("p", { class: "quiet" });
   let own = "";
-  if (element.file) {
-    void intents.file(element.file).then(
-      (bytes) => (picture.src = own = URL.createObjectURL(new Blob([bytes]))),
-      () => setText(note, "The picture could not be had."),
-    );
-  }
+  void intents.file(element.file ?? "").then(
+    (bytes) => (picture.src = own = URL.createObjectURL(new Blob([bytes]))),
+    () => setText(note, "The picture could not be had."),
+  );
   return {
     root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), picture, note),
     dispose: () => URL.revokeObjectURL(own),
-    update(run) {
-      if (element.file) return;
-      const value = run.values[element.name];
-      const data = value?.image ?? element.image;
-      const address = data ? (data.startsWith("data:image/") ? data : `data:image/png;base64,${data}`) : "";
-      picture.hidden = !address;
-      if (address && picture.src !== address) picture.src = address;
-      setText(note, address ? "" : (value?.error ?? "No picture at this instant."));
-    },
+    update: () => {},
   };
 }
 

@@ -1,6 +1,7 @@
 // One conversation with a laboratory, whatever carries it: numbers of messages, and answers to questions.
 import type { Incoming, IncomingOf, Outgoing } from "../protocol/messages.ts";
 import { keepKey, keptKey } from "./key.ts";
+import { readPicture, type PictureAnswer } from "../protocol/pictures.ts";
 import { readFile, readRows, type RowBlock } from "../protocol/rows.ts";
 
 // What carries messages tells its listener what comes in.
@@ -37,6 +38,7 @@ interface Waiting {
   resolve(answer: Incoming): void;
   reject(reason: Error): void;
   take?(bytes: ArrayBuffer): void;
+  takePicture?(picture: PictureAnswer): void;
 }
 
 export class Connection {
@@ -60,8 +62,10 @@ export class Connection {
         if (typeof data === "string") this.take(JSON.parse(data) as Incoming, events);
         else {
           const file = readFile(data);
-          const block = file ? null : readRows(data);
+          const seen = file ? null : readPicture(data);
+          const block = file || seen ? null : readRows(data);
           if (file) this.takeFile(file.to, file.bytes);
+          if (seen) this.takePicture(seen.to, seen.picture);
           if (block) events.rows(block);
         }
       },
@@ -89,6 +93,18 @@ export class Connection {
     return new Promise((resolve, reject) => {
       this.waiting.set(this.send({ type: "file", name }), { resolve: () => {}, reject, take: resolve });
     });
+  }
+
+  // The picture of an element at an instant.
+  picture(element: string, run: number, t: number): Promise<PictureAnswer> {
+    return new Promise((resolve, reject) => {
+      this.waiting.set(this.send({ type: "picture", element, run, t }), { resolve: () => {}, reject, takePicture: resolve });
+    });
+  }
+
+  private takePicture(to: number, picture: PictureAnswer): void {
+    this.waiting.get(to)?.takePicture?.(picture);
+    this.waiting.delete(to);
   }
 
   private takeFile(to: number, bytes: ArrayBuffer): void {

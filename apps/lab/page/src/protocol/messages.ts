@@ -117,6 +117,17 @@ export interface DrawingInfo {
   object: string; // the name of the object with which it moves; empty: none
   span?: Span | null;
 }
+// A camera, in the frame of what carries it: z forward, x right, y down. Lengths of its lens are in pixels.
+export interface CameraInfo {
+  name: string;
+  size: [number, number];
+  focal: [number, number];
+  centre: [number, number];
+  robot: number | null; // which carries it, with a link, 0 being the base
+  link: number;
+  object: string; // the name of the one that carries it; empty: none
+  T: Matrix;
+}
 export interface Coordinate {
   name: string;
   unit?: string | null;
@@ -142,6 +153,9 @@ export interface ElementInfo {
   header?: string[] | null;
   labels?: string[] | null;
   text?: string | null;
+  camera?: string; // of a view
+  overlay?: string;
+  wanted?: [number, number][];
 }
 
 export type ObjectChange = "added" | "attached" | "detached" | "removed" | "fell";
@@ -200,6 +214,7 @@ export interface RunMessage extends RunHead {
   type: "run";
   text_version: number;
   inputs?: Record<string, unknown>[];
+  pictures?: number; // that its cameras took
   hash?: string | null;
   error?: RunError | null;
 }
@@ -253,6 +268,7 @@ export interface Description {
   world?: string | null;
   robots: RobotInfo[];
   objects: ObjectInfo[];
+  cameras?: CameraInfo[];
   elements?: ElementInfo[] | null;
   title?: string | null;
   layout?: string | null;
@@ -392,6 +408,7 @@ export type Outgoing =
   | { type: "show" | "fetch"; run: number }
   | { type: "compare"; run: number; with: number }
   | { type: "file"; name: string }
+  | { type: "picture"; element: string; t: number; run?: number }
   | { type: "keep"; name: string; base85: string; first: boolean; last: boolean }
   | { type: "give"; to?: number }
   | { type: "inverse"; robot: string; pose: Pose; seed?: number[] };

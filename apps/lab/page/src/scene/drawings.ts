@@ -5,7 +5,8 @@ import {
   CircleGeometry, Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, InstancedMesh, Matrix4, Mesh, SphereGeometry, Vector3, type BufferGeometry,
 } from "three";
 import type { DrawingInfo, Matrix } from "../protocol/messages.ts";
-import { multiply, poseMatrix, rowsOf, shapeFrames, toolFrame } from "../store/kinematics.ts";
+import { carrierFrame } from "../store/carried.ts";
+import { multiply, poseMatrix } from "../store/kinematics.ts";
 import type { Run } from "../store/run.ts";
 import { colorOf } from "./objects.ts";
 import { surface, type Surface } from "./surface.ts";
@@ -156,30 +157,12 @@ export class DrawingsView {
   }
 
   // What a shape is on, in the world; null: that is not there. `known` keeps what was asked for this instant.
-  private frameOf(run: Run, t: number, { robot, link, object }: DrawingInfo, known: Map<string, Matrix | null>): Matrix | null {
-    const key = robot === null ? `on ${object}` : `${robot} ${link}`;
+  private frameOf(run: Run, t: number, info: DrawingInfo, known: Map<string, Matrix | null>): Matrix | null {
+    const key = info.robot === null ? `on ${info.object}` : `${info.robot} ${info.link}`;
     const found = known.get(key);
     if (found !== undefined) return found;
-    const frame = robot === null ? this.frameOfObject(run, t, object) : this.frameOfLink(run, t, robot, link);
+    const frame = carrierFrame(run, t, info);
     known.set(key, frame);
     return frame;
-  }
-
-  private frameOfObject(run: Run, t: number, object: string): Matrix | null {
-    if (!object) return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-    const found = run.objectNamed(object, t);
-    return found && poseMatrix(found.pose);
-  }
-
-  private frameOfLink(run: Run, t: number, robot: number, link: number): Matrix | null {
-    const info = run.robots[robot];
-    if (!info) return null;
-    const change = run.changeAt(robot, t);
-    const q = run.qAt(robot, t);
-    if (link < 0) return toolFrame(info, q, change);
-    const frame = shapeFrames(info, q, change?.T_world_base)[link];
-    const row = link > 0 ? rowsOf(info)[link - 1] : undefined;
-    if (!frame) return null;
-    return row ? multiply(frame, row.T_joint_link) : frame;
   }
 }

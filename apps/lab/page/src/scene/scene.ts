@@ -8,6 +8,7 @@ import { halfExtents, isRound } from "../store/shapes.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { ArmView } from "./arm.ts";
+import { CamerasView } from "./cameras.ts";
 import { ContactShadows, footprintOf, type Footprint } from "./contact.ts";
 import { DrawingsView } from "./drawings.ts";
 import { extent, grasped } from "./fingers.ts";
@@ -49,6 +50,7 @@ export class SceneView {
   private readonly drawings: DrawingsView;
   private readonly clearances = new Clearances();
   private readonly forces = new Forces();
+  private readonly cameras = new CamerasView();
   private readonly ways: WaysView;
   private readonly torques = new TorqueBars();
   private readonly contact = new ContactShadows();
@@ -89,7 +91,7 @@ export class SceneView {
     this.handle = new Mesh(new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ transparent: true, opacity: 0.35, depthTest: false, toneMapped: false }));
     this.handle.renderOrder = 5;
     this.stage.content.add(this.objects.group);
-    this.stage.scene.add(this.triads.group, this.named.group, this.ghostGroup, this.handle, this.torques.group, this.contact.mesh, this.clearances.group, this.forces.group, this.ways.group, this.drawings.group);
+    this.stage.scene.add(this.triads.group, this.named.group, this.ghostGroup, this.handle, this.torques.group, this.contact.mesh, this.clearances.group, this.forces.group, this.ways.group, this.drawings.group, this.cameras.group);
     this.stage.before = () => this.beforePicture();
     this.stage.controls.addEventListener("start", () => (this.follow = false));
     const scheme = matchMedia("(prefers-color-scheme: dark)");
@@ -110,7 +112,7 @@ export class SceneView {
       pickObject: host.pickObject.bind(host),
     });
     store.watch(
-      (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, s.hover, s.pull, s.nearest, s.instant, isStale(s)],
+      (s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, shownRun(s)?.pictures, s.hover, s.pull, s.nearest, s.instant, isStale(s)],
       (s) => this.render(s),
     );
   }
@@ -171,7 +173,7 @@ export class SceneView {
   }
 
   private bounds() {
-    return boundsOf([this.stage.content, this.ghostGroup], this.paths.flatMap((path) => path.ends()));
+    return boundsOf([this.stage.content, this.ghostGroup], [...this.paths.flatMap((path) => path.ends()), ...this.cameras.places()]);
   }
 
   private render(state: State): void {
@@ -247,6 +249,7 @@ export class SceneView {
     this.standGhosts(run, hover ? ranges : [], state);
     const labels: Label[] = [];
     this.drawings.place(run, t, labels);
+    this.cameras.place(run, t, this.reach, this.palette, labels, this.showFrames);
     this.standFrames(run, t, labels);
     this.standTorques(run, t, labels);
     this.standThings(run, state, labels);

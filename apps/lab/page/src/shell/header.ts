@@ -2,7 +2,8 @@
 import type { Intents } from "../store/intents.ts";
 import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
 import { base64, filesOf, looksOf, recordingOf, timesToLook } from "../store/recording.ts";
-import { adviceOfRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
+import type { Run } from "../store/run.ts";
+import { adviceOfRun, comingRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { transport } from "../timebar/transport.ts";
 import { el, remember, remembered, save, setText } from "./dom.ts";
@@ -62,7 +63,7 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     setText(file, told);
     file.title = told;
   });
-  store.watch((s) => [s.connection, shownRun(s), shownRun(s)?.version, isStale(s), s.diagnostics], (s) => {
+  store.watch((s) => [s.connection, shownRun(s), shownRun(s)?.version, comingRun(s)?.version, isStale(s), s.diagnostics], (s) => {
     const [text, kind] = statusOf(s, intents.live);
     setText(status, text);
     status.dataset["kind"] = kind;
@@ -79,13 +80,17 @@ function statusOf(state: State, live: boolean): [string, string] {
   if (state.connection === "lost") return ["connection lost", "warning"];
   if (errors) return [`${errors} ${errors === 1 ? "mistake" : "mistakes"}${run ? ": the last good run is shown" : ""}`, "warning"];
   if (!run) return ["", "quiet"];
-  if (run.state === "running") return [`running, ${run.tEnd.toFixed(1)} s`, "quiet"];
+  const coming = comingRun(state);
+  if (coming?.taken) return [`running anew, ${progressOf(coming)}`, "quiet"];
+  if (run.state === "running") return [`running, ${progressOf(run)}`, "quiet"];
   if (run.state === "failed") return [`failed at ${run.error?.t.toFixed(2) ?? run.tEnd.toFixed(2)} s`, "warning"];
   if (run.state === "stopped") return [`stopped at ${run.tEnd.toFixed(2)} s`, "warning"];
   const what = run.moves.length ? `${run.moves.length} ${run.moves.length === 1 ? "move" : "moves"}, ` : "";
   const advice = adviceOfRun(state).length;
   return [`${live ? "" : "recording, "}${what}${run.tEnd.toFixed(2)} s${advice ? `, advice: ${advice}` : ""}`, advice ? "advice" : "good"];
 }
+
+const progressOf = (run: Run) => `${run.tEnd.toFixed(1)} s${run.taken ? `, ${run.taken} ${run.taken === 1 ? "picture" : "pictures"}` : ""}`;
 
 function drawControl(host: HTMLElement, state: State, intents: Intents): void {
   const { holder, pages, wishes } = state.control;

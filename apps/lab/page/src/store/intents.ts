@@ -2,6 +2,7 @@
 import { Refused, type Connection } from "../home/connection.ts";
 import type { Incoming, IncomingOf, Input, Pose, StepHow } from "../protocol/messages.ts";
 import { toBase85 } from "../protocol/base85.ts";
+import { Pictures } from "./pictures.ts";
 import type { Store } from "./store.ts";
 import { inControl, shownRun, type State } from "./state.ts";
 
@@ -16,6 +17,7 @@ export class Intents {
   readonly store: Store;
   private readonly connection: Connection;
   readonly live: boolean;
+  readonly pictures: Pictures;
   private typing: ReturnType<typeof setTimeout> | undefined;
   private checking: ReturnType<typeof setTimeout> | undefined;
   private sentText: string | null = null;
@@ -42,6 +44,7 @@ export class Intents {
     this.store = store;
     this.connection = connection;
     this.live = live;
+    this.pictures = new Pictures(store, (element, run, t) => (live ? connection.picture(element, run, t) : Promise.reject(new Error("A recording has no pictures of cameras."))));
   }
 
   get state(): State {

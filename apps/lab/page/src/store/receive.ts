@@ -43,6 +43,7 @@ const handlers: Handlers = {
     run.partsAt = message.parts_at ?? null;
     run.inputs = message.inputs ?? [];
     run.hash = message.hash ?? "";
+    run.taken = message.pictures ?? 0;
     run.error = message.error ?? null;
     run.version++;
   },
@@ -57,6 +58,7 @@ const handlers: Handlers = {
     run.world = message.world ?? "";
     run.robots = message.robots;
     run.objects = message.objects;
+    run.cameras = message.cameras ?? [];
     run.elements = message.elements ?? [];
     run.title = message.title ?? "";
     run.layout = message.layout ?? "";

@@ -55,7 +55,7 @@ export function recordingOf(state: State, run: Run, files = new Map<string, stri
   const page = welcome?.page ?? 1;
   const head = { run: id, state: run.state, t_end: run.tEnd, label: run.label, parent: null, parts_at: null };
   const list = (type: string, items: unknown[]) => ({ type, run: id, first: 0, items });
-  const { world, title, layout, robots, objects, elements } = run;
+  const { world, title, layout, robots, objects, cameras, elements } = run;
   return [
     { ...welcome, type: "welcome", page, text: state.text, text_version: state.textVersion, demo: false },
     { type: "control", holder: page, pages: [page], wishes: [] },
@@ -63,7 +63,7 @@ export function recordingOf(state: State, run: Run, files = new Map<string, stri
     { type: "runs", list: [head] },
     { ...head, type: "run", text_version: run.textVersion, inputs: run.inputs, hash: run.hash, error: run.error },
     ...[...files].map(([file, binary]) => ({ file, binary })),
-    { type: "description", run: id, world, title, layout, robots, objects, elements },
+    { type: "description", run: id, world, title, layout, robots, objects, cameras, elements },
     list("objects", run.events), list("drawings", run.drawings), list("moves", run.moves), list("ways", run.ways), list("stretches", run.stretches), list("statements", run.statements), list("notes", run.notes), list("advice", run.advice),
     ...[...run.figures].map(([index, figure]) => ({ type: "figures", run: id, index, ...figure })),
     { type: "elements", run: id, t: run.valuesAt, values: run.values },

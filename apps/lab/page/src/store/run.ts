@@ -1,6 +1,7 @@
 // Everything that is known of one run, and questions about it.
 import type * as M from "../protocol/messages.ts";
 import { DrawingRows } from "./drawings.ts";
+import type { SeenPicture } from "./pictures.ts";
 import { Rows, Track } from "./rows.ts";
 import { changeAt, matrixPose, multiply, shapeFrames, toolFrame } from "./kinematics.ts";
 
@@ -26,6 +27,7 @@ export class Run {
   world = ""; // its name
   robots: M.RobotInfo[] = [];
   objects: M.ObjectInfo[] = [];
+  cameras: M.CameraInfo[] = [];
   elements: M.ElementInfo[] = [];
   title = "";
   layout = "";
@@ -48,6 +50,9 @@ export class Run {
   // Values of elements at the time for which they were asked last.
   values: Record<string, M.ElementValue> = {};
   valuesAt = -1;
+  // Pictures of elements that were asked for last, by their names.
+  pictures: ReadonlyMap<string, SeenPicture> = new Map();
+  taken = 0; // pictures that its cameras took
   described = false;
   // Counts what has come in, so that views know when to look again.
   version = 0;

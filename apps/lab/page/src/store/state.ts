@@ -87,6 +87,12 @@ export function shownRun(state: State): Run | null {
   return state.shown === null ? null : (state.runs.get(state.shown) ?? null);
 }
 
+// The run that takes the place of the shown one when it has come as far; null: there is none.
+export function comingRun(state: State): Run | null {
+  const run = state.announced === null || state.announced === state.shown ? null : (state.runs.get(state.announced) ?? null);
+  return run?.state === "running" ? run : null;
+}
+
 export function inControl(state: State): boolean {
   return state.welcome !== null && state.control.holder === state.welcome.page;
 }

@@ -1,0 +1,77 @@
+// Pictures of elements at the instant that is looked at: the laboratory draws them when it is asked, and nothing keeps them but the
+// page, the last one of each.
+import type { PictureAnswer } from "../protocol/pictures.ts";
+import type { Run } from "./run.ts";
+import { shownRun, type State } from "./state.ts";
+import type { Store } from "./store.ts";
+
+// What there is of an element: the picture and when it was, or why there is none.
+export interface SeenPicture {
+  key: string; // of the run with its inputs, and the instant
+  t: number;
+  picture: PictureAnswer | null;
+  fault: string;
+}
+
+export type AskPicture = (element: string, run: number, t: number) => Promise<PictureAnswer>;
+
+const keyOf = (run: Run, t: number) => `${run.id} ${run.inputs.length} ${t}`;
+
+export class Pictures {
+  private readonly store: Store;
+  private readonly ask: AskPicture;
+  private readonly wanted = new Map<string, number>(); // elements, and how many views show them
+  private asking = false;
+  private turn: string[] = []; // who was asked about last stands last
+
+  constructor(store: Store, ask: AskPicture) {
+    this.store = store;
+    this.ask = ask;
+    store.watch((s) => [s.shown, s.t, s.connection, shownRun(s)?.inputs, shownRun(s)?.described], () => void this.next());
+  }
+
+  // The pictures of an element are shown from now on, until the function that is given is called.
+  want(element: string): () => void {
+    this.wanted.set(element, (this.wanted.get(element) ?? 0) + 1);
+    if (!this.turn.includes(element)) this.turn.unshift(element);
+    void this.next();
+    return () => {
+      const left = (this.wanted.get(element) ?? 1) - 1;
+      if (left > 0) this.wanted.set(element, left);
+      else {
+        this.wanted.delete(element);
+        this.turn = this.turn.filter((name) => name !== element);
+      }
+    };
+  }
+
+  // The element whose picture is of another instant and was not asked about for the longest time.
+  private due(state: State, run: Run): string | undefined {
+    const now = keyOf(run, state.t);
+    return this.turn.find((name) => run.elements.some((element) => element.name === name) && run.pictures.get(name)?.key !== now);
+  }
+
+  // One question at a time: while it is under way the instant may go on, and only the newest counts.
+  private async next(): Promise<void> {
+    const { state } = this.store;
+    const run = shownRun(state);
+    if (this.asking || !run?.described || state.connection !== "open") return;
+    const element = this.due(state, run);
+    if (element === undefined) return;
+    this.asking = true;
+    this.turn = [...this.turn.filter((name) => name !== element), element];
+    const { t } = state;
+    const key = keyOf(run, t);
+    let seen: SeenPicture;
+    try {
+      seen = { key, t, picture: await this.ask(element, run.id, t), fault: "" };
+    } catch (error) {
+      seen = { key, t, picture: null, fault: error instanceof Error ? error.message : String(error) };
+    }
+    this.asking = false;
+    this.store.change(() => {
+      run.pictures = new Map(run.pictures).set(element, seen);
+    });
+    void this.next();
+  }
+}
