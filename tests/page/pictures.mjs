@@ -86,7 +86,7 @@ right.moveJ(posJ(60deg, -30deg, 120mm, 0deg), time: 2s)
 const wanted = process.argv.slice(2);
 const make = async (name, ...rest) => (wanted.length && !wanted.includes(name) ? undefined : picture(name, ...rest));
 
-mkdirSync(images, { recursive: true });
+mkdirSync(join(images, "cameras"), { recursive: true });
 try {
   await make("lab_demo_light", null, { colorScheme: "light" }, half);
   await make("lab_demo_dark", null, { colorScheme: "dark" }, half);
@@ -105,6 +105,7 @@ try {
   await make("world_clearance", CLEARANCE, world, async (page) => (await viewTool(page, "Clearance")).click());
   await make("world_way", readFileSync(join(root, "examples/22_around_a_wall.rbt"), "utf8"), world, (page) => at(page, 0.43));
   await make("lab_handover", readFileSync(join(root, "examples/06_handover.rbt"), "utf8"), {}, half);
+  await make("cameras/window", readFileSync(join(root, "examples/24_camera_window.rbt"), "utf8"), { viewport: { width: 1280, height: 760 }, colorScheme: "light" }, (page) => at(page, 0.43));
   for (const folder of ["examples/figures", "examples/labs", "examples"]) {
     for (const file of readdirSync(join(root, folder)).filter((name) => name.endsWith(".rbt"))) {
       const text = readFileSync(join(root, folder, file), "utf8");
