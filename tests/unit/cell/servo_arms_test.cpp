@@ -81,7 +81,9 @@ TEST_CASE("600 random starts of three arms converge in as many steps as the gain
               {"pa10", VectorXd{{0.3, 0.5, 0.2, 0.9, -0.4, 0.6, 0.1}}},
               {"iiwa14", VectorXd{{0.2, 0.5, 0.1, -1.2, 0.3, 0.7, 0.2}}}};
   Random random(41);
-  for (const auto& [name, q_goal] : arms) {
+  for (const auto& one : arms) {
+    const std::string name = one.name;
+    const VectorXd& q_goal = one.q_goal;
     const EyeInHand hand(name, q_goal);
     const ServoSight goal = hand.sight(q_goal, VectorXd::Zero(q_goal.size()), 0.0);
     for (int trial = 0; trial < 200; ++trial) {
