@@ -15,13 +15,13 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs" / "images"
 FIGURES, STORYBOARD = "savePlot(FILE)", None  # the line that saves the picture
 PICTURES = {
-    "laboratory_13.svg": ("examples/figures/fig10_inverse_dynamics_payload.rbt", FIGURES),
-    "laboratory_14.svg": ("examples/figures/fig11_M_C_G_live.rbt", FIGURES),
-    "laboratory_15.svg": ("examples/labs/15_falling_arm.rbt", FIGURES),
-    "laboratory_16.svg": ("examples/labs/16_controllers.rbt", FIGURES),
-    "laboratory_17.svg": ("examples/labs/17_stick_slip.rbt", FIGURES),
-    "laboratory_18.png": ("examples/labs/18_see_the_cube.rbt", "eye.capture().save(FILE)"),
-    "laboratory_19.svg": ("examples/labs/19_visual_servoing.rbt", FIGURES),
+    "laboratories/laboratory_13.svg": ("examples/figures/fig10_inverse_dynamics_payload.rbt", FIGURES),
+    "laboratories/laboratory_14.svg": ("examples/figures/fig11_M_C_G_live.rbt", FIGURES),
+    "laboratories/laboratory_15.svg": ("examples/labs/15_falling_arm.rbt", FIGURES),
+    "laboratories/laboratory_16.svg": ("examples/labs/16_controllers.rbt", FIGURES),
+    "laboratories/laboratory_17.svg": ("examples/labs/17_stick_slip.rbt", FIGURES),
+    "laboratories/laboratory_18.png": ("examples/labs/18_see_the_cube.rbt", "eye.capture().save(FILE)"),
+    "laboratories/laboratory_19.svg": ("examples/labs/19_visual_servoing.rbt", FIGURES),
     "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
 }
 
@@ -30,11 +30,11 @@ def drawn(command, picture, program, line):
     """The picture as its program draws it now."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / pathlib.Path(program).name
-        more = f'\n{line.replace("FILE", chr(34) + picture + chr(34))}\n' if line else ""
+        saved = copy.parent / pathlib.Path(picture).name
+        more = f'\n{line.replace("FILE", chr(34) + saved.name + chr(34))}\n' if line else ""
         copy.write_text((ROOT / program).read_text(encoding="utf-8") + more, encoding="utf-8")
-        words = [] if line else ["--storyboard", str(copy.parent / picture)]
+        words = [] if line else ["--storyboard", str(saved)]
         run = subprocess.run([command, "run", str(copy), *words], capture_output=True, text=True)
-        saved = copy.parent / picture
         if run.returncode != 0 or not saved.exists():
             sys.exit(f"{program} drew nothing:\n{run.stdout}{run.stderr}")
         return saved.read_bytes()
