@@ -65,8 +65,19 @@ function(armlet_use_file_formats)
   target_link_libraries(armlet_runtime PRIVATE ${CMAKE_DL_LIBS})
 endfunction()
 
-# The room of the sampling planners, loaded when the first way is searched (runtime/src/planning/sampling_door.hpp): it lies
-# in lib beside the folder of the command, and of the tests. Without OMPL, everything else is built all the same.
+# A library that is loaded at run time lies in lib beside the folder of the command, and of the tests.
+function(armlet_place_module module)
+  set_target_properties(${module} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib DISABLE_PRECOMPILE_HEADERS ON)
+  cmake_path(GET ARMLET_COMMAND_DIR PARENT_PATH beside)
+  if(NOT beside STREQUAL PROJECT_BINARY_DIR)
+    add_custom_command(TARGET ${module} POST_BUILD
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${beside}/lib
+      COMMAND ${CMAKE_COMMAND} -E copy_if_different $<TARGET_FILE:${module}> ${beside}/lib)
+  endif()
+endfunction()
+
+# The room of the sampling planners, loaded when the first way is searched (runtime/src/planning/sampling_door.hpp). Without OMPL,
+# everything else is built all the same.
 function(armlet_add_sampling_library)
   if(EMSCRIPTEN OR NOT ARMLET_PLANNING)
     return()
@@ -83,15 +94,43 @@ function(armlet_add_sampling_library)
   target_include_directories(armlet_planning PRIVATE src)
   target_include_directories(armlet_planning SYSTEM PRIVATE ${ARMLET_OMPL_HEADERS})
   target_link_libraries(armlet_planning PRIVATE Eigen3::Eigen ${ARMLET_OMPL})
-  set_target_properties(armlet_planning PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib DISABLE_PRECOMPILE_HEADERS ON)
-  cmake_path(GET ARMLET_COMMAND_DIR PARENT_PATH beside)
-  if(NOT beside STREQUAL PROJECT_BINARY_DIR)
-    add_custom_command(TARGET armlet_planning POST_BUILD
-      COMMAND ${CMAKE_COMMAND} -E make_directory ${beside}/lib
-      COMMAND ${CMAKE_COMMAND} -E copy_if_different $<TARGET_FILE:armlet_planning> ${beside}/lib)
-  endif()
+  armlet_place_module(armlet_planning)
   add_dependencies(armlet_runtime armlet_planning)
   if(PROJECT_IS_TOP_LEVEL)
     install(TARGETS armlet_planning LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT planning)
+  endif()
+endfunction()
+
+# The room of OpenCV, loaded when one of its functions is first called (runtime/src/vision/opencv_door.hpp). Unlike that of the
+# planners it is not made with the command: the first run of a program does not wait for it.
+option(ARMLET_OPENCV "Functions of pictures by OpenCV, where it is installed" ON)
+function(armlet_add_opencv_library)
+  if(EMSCRIPTEN OR NOT ARMLET_OPENCV)
+    return()
+  endif()
+  find_path(ARMLET_OPENCV_HEADERS opencv2/aruco.hpp PATH_SUFFIXES opencv4)
+  mark_as_advanced(ARMLET_OPENCV_HEADERS)
+  set(found ${ARMLET_OPENCV_HEADERS})
+  foreach(part core imgproc features2d calib3d video aruco)
+    find_library(ARMLET_OPENCV_${part} opencv_${part})
+    mark_as_advanced(ARMLET_OPENCV_${part})
+    list(APPEND libraries ${ARMLET_OPENCV_${part}})
+    if(NOT ARMLET_OPENCV_${part})
+      set(found FALSE)
+    endif()
+  endforeach()
+  if(NOT found)
+    message(STATUS "OpenCV was not found (Debian package libopencv-contrib-dev): functions of pictures that need it are refused")
+    return()
+  endif()
+  add_library(armlet_vision MODULE src/vision/opencv/door.cpp src/vision/opencv/features.cpp
+    src/vision/opencv/geometry.cpp src/vision/opencv/shapes.cpp)
+  armlet_compile_options(armlet_vision)
+  target_include_directories(armlet_vision PRIVATE src)
+  target_include_directories(armlet_vision SYSTEM PRIVATE ${ARMLET_OPENCV_HEADERS})
+  target_link_libraries(armlet_vision PRIVATE ${libraries})
+  armlet_place_module(armlet_vision)
+  if(PROJECT_IS_TOP_LEVEL)
+    install(TARGETS armlet_vision LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT vision OPTIONAL)
   endif()
 endfunction()

@@ -21,6 +21,7 @@ OF_PAGE = ROOT / "apps" / "lab" / "page" / "src" / "about" / "notices.json"
 PLACES = {
     "command": "the command armlet, and libraries of hosts",
     "planner": "the planners around obstacles (libarmlet_planning.so)",
+    "vision": "functions of pictures by OpenCV (libarmlet_vision.so)",
     "converter": "the converter of meshes (armlet-mesh)",
     "page": "the page of laboratories",
     "engine": "the engine for pages (WebAssembly), and so every exported laboratory",

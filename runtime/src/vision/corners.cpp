@@ -8,6 +8,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/image/arithmetic.hpp"
+#include "armlet/vision/fast.hpp"
 #include "armlet/vision/harris.hpp"
 #include "armlet/vision/refine.hpp"
 #include "armlet/vision/susan.hpp"
@@ -37,14 +38,32 @@ PlanePoints harris_points(const Image& grey, const CornerOptions& options) {
   return points;
 }
 
+PlanePoints fast_points(const Image& grey, const CornerOptions& options) {
+  PlanePoints points = fast_corners(grey, options.threshold);
+  if (options.max > 0 && options.max < points.rows())
+    points.conservativeResize(options.max, Eigen::NoChange);
+  return points;
+}
+
+PlanePoints detected(const Image& grey, const CornerOptions& options) {
+  switch (options.method) {
+    case CornerMethod::kHarris:
+      return harris_points(grey, options);
+    case CornerMethod::kFast:
+      return fast_points(grey, options);
+    case CornerMethod::kSusan:
+      break;
+  }
+  return susan_points(grey, options);
+}
+
 }  // namespace
 
 PlanePoints find_corners(const Image& grey, const CornerOptions& options) {
   if (options.max < 0)
     throw ArgumentError(
         fmt::format("At most {} corners are asked for; expected 0 or more.", options.max));
-  PlanePoints points = options.method == CornerMethod::kSusan ? susan_points(grey, options)
-                                                              : harris_points(grey, options);
+  PlanePoints points = detected(grey, options);
   if (!options.refine || points.rows() == 0) return points;
   const std::vector<RefinedCorner> refined = refine_corners(grey, points);
   for (std::size_t i = 0; i < refined.size(); ++i) {

@@ -44,11 +44,13 @@ TEST_CASE("messages say the value, the range, the unit and the nearest name") {
   CHECK(refusal_of([] { check_picture_parameter("corners", "threshold", 300); }) ==
         "`threshold` of `corners` is 300; expected a whole number from 1 to 255 grey levels.");
   CHECK(refusal_of([] { check_picture_parameter("corners", "method", 3); }) ==
-        "`method` of `corners` is 3; expected one of susan, harris.");
+        "`method` of `corners` is 3; expected one of susan, harris, fast.");
   CHECK(refusal_of([] { picture_parameter("corners", "treshold"); }) ==
         "The parameter of `corners` `treshold` does not exist; the nearest name is `threshold`.");
   CHECK(refusal_of([] { picture_parameter("zzzz", "sigma"); }) ==
-        "The function of pictures `zzzz` does not exist; the names are blobs, blur, boxBlur, "
-        "corners, grey, noise, refineCorners, scale, threshold.");
+        "The function of pictures `zzzz` does not exist; the names are adaptiveThreshold, "
+        "blobs, blur, boxBlur, circles, closing, contours, corners, dilate, edges, erode, "
+        "flow, grey, lines, markerPicture, markers, match, noise, opening, polygon, "
+        "refineCorners, scale, threshold.");
   CHECK(find_picture_function("zzzz") == nullptr);
 }

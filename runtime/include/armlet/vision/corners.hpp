@@ -8,9 +8,9 @@
 
 namespace armlet {
 
-enum class CornerMethod : std::uint8_t { kSusan, kHarris };
+enum class CornerMethod : std::uint8_t { kSusan, kHarris, kFast };
 
-// threshold    of SUSAN, grey levels (susan.hpp).
+// threshold    of SUSAN and FAST, grey levels (susan.hpp, fast.hpp).
 // quality, distance, sensitivity  of Harris (harris.hpp).
 // max          at most so many corners, the strongest ones; 0: all.
 // refine       to fractions of a pixel (refine.hpp); a corner that cannot be refined stays at whole
@@ -29,7 +29,8 @@ struct CornerOptions {
 // rows, n x 2.
 //
 // grey    one channel of 8 bits.
-// throws  ArgumentError for another kind of picture or an option out of range.
+// throws  ArgumentError for another kind of picture or an option out of range; kFast also where
+//         there is no OpenCV.
 PlanePoints find_corners(const Image& grey, const CornerOptions& options = {});
 
 // The same corners, as far as they are in the smallest upright box around some places that is
