@@ -75,15 +75,36 @@ function(armlet_add_script_tests)
   if(NOT TARGET armlet_planning)  # these search ways around obstacles
     list(FILTER scripts EXCLUDE REGEX "around|R0644_")
   endif()
+  if(NOT TARGET armlet_vision)  # these call OpenCV
+    list(FILTER scripts EXCLUDE REGEX "/opencv/|_opencv")
+  endif()
   foreach(script IN LISTS scripts)
     cmake_path(NORMAL_PATH script)
     cmake_path(RELATIVE_PATH script BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name)
-    add_test(NAME ${name} COMMAND script_runner $<TARGET_FILE:armlet> ${script})
+    if(name MATCHES "/opencv/|_opencv")
+      add_test(NAME ${name} COMMAND script_runner $<TARGET_FILE:armlet> ${script} $<TARGET_FILE:armlet_vision>)
+    else()
+      add_test(NAME ${name} COMMAND script_runner $<TARGET_FILE:armlet> ${script})
+    endif()
   endforeach()
+endfunction()
+
+# Functions of OpenCV from outside; and ours compared with those of OpenCV.
+function(armlet_add_opencv_tests)
+  if(NOT TARGET armlet_vision)
+    return()
+  endif()
+  add_test(NAME vision.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/opencv/vision_command.py
+           $<TARGET_FILE:armlet> $<TARGET_FILE:armlet_vision>)
+  armlet_add_unit_tests(opencv armlet::runtime)
+  target_include_directories(test_opencv SYSTEM PRIVATE ${ARMLET_OPENCV_HEADERS})
+  target_link_libraries(test_opencv PRIVATE $<TARGET_PROPERTY:armlet_vision,LINK_LIBRARIES>)
+  add_dependencies(test_opencv armlet_vision)
 endfunction()
 
 # The examples are laid out, and the commands do to files and show of robots what they say.
 function(armlet_add_format_tests)
+  armlet_add_opencv_tests()
   file(GLOB_RECURSE examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.rbt)
   add_test(NAME source.examples COMMAND armlet fmt --check ${examples})
   add_test(NAME fmt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fmt_command.py

@@ -24,6 +24,7 @@ ELSEWHERE = {
     "R0646": "tests/planning_command.py",  # a build that has lost its library
     "R0660": "tests/convert_command.py",  # a build without the converter
     "R0670": "tests/world_command.py",  # a world in a file
+    "R0691": "tests/opencv/vision_command.py",  # a build without OpenCV
     "W0740": "tests/convert_command.py",  # needs the converter
     "W0741": "tests/convert_command.py",
     "W0743": "tests/world_command.py",  # it has no place in the program

@@ -100,14 +100,15 @@ int check(const std::string& command, const fs::path& script, bool update) {
 
 int main(int argc, char** argv) {
   const bool update = argc > 1 && std::string(argv[1]) == "--update";
-  if (argc != (update ? 4 : 3)) {
-    std::fprintf(stderr, "usage: script_runner [--update] COMMAND FILE\n");
+  const int first = update ? 2 : 1;
+  if (argc < first + 2) {
+    std::fprintf(stderr, "usage: script_runner [--update] COMMAND FILE [LIBRARY THAT IT LOADS]\n");
     return 64;
   }
   try {
-    return check(fs::absolute(argv[argc - 2]), fs::absolute(argv[argc - 1]), update);
+    return check(fs::absolute(argv[first]), fs::absolute(argv[first + 1]), update);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", argv[argc - 1], error.what());
+    std::fprintf(stderr, "%s: %s\n", argv[first + 1], error.what());
     return 1;
   }
 }

@@ -50,7 +50,7 @@ function runInModule(files, program) {
 }
 
 // Ways around obstacles are searched by a library that the module does not have.
-const needsLibrary = (ran) => ran.status === exitStatus[Answer.failed] && ran.messages.includes('error R0646');
+const needsLibrary = (ran) => ran.status === exitStatus[Answer.failed] && /error R06(46|91)/.test(ran.messages);
 
 // What a program differs in; nothing if it does not.
 function difference(folder, files, program) {
@@ -61,7 +61,7 @@ function difference(folder, files, program) {
   const native = runNatively(folder, program);
   const here = runInModule(files, program);
   if (needsLibrary(here)) {
-    console.log(`${program}: not compared, the module says that it lacks a library (R0646)`);
+    console.log(`${program}: not compared, the module says that it lacks a library (R0646, R0691)`);
     return null;
   }
   for (const what of ['status', 'output', 'messages', 'hash'])

@@ -73,6 +73,10 @@ std::span<const NativeFunction> sight_functions();
 std::span<const NativeFunction> feature_functions();
 std::span<const NativeFunction> tracker_functions();
 std::span<const NativeFunction> servo_functions();
+std::span<const NativeFunction> opencv_functions();
+std::span<const NativeFunction> marker_functions();
+std::span<const NativeFunction> shape_functions();
+std::span<const NativeFunction> calibration_functions();
 // What has a signature but nothing behind it yet.
 std::span<const NativeFunction> later_functions();
 

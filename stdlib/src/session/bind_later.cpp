@@ -14,11 +14,6 @@ constexpr NativeFunction later(std::string_view name, std::string_view signature
 }
 
 constexpr NativeFunction kLaterFunctions[] = {
-    // images
-    later("edges", "(img: image, low: double, high: double) -> image"),
-    later("lines", "(img: image) -> matrix"),
-    later("circles", "(img: image) -> matrix"),
-    later("match", "(img: image, template: image) -> Match"),
     // pictures
     later("show", "(img: image)"),
 };

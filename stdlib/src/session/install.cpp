@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "armlet/interpreter/later.hpp"
 #include "laboratory/lab_values.hpp"
@@ -28,12 +29,40 @@ constexpr std::span<const std::string_view> kPlanned = {};
 
 namespace bind {
 
-static Chapter mathematics(std::string_view title, std::span<const NativeFunction> functions) {
+namespace {
+
+Chapter mathematics(std::string_view title, std::span<const NativeFunction> functions) {
   return {.title = title, .functions = functions, .is_mathematics = true, .only_values = true};
 }
+Chapter values(std::string_view title, std::span<const NativeFunction> functions) {
+  return {.title = title, .functions = functions, .only_values = true};
+}
+
+// The chapters about pictures and what is not available yet, behind others.
+std::vector<Chapter> with_pictures(std::vector<Chapter> chapters) {
+  const Chapter more[] = {
+      {.title = "Pictures", .functions = picture_value_functions(), .only_values = true},
+      {.title = "Pictures: files", .functions = picture_file_functions()},
+      {.title = "Cameras", .functions = camera_functions()},
+      {.title = "Cameras: what they see", .functions = sight_functions()},
+      {.title = "Cameras: pictures of the cell", .functions = snapshot_functions()},
+      {.title = "Pictures: features", .functions = feature_functions(), .only_values = true},
+      {.title = "Pictures: tracking", .functions = tracker_functions()},
+      {.title = "Visual servoing", .functions = servo_functions()},
+      values("Pictures: OpenCV", opencv_functions()),
+      values("Pictures: shapes and flow", shape_functions()),
+      values("Pictures: markers and solids", marker_functions()),
+      values("Cameras: calibration", calibration_functions()),
+      {.title = "Later", .functions = later_functions()},
+  };
+  chapters.insert(chapters.end(), std::begin(more), std::end(more));
+  return chapters;
+}
+
+}  // namespace
 
 std::span<const Chapter> chapters() {
-  static const Chapter all[] = {
+  static const std::vector<Chapter> all = with_pictures({
       mathematics("Mathematics", math_functions()),
       {.title = "Random numbers", .functions = random_functions(), .is_mathematics = true},
       {.title = "Lists", .functions = list_functions(), .only_values = true},
@@ -78,20 +107,36 @@ std::span<const Chapter> chapters() {
       {.title = "Figures: motions and records", .functions = plot_motion_functions()},
       {.title = "Laboratories", .functions = lab_functions()},
       {.title = "Laboratories: pictures", .functions = lab_picture_functions()},
-      {.title = "Pictures", .functions = picture_value_functions(), .only_values = true},
-      {.title = "Pictures: files", .functions = picture_file_functions()},
-      {.title = "Cameras", .functions = camera_functions()},
-      {.title = "Cameras: what they see", .functions = sight_functions()},
-      {.title = "Cameras: pictures of the cell", .functions = snapshot_functions()},
-      {.title = "Pictures: features", .functions = feature_functions(), .only_values = true},
-      {.title = "Pictures: tracking", .functions = tracker_functions()},
-      {.title = "Visual servoing", .functions = servo_functions()},
-      {.title = "Later", .functions = later_functions()},
-  };
+  });
   return all;
 }
 
 }  // namespace bind
+
+namespace {
+
+void add_picture_records(Engine& engine) {
+  engine.add_record("Color", "r: int, g: int, b: int");
+  engine.add_record("Blob",
+                    "x: double, y: double, area: int, angle: angle, width: double, height: double, "
+                    "color: Color");
+  engine.add_record("PlanarPose", "pose: posC, error: double, other: posC, otherError: double");
+  engine.add_record("ServoGain", "atZero: double, atInfinity: double, slope: double");
+  engine.add_record("ServoRun",
+                    "reason: string, why: string, t: time[], error: double[], twist: matrix, "
+                    "features: matrix, smallest: double[], condition: double[], qd: matrix, "
+                    "uncontrollable: matrix, explanation: string");
+  engine.add_record("Flow", "points: matrix, lost: int[]");
+  engine.add_record("SolidPose", "pose: posC, error: double");
+  engine.add_record("Marker", "id: int, corners: matrix");
+  engine.add_record("Calibration",
+                    "K: matrix, distortion: double[], error: double, deviation: double[], poses: "
+                    "posC[]");
+  engine.add_record("HandEye", "pose: posC, error: length, tilt: angle");
+  engine.add_record("Match", "x: double, y: double, score: double");
+}
+
+}  // namespace
 
 void install(Engine& engine) {
   for (const HostType* type :
@@ -117,17 +162,7 @@ void install(Engine& engine) {
                     "distance: length, from: posC, to: posC, body: string, other: string");
   engine.add_record("GraspQuality",
                     "epsilon: double, minSingular: double, contacts: int, forceClosure: bool");
-  engine.add_record("Color", "r: int, g: int, b: int");
-  engine.add_record("Blob",
-                    "x: double, y: double, area: int, angle: angle, width: double, height: double, "
-                    "color: Color");
-  engine.add_record("PlanarPose", "pose: posC, error: double, other: posC, otherError: double");
-  engine.add_record("ServoGain", "atZero: double, atInfinity: double, slope: double");
-  engine.add_record("ServoRun",
-                    "reason: string, why: string, t: time[], error: double[], twist: matrix, "
-                    "features: matrix, smallest: double[], condition: double[], qd: matrix, "
-                    "uncontrollable: matrix, explanation: string");
-  engine.add_record("Match", "x: double, y: double, score: double");
+  add_picture_records(engine);
   engine.add_record("Compliance", "offset: double[], rate: double[]");
   engine.add_record("BaseParameters", "columns: int[], grouping: matrix, values: double[]");
   engine.add_record("OdeEvent", "g: fn(double, double[]) -> double, direction: string, stop: bool");

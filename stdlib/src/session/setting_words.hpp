@@ -25,10 +25,13 @@ inline constexpr std::array<std::string_view, 2> kAxisSides = {"left", "right"};
 inline constexpr std::array<std::string_view, 4> kLogarithmicAxes = {"x", "y", "xy", "yx"};
 
 // In the order of CornerMethod.
-inline constexpr std::array<std::string_view, 2> kCornerMethods = {"susan", "harris"};
+inline constexpr std::array<std::string_view, 3> kCornerMethods = {"susan", "harris", "fast"};
 // In the order of ServoLaw.
 inline constexpr std::array<std::string_view, 5> kServoLaws = {"current", "desired", "mean",
                                                                "position", "hybrid"};
+// In the order of HandEyeMethod.
+inline constexpr std::array<std::string_view, 4> kHandEyeMethods = {"tsai", "park", "horaud",
+                                                                    "daniilidis"};
 // Of a camera: with shades and shadows, or without.
 inline constexpr std::array<std::string_view, 2> kLightWords = {"key", "flat"};
 

@@ -19,6 +19,7 @@
 #include "values/matrices.hpp"
 #include "vision/cameras.hpp"
 #include "vision/features.hpp"
+#include "vision/opencv_needed.hpp"
 #include "vision/pictures.hpp"
 #include "world/objects.hpp"
 
@@ -41,8 +42,12 @@ Answer<void> searchable(Vm& vm, const Image& image) {
 Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter) {
   if (word == kCornerMethods[0]) return CornerMethod::kSusan;
   if (word == kCornerMethods[1]) return CornerMethod::kHarris;
+  if (word == kCornerMethods[2]) {
+    if (!opencv_for(vm, "corners(method: \"fast\")")) return Failed{};
+    return CornerMethod::kFast;
+  }
   return fail_picture(
-      vm, fmt::format("there is no method \"{}\"; expected \"susan\" or \"harris\"", word),
+      vm, fmt::format("there is no method \"{}\"; expected {}", word, choice_of(kCornerMethods)),
       parameter);
 }
 
@@ -70,6 +75,45 @@ Answer<PlanePoints> few_enough(Vm& vm, PlanePoints points) {
                       fmt::format("{} corners were found, and at most {} are told apart",
                                   points.rows(), kMostMatched),
                       -1, "raise `threshold`, or cut out the part that matters");
+}
+
+Failed undetermined(Vm& vm, const Error& error) {
+  Failure f;
+  f.headline = {row("R0683"), {clause_of(error)}};
+  return fail(vm, std::move(f));
+}
+
+Answer<PlanePoints> seen_by(Vm& vm, const CameraRef& c, const PlanePoints& pixels) {
+  const Pinhole& lens = Host::of(vm).cell().cameras().at(c.id).lens;
+  PlanePoints seen(pixels.rows(), 2);
+  for (Eigen::Index i = 0; i < pixels.rows(); ++i) {
+    const auto ray = lens.ray(pixels.row(i).transpose());
+    if (!ray) return undetermined(vm, ray.error());
+    seen.row(i) = ray->head<2>().transpose();
+  }
+  return seen;
+}
+
+Answer<RecordObj*> flat_pose(Vm& vm, const CameraRef& c, const PlanePoints& pixels,
+                             const Points& points) try {
+  if (!charge_work(vm, 20'000 * points.rows())) return Failed{};
+  const auto seen = seen_by(vm, c, pixels);
+  if (!seen) return Failed{};
+  const auto found = planar_pose(points, *seen);
+  if (!found) return undetermined(vm, found.error());
+  RecordObj* record = new_record(vm, vm.program().library_record("PlanarPose"));
+  if (record == nullptr) return Failed{};
+  Slot* fields = record->fields();
+  const double focal = Host::of(vm).cell().cameras().at(c.id).lens.intrinsics().fx;
+  fields[0].o = new_posc(vm, {found->best.T_camera_obj, true});
+  fields[1].d = focal * found->best.error;
+  fields[2].o = fields[0].o == nullptr ? nullptr : new_posc(vm, {found->other.T_camera_obj, true});
+  fields[3].d = focal * found->other.error;
+  if (fields[2].o != nullptr) return record;
+  release(vm, record);
+  return Failed{};
+} catch (const ArgumentError& error) {
+  return undetermined(vm, {"", clause_of(error)});
 }
 
 namespace {
@@ -200,50 +244,23 @@ Answer<Obj*> blobs(Vm& vm, const Image& image, std::int64_t min_area,
 
 // ---- planes
 
-Failed no_plane(Vm& vm, const Error& error) {
-  Failure f;
-  f.headline = {row("R0683"), {clause_of(error)}};
-  return fail(vm, std::move(f));
-}
-
 Answer<Eigen::Matrix3d> homography_of(Vm& vm, const MatrixObj& a, const MatrixObj& b) try {
   const auto from = pixels_of(vm, a, 0);
   const auto to = from ? pixels_of(vm, b, 1) : Failed{};
   if (!to || !charge_work(vm, 1000 * from->rows())) return Failed{};
   const auto H = homography(*from, *to);
-  if (!H) return no_plane(vm, H.error());
+  if (!H) return undetermined(vm, H.error());
   return *H;
 } catch (const ArgumentError& error) {
-  return no_plane(vm, {"", clause_of(error)});
+  return undetermined(vm, {"", clause_of(error)});
 }
 
 Answer<RecordObj*> pose_from_points(Vm& vm, const CameraRef& c, const MatrixObj& matrix,
-                                    std::span<const Slot> rows) try {
+                                    std::span<const Slot> rows) {
   const auto pixels = pixels_of(vm, matrix, 1);
   const auto points = pixels ? points_of(vm, rows, 2) : Failed{};
-  if (!points || !charge_work(vm, 20'000 * points->rows())) return Failed{};
-  const Pinhole& lens = Host::of(vm).cell().cameras().at(c.id).lens;
-  PlanePoints seen(pixels->rows(), 2);
-  for (Eigen::Index i = 0; i < pixels->rows(); ++i) {
-    const auto ray = lens.ray(pixels->row(i).transpose());
-    if (!ray) return no_plane(vm, ray.error());
-    seen.row(i) = ray->head<2>().transpose();
-  }
-  const auto found = planar_pose(*points, seen);
-  if (!found) return no_plane(vm, found.error());
-  RecordObj* record = new_record(vm, vm.program().library_record("PlanarPose"));
-  if (record == nullptr) return Failed{};
-  Slot* fields = record->fields();
-  const double focal = lens.intrinsics().fx;
-  fields[0].o = new_posc(vm, {found->best.T_camera_obj, true});
-  fields[1].d = focal * found->best.error;
-  fields[2].o = fields[0].o == nullptr ? nullptr : new_posc(vm, {found->other.T_camera_obj, true});
-  fields[3].d = focal * found->other.error;
-  if (fields[2].o != nullptr) return record;
-  release(vm, record);
-  return Failed{};
-} catch (const ArgumentError& error) {
-  return no_plane(vm, {"", clause_of(error)});
+  if (!points) return Failed{};
+  return flat_pose(vm, c, *pixels, *points);
 }
 
 #define ARMLET_SHOWN_SPOT                                                                         \
@@ -259,7 +276,9 @@ constexpr NativeFunction kFeatureFunctions[] = {
         "The corners of a grey picture, a row x, y in pixels for each, from the strongest to the "
         "weakest. method: \"susan\" takes pixels as alike that differ by much less than threshold, "
         "1 "
-        "to 255 grey levels; \"harris\" leaves out what is weaker than quality, 0 to 1, times the "
+        "to 255 grey levels; \"fast\" takes those of nine or more connected pixels on a circle "
+        "that differ by more, and needs OpenCV; \"harris\" leaves out what is weaker than quality, "
+        "0 to 1, times the "
         "strongest one and nearer than distance px to a stronger one; sensitivity, 0 to 0.25, is "
         "its "
         "k. max: so many at most, 0: all. nearTo: for each row of this matrix the corner nearest "

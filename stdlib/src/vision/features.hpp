@@ -8,6 +8,7 @@
 #include "armlet/vision/corners.hpp"
 #include "armlet/vision/correspondence.hpp"
 #include "session/bind.hpp"
+#include "vision/cameras.hpp"
 
 namespace armlet::bind {
 
@@ -25,5 +26,15 @@ Failed fail_lost(Vm& vm, const std::vector<int>& lost, const std::vector<double>
 
 // Points that match_points takes.
 Answer<PlanePoints> few_enough(Vm& vm, PlanePoints points);
+
+// R0683: "these points do not determine an answer: ...".
+Failed undetermined(Vm& vm, const Error& error);
+
+// Where a camera sees pixels, without its distortion: x = X/Z, y = Y/Z.
+Answer<PlanePoints> seen_by(Vm& vm, const CameraRef& c, const PlanePoints& pixels);
+
+// The PlanarPose of points of a plane.
+Answer<RecordObj*> flat_pose(Vm& vm, const CameraRef& c, const PlanePoints& pixels,
+                             const Points& points);
 
 }  // namespace armlet::bind
