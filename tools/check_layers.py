@@ -29,7 +29,7 @@ MAY_INCLUDE = {
     "vision": ["core", "math", "chain", "image"],
     "camera": ["core", "math", "mesh", "world", "image", "vision"],
     "plot": ["core", "math"],
-    "backend": ["core", "math", "plot"],
+    "backend": ["core", "math", "plot", "image"],
     "cell": RUNTIME,
     "interpreter": ["core", "math"],
     "stdlib": ["interpreter", "cell"] + RUNTIME,

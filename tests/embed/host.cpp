@@ -43,7 +43,8 @@ class Watcher : public armlet::Backend {
   static constexpr armlet::Ignore<armlet::BeginRun, armlet::RobotAdded, armlet::RobotChanged,
                                   armlet::ObjectAdded, armlet::ObjectSample, armlet::ObjectEvent,
                                   armlet::FigureChanged, armlet::FinalFigure, armlet::Undone,
-                                  armlet::EndRun, armlet::DrawingChanged>
+                                  armlet::EndRun, armlet::DrawingChanged, armlet::CameraAdded,
+                                  armlet::ImageFrame>
       kIgnored{};
 
   void watch(const armlet::JointSample& sample) {

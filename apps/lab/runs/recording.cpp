@@ -31,7 +31,8 @@ void Recording::on(const Event& event) {
   note_line(t);
   take_ways();
   std::visit(Overload{[](const FigureChanged&) {}, [](const FinalFigure&) {}, [](const Undone&) {},
-                      [](const EndRun&) {}, [this](const auto& each) { take(each); }},
+                      [](const EndRun&) {}, [](const CameraAdded&) {}, [](const ImageFrame&) {},
+                      [this](const auto& each) { take(each); }},
              event);
 }
 

@@ -27,9 +27,10 @@ void BoundedQueue::on(const Event& event) {
                         [&](const ObjectSample& each) { track(each, entry); },
                         [&](const ObjectAdded& each) { forget_object(each.object.name); },
                         [&](const ObjectEvent& each) { forget_object(each.name); },
+                        [&](const ImageFrame& each) { track(each, entry); },
                         [&](const FigureChanged& each) { track(each, entry); },
                         Ignore<BeginRun, RobotAdded, RobotChanged, Note, FinalFigure, Undone,
-                               EndRun, DrawingChanged>{}},
+                               EndRun, DrawingChanged, CameraAdded>{}},
                event);
     entries_.push_back(std::move(entry));
     make_room();
@@ -69,6 +70,18 @@ void BoundedQueue::track(const ObjectSample& sample, Entry& entry) {
   entry.source = last.source;
   last.serial = entry.serial;
   last.is_latest = true;
+}
+
+void BoundedQueue::track(const ImageFrame& frame, Entry& entry) {
+  const auto [found, is_new] = cameras_.try_emplace(std::string(frame.camera));
+  LastSample& last = found->second;
+  if (is_new) {
+    last.source = sources_++;
+  } else {
+    allow_to_go(last.serial);
+  }
+  entry.source = last.source;
+  last.serial = entry.serial;
 }
 
 void BoundedQueue::forget_object(std::string_view name) {
@@ -113,8 +126,10 @@ void BoundedQueue::thin() {
     stays[entry.source] = !stayed;
     if (stayed) return false;
     --may_go_;
-    const bool is_joints = kind_of(entry.event->event()) == EventKind::kJointSample;
-    ++(is_joints ? thinned_.joint_samples : thinned_.object_samples);
+    const EventKind kind = kind_of(entry.event->event());
+    ++(kind == EventKind::kJointSample  ? thinned_.joint_samples
+       : kind == EventKind::kImageFrame ? thinned_.frames
+                                        : thinned_.object_samples);
     return true;
   };
   // In order, which std::erase_if does not promise.

@@ -38,7 +38,8 @@ class CsvBackend final : public Backend {
 
  private:
   // Rows have no place for a mark: what is undone shows where the time of a row goes back.
-  static constexpr Ignore<RobotChanged, FigureChanged, FinalFigure, Undone, DrawingChanged>
+  static constexpr Ignore<RobotChanged, FigureChanged, FinalFigure, Undone, DrawingChanged,
+                          CameraAdded>
       kIgnored{};
   static constexpr std::size_t kPoseColumns = 7;
 
@@ -78,6 +79,13 @@ class CsvBackend final : public Backend {
     const bool has_robot = event.robot >= 0;
     write_row(event.t_ns, to_text(event.change), event.name,
               has_robot ? robots_[static_cast<std::size_t>(event.robot)] : std::string());
+  }
+
+  void write(const ImageFrame& frame) {
+    begin_row(frame.t_ns, "frame", frame.camera);
+    write_pose(frame.T_world_camera);
+    skip(3 * columns_.count());
+    end_row(frame.file);
   }
 
   void write(const Note& note) { write_row(note.t_ns, to_text(note.kind), {}, note.text); }

@@ -1,5 +1,7 @@
 #include "armlet/backend/event.hpp"
 
+#include "armlet/core/hash.hpp"
+
 namespace armlet {
 
 std::string_view to_text(ObjectChange change) {
@@ -56,8 +58,18 @@ std::string_view to_text(EventKind kind) {
       return "EndRun";
     case EventKind::kDrawingChanged:
       return "DrawingChanged";
+    case EventKind::kCameraAdded:
+      return "CameraAdded";
+    case EventKind::kImageFrame:
+      return "ImageFrame";
   }
   return "";
+}
+
+std::uint64_t pixel_hash(const ImageFrame& frame) {
+  Fnv1a hash;
+  for (const std::uint8_t byte : frame.pixels) hash.add_byte(byte);
+  return hash.value();
 }
 
 }  // namespace armlet

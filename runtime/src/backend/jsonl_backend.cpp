@@ -35,6 +35,15 @@ class JsonlBackend final : public Backend {
       sink_.text("}");
     }
     sink_.text("]");
+    if (!begin.run.cameras.empty()) {
+      sink_.text(",\"cameras\":[");
+      for (const CameraInfo& camera : begin.run.cameras) {
+        sink_.text(&camera == begin.run.cameras.data() ? "{" : ",{");
+        describe(camera);
+        sink_.text("}");
+      }
+      sink_.text("]");
+    }
     end_line();
     for (const ObjectInfo& object : begin.run.objects) write_object(0, object);
   }
@@ -148,6 +157,26 @@ class JsonlBackend final : public Backend {
       if (!drawing.object.empty()) field("object", drawing.object);
       pose(drawing.T_on_drawing);
     }
+    end_line();
+  }
+
+  void write(const CameraAdded& added) {
+    begin_line(added.t_ns, "cameraAdded");
+    sink_.text(",");
+    describe(added.camera);
+    end_line();
+  }
+
+  void write(const ImageFrame& frame) {
+    begin_line(frame.t_ns, "frame");
+    field("camera", frame.camera);
+    field("number", static_cast<double>(frame.frame));
+    const double size[] = {static_cast<double>(frame.width), static_cast<double>(frame.height),
+                           static_cast<double>(frame.channels)};
+    field("size", size);
+    field("hash", fmt::format("{:016x}", pixel_hash(frame)));
+    if (!frame.file.empty()) field("file", frame.file);
+    pose(frame.T_world_camera);
     end_line();
   }
 
@@ -293,6 +322,27 @@ class JsonlBackend final : public Backend {
     if (robot.on >= 0) field("on", static_cast<double>(robot.on));
     field("base", pose_numbers(robot.T_world_base));
     describe(robot.tool);
+  }
+
+  // Fields of a camera, without braces.
+  void describe(const CameraInfo& camera) {
+    sink_.text("\"name\":");
+    sink_.quoted(camera.name);
+    const double size[] = {static_cast<double>(camera.width), static_cast<double>(camera.height)};
+    field("size", size);
+    const double K[] = {camera.fx, camera.fy, camera.cx, camera.cy};
+    field("K", K);
+    field("distortion", std::span<const double>(camera.distortion));
+    const double range[] = {camera.near, camera.far};
+    field("range", range);
+    if (camera.rate > 0.0) field("rate", camera.rate);
+    if (camera.robot >= 0) {
+      field("robot", robots_[static_cast<std::size_t>(camera.robot)]);
+      field("link", static_cast<double>(camera.link));
+    }
+    if (!camera.object.empty()) field("object", camera.object);
+    if (!camera.frame.empty()) field("frame", camera.frame);
+    field("on", pose_numbers(camera.T_on_camera));
   }
 
   void end_line() {

@@ -47,7 +47,7 @@ class NpyBackend final : public Backend {
  private:
   // Rows have no place for a mark: what is undone shows where the time of a row goes back.
   static constexpr Ignore<RobotChanged, ObjectAdded, ObjectSample, ObjectEvent, Note, FigureChanged,
-                          FinalFigure, Undone, DrawingChanged>
+                          FinalFigure, Undone, DrawingChanged, CameraAdded, ImageFrame>
       kIgnored{};
 
   void add(const BeginRun& begin) {

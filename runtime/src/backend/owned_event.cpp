@@ -3,16 +3,16 @@
 namespace armlet {
 
 OwnedEvent::OwnedEvent(const Event& event) : event_(event) {
-  std::visit(Overload{[this](JointSample& each) { own(each); },
-                      [this](ObjectSample& each) { own(each.name); },
-                      [this](ObjectEvent& each) { own(each.name); },
-                      [this](Note& each) { own(each.text); },
-                      [this](FigureChanged& each) { own(each.figure); },
-                      [this](FinalFigure& each) { own(each.figure); },
-                      // These hold what they say.
-                      [](BeginRun&) {}, [](RobotAdded&) {}, [](RobotChanged&) {},
-                      [](ObjectAdded&) {}, [](Undone&) {}, [](EndRun&) {}, [](DrawingChanged&) {}},
-             event_);
+  std::visit(
+      Overload{
+          [this](JointSample& each) { own(each); }, [this](ObjectSample& each) { own(each.name); },
+          [this](ObjectEvent& each) { own(each.name); }, [this](Note& each) { own(each.text); },
+          [this](FigureChanged& each) { own(each.figure); },
+          [this](FinalFigure& each) { own(each.figure); }, [this](ImageFrame& each) { own(each); },
+          // These hold what they say.
+          [](BeginRun&) {}, [](RobotAdded&) {}, [](RobotChanged&) {}, [](ObjectAdded&) {},
+          [](Undone&) {}, [](EndRun&) {}, [](DrawingChanged&) {}, [](CameraAdded&) {}},
+      event_);
 }
 
 void OwnedEvent::own(JointSample& sample) {
@@ -29,6 +29,14 @@ void OwnedEvent::own(JointSample& sample) {
 void OwnedEvent::own(std::string_view& text) {
   text_ = text;
   text = text_;
+}
+
+void OwnedEvent::own(ImageFrame& frame) {
+  own(frame.camera);
+  file_ = frame.file;
+  frame.file = file_;
+  pixels_.assign(frame.pixels.begin(), frame.pixels.end());
+  frame.pixels = pixels_;
 }
 
 void OwnedEvent::own(const Figure*& figure) {

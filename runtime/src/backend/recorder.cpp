@@ -53,6 +53,19 @@ void Recorder::keep(const Note& note) {
   notes_.push_back({.t_ns = note.t_ns, .kind = note.kind, .text = std::string(note.text)});
 }
 
+void Recorder::keep(const CameraAdded& added) { run_.cameras.push_back(added.camera); }
+
+void Recorder::keep(const ImageFrame& frame) {
+  frames_.push_back({.t_ns = frame.t_ns,
+                     .camera = std::string(frame.camera),
+                     .frame = frame.frame,
+                     .width = frame.width,
+                     .height = frame.height,
+                     .channels = frame.channels,
+                     .pixels = pixel_hash(frame),
+                     .T_world_camera = frame.T_world_camera.matrix()});
+}
+
 void Recorder::keep(const Undone& undone) {
   undoings_.push_back({undone.t_ns, undone.number, undone.from, undone.back_ns});
 }
@@ -61,7 +74,8 @@ void Recorder::keep(const EndRun& end) { end_ns_ = end.t_ns; }
 
 bool Recorder::same_as(const Recorder& other) const {
   return joints_ == other.joints_ && objects_ == other.objects_ && events_ == other.events_ &&
-         notes_ == other.notes_ && undoings_ == other.undoings_ && end_ns_ == other.end_ns_;
+         notes_ == other.notes_ && frames_ == other.frames_ && undoings_ == other.undoings_ &&
+         end_ns_ == other.end_ns_;
 }
 
 }  // namespace armlet

@@ -76,11 +76,25 @@ void add(Fnv1a& hash, const Figure& figure) {
   for (const Figure& panel : figure.panels) add(hash, panel);
 }
 
+void add(Fnv1a& hash, const CameraInfo& camera) {
+  hash.add(camera.name);
+  for (const int number : {camera.width, camera.height, camera.robot, camera.link})
+    hash.add(number);
+  for (const double value :
+       {camera.fx, camera.fy, camera.cx, camera.cy, camera.near, camera.far, camera.rate})
+    hash.add(value);
+  add(hash, camera.distortion);
+  hash.add(camera.object);
+  hash.add(camera.frame);
+  add(hash, camera.T_on_camera);
+}
+
 void add(Fnv1a& hash, const BeginRun& begin) {
   hash.add(static_cast<std::uint64_t>(begin.run.robots.size()));
   for (const RobotInfo& robot : begin.run.robots) add(hash, robot);
   hash.add(static_cast<std::uint64_t>(begin.run.objects.size()));
   for (const ObjectInfo& object : begin.run.objects) add(hash, object);
+  for (const CameraInfo& camera : begin.run.cameras) add(hash, camera);
 }
 void add(Fnv1a& hash, const RobotAdded& added) { add(hash, added.robot); }
 void add(Fnv1a& hash, const RobotChanged& changed) {
@@ -120,6 +134,15 @@ void add(Fnv1a& hash, const DrawingChanged& changed) {
   for (const double size : drawing.size) hash.add(size);
   for (const int number : {drawing.robot, drawing.link, changed.removed ? 1 : 0}) hash.add(number);
   add(hash, drawing.T_on_drawing);
+}
+void add(Fnv1a& hash, const CameraAdded& added) { add(hash, added.camera); }
+// Where a file of it is does not count.
+void add(Fnv1a& hash, const ImageFrame& frame) {
+  hash.add(frame.camera);
+  hash.add(frame.frame);
+  for (const int number : {frame.width, frame.height, frame.channels}) hash.add(number);
+  hash.add(pixel_hash(frame));
+  add(hash, frame.T_world_camera);
 }
 
 }  // namespace

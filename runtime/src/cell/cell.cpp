@@ -378,6 +378,7 @@ void Cell::begin() {
   for (std::size_t i = 0; i < world_.size(); ++i) {
     run.objects.push_back(object_info(world_.object(i)));
   }
+  for (int i = 0; i < cameras_.count(); ++i) run.cameras.push_back(camera_info(cameras_.at(i)));
   tell(BeginRun{.t_ns = now_ns(), .run = std::move(run)});
   for (const PendingNote& each : pending_notes_) {
     tell(Note{.t_ns = each.t_ns, .kind = each.kind, .text = each.text});
@@ -392,6 +393,15 @@ void Cell::begin() {
 void Cell::publish_drawing(const Drawing& drawing, bool removed) {
   if (listening())
     tell(DrawingChanged{.t_ns = now_ns(), .drawing = drawing_info(drawing), .removed = removed});
+}
+
+void Cell::publish_camera(const Camera& camera) {
+  if (listening()) tell(CameraAdded{.t_ns = now_ns(), .camera = camera_info(camera)});
+}
+
+void Cell::publish_frame(const ImageFrame& frame) {
+  begin();
+  if (listening()) tell(ImageFrame(frame));
 }
 
 void Cell::figure_changed(const Figure& figure) {

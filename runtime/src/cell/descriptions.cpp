@@ -108,6 +108,29 @@ DrawingInfo drawing_info(const Drawing& drawing) {
   return info;
 }
 
+CameraInfo camera_info(const Camera& camera) {
+  const Intrinsics& lens = camera.lens.intrinsics();
+  CameraInfo info{.name = camera.name,
+                  .width = lens.width,
+                  .height = lens.height,
+                  .fx = lens.fx,
+                  .fy = lens.fy,
+                  .cx = lens.cx,
+                  .cy = lens.cy,
+                  .distortion = lens.distortion,
+                  .near = lens.near,
+                  .far = lens.far,
+                  .rate = camera.rate,
+                  .T_on_camera = camera.T_on_camera};
+  if (camera.on.base == FrameBase::kObject) info.object = camera.on.on;
+  if (camera.on.base == FrameBase::kFrame) info.frame = camera.on.on;
+  if (camera.on.base == FrameBase::kCarrier) {
+    info.robot = camera.on.carrier;
+    info.link = camera.on.frame == kFlange ? kCameraFlange : camera.on.frame;
+  }
+  return info;
+}
+
 RobotInfo robot_info(const CellRobot& robot) {
   const Robot& model = *robot.model;
   const Tool& tool = model.tool();

@@ -9,5 +9,6 @@ namespace armlet {
 RobotInfo robot_info(const CellRobot& robot);
 ObjectInfo object_info(const Object& object);
 DrawingInfo drawing_info(const Drawing& drawing);
+CameraInfo camera_info(const Camera& camera);
 
 }  // namespace armlet

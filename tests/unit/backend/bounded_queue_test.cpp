@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <map>
@@ -277,4 +278,29 @@ TEST_CASE("a trace behind a queue that is large enough has the same bytes") {
 TEST_CASE("a queue without room is refused") {
   Listener listener;
   CHECK_THROWS_AS(BoundedQueue(listener, 0), ArgumentError);
+}
+
+TEST_CASE(
+    "of pictures that nobody takes every second goes, and the last one of each camera stays") {
+  Listener listener;
+  BoundedQueue queue(listener, 8);
+  const std::vector<std::uint8_t> pixels(12);
+  std::uint64_t number = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    for (const char* camera : {"eye", "ear"}) {
+      queue.on(ImageFrame{.number = number++,
+                          .camera = camera,
+                          .frame = i,
+                          .width = 2,
+                          .height = 2,
+                          .pixels = pixels});
+    }
+  }
+  CHECK(queue.size() <= 8);
+  CHECK(queue.size() + queue.thinned().frames == 200);
+  queue.deliver();
+  REQUIRE(listener.numbers.size() >= 2);
+  CHECK(listener.numbers.back() == 199);
+  CHECK(listener.numbers[listener.numbers.size() - 2] == 198);
+  CHECK(std::ranges::is_sorted(listener.numbers));
 }

@@ -88,3 +88,18 @@ TEST_CASE("a robot that joins later and is too wide for the table is an error") 
         "The table was begun for robots of 1 joints; \"wide\" has 2. Declare it before the first "
         "motion.");
 }
+
+TEST_CASE("a picture is a row with the pose of the camera and the name of its file") {
+  std::ostringstream out;
+  const std::unique_ptr<Backend> backend = make_csv_backend(out);
+  backend->on(BeginRun{.run = {.robots = {{"arm", {{JointUnit::kRadian}}}}, .objects = {}}});
+  ImageFrame frame{.t_ns = 40'000'000, .camera = "eye", .frame = 3, .width = 1, .height = 1};
+  frame.T_world_camera.translation().z() = 0.5;
+  backend->on(frame);
+  frame.file = "frames/eye-000003.png";
+  backend->on(frame);
+  backend->on(EndRun{});
+  CHECK(out.str().find("0.040000000,frame,eye,0,0,0.5,1,0,0,0,,,,\n") != std::string::npos);
+  CHECK(out.str().find("0.040000000,frame,eye,0,0,0.5,1,0,0,0,,,,frames/eye-000003.png\n") !=
+        std::string::npos);
+}

@@ -11,7 +11,8 @@ namespace {
 
 // Handles notes and the end; what it ignores is the rest of what follows.
 constexpr Ignore<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded, ObjectSample,
-                 ObjectEvent, FigureChanged, FinalFigure, Undone, DrawingChanged>
+                 ObjectEvent, FigureChanged, FinalFigure, Undone, DrawingChanged, CameraAdded,
+                 ImageFrame>
     kIgnored{};
 
 std::string handled_as(const Event& event) {
@@ -52,6 +53,8 @@ TEST_CASE("a kind is the struct that an event holds, and has its name") {
   CHECK(kind_of(Undone{}) == EventKind::kUndone);
   CHECK(kind_of(EndRun{}) == EventKind::kEndRun);
   CHECK(kind_of(DrawingChanged{}) == EventKind::kDrawingChanged);
+  CHECK(kind_of(CameraAdded{}) == EventKind::kCameraAdded);
+  CHECK(kind_of(ImageFrame{}) == EventKind::kImageFrame);
   CHECK(to_text(EventKind::kJointSample) == "JointSample");
   std::set<std::string_view> names;
   for (const Event& each : one_of_each(std::make_index_sequence<kEventKinds>()))

@@ -16,6 +16,7 @@ using namespace armlet;
 namespace {
 
 constexpr std::array kNumbers{0.1, 0.2, 0.3};
+constexpr std::array<std::uint8_t, 3> kPixel{1, 2, 3};
 
 // A run with one event of each kind; the robot that joins has more joints than those before it.
 void play_without(std::optional<EventKind> left_out, Backend& backend) {
@@ -34,6 +35,8 @@ void play_without(std::optional<EventKind> left_out, Backend& backend) {
       FinalFigure{.t_ns = 7, .figure = &figure},
       Undone{.t_ns = 7, .number = 10, .from = 3, .back_ns = 2},
       DrawingChanged{.t_ns = 8, .drawing = {.name = "force", .kind = "arrow"}},
+      CameraAdded{.t_ns = 8, .camera = {.name = "eye"}},
+      ImageFrame{.t_ns = 8, .camera = "eye", .width = 1, .height = 1, .pixels = kPixel},
       EndRun{.t_ns = 8},
   };
   static_assert(std::size(events) == kEventKinds);
@@ -57,6 +60,8 @@ Seen recorded(const Recorder& recorder, const Backend& backend) {
   for (const auto& each : recorder.objects()) content += each.name + std::to_string(each.t_ns);
   for (const auto& each : recorder.events()) content += " event " + each.name;
   for (const auto& each : recorder.notes()) content += " note " + each.text;
+  for (const auto& each : recorder.run().cameras) content += " camera " + each.name;
+  for (const auto& each : recorder.frames()) content += " frame " + each.camera;
   for (const auto& each : recorder.undoings()) content += " from " + std::to_string(each.from);
   return {content + std::to_string(recorder.end_ns()), backend.ignores()};
 }

@@ -155,3 +155,41 @@ TEST_CASE("a mark says from which line on the file is undone") {
   CHECK(rows[8]["line"] == 4.0);
   CHECK(rows[9] == nlohmann::json({{"t", 0.0}, {"what", "redone"}, {"back", 1.5}}));
 }
+
+TEST_CASE("cameras and their pictures are lines with the hash of the pixels") {
+  std::ostringstream out;
+  const std::unique_ptr<Backend> backend = make_jsonl_backend(out);
+  CameraInfo eye{.name = "eye", .width = 2, .height = 1, .fx = 3.5, .fy = 3.5, .far = 20.0};
+  eye.robot = 0;
+  backend->on(BeginRun{.run = {.robots = {{.name = "arm"}}, .objects = {}, .cameras = {eye}}});
+  backend->on(CameraAdded{.t_ns = 5, .camera = {.name = "late", .rate = 25.0, .object = "cart"}});
+  const std::uint8_t pixels[] = {1, 2, 3, 4, 5, 6};
+  ImageFrame frame{.t_ns = 40'000'000, .camera = "eye", .frame = 3, .width = 2, .height = 1};
+  frame.pixels = pixels;
+  frame.T_world_camera.translation().z() = 0.5;
+  backend->on(frame);
+  frame.file = "frames/eye-000003.png";
+  backend->on(frame);
+  backend->on(EndRun{});
+  std::istringstream lines(out.str());
+  std::vector<nlohmann::json> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(nlohmann::json::parse(line));
+  REQUIRE(rows.size() == 5);
+  CHECK(rows[0]["cameras"][0]["name"] == "eye");
+  CHECK(rows[0]["cameras"][0]["size"] == nlohmann::json({2, 1}));
+  CHECK(rows[0]["cameras"][0]["K"] == nlohmann::json({3.5, 3.5, 0.0, 0.0}));
+  CHECK(rows[0]["cameras"][0]["robot"] == "arm");
+  CHECK_FALSE(rows[0]["cameras"][0].contains("rate"));
+  CHECK(rows[1]["what"] == "cameraAdded");
+  CHECK(rows[1]["rate"] == 25.0);
+  CHECK(rows[1]["object"] == "cart");
+  CHECK(rows[2]["what"] == "frame");
+  CHECK(rows[2]["camera"] == "eye");
+  CHECK(rows[2]["number"] == 3);
+  CHECK(rows[2]["size"] == nlohmann::json({2, 1, 3}));
+  // FNV-1a of the bytes 1 to 6, computed from the definition in Python.
+  CHECK(rows[2]["hash"] == "9746a713f3a6584a");
+  CHECK(rows[2]["p"] == nlohmann::json({0.0, 0.0, 0.5}));
+  CHECK_FALSE(rows[2].contains("file"));
+  CHECK(rows[3]["file"] == "frames/eye-000003.png");
+}

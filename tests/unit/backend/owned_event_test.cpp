@@ -68,6 +68,24 @@ TEST_CASE("a copy has names, texts and figures of its own") {
   CHECK(std::get<FinalFigure>(final.event()).figure->title == "speed");
 }
 
+TEST_CASE("a copy of a picture has names and pixels of its own") {
+  std::string name = "eye", file = "eye-000000.png";
+  std::vector<std::uint8_t> pixels{1, 2, 3, 4, 5, 6};
+  const OwnedEvent owned(ImageFrame{
+      .camera = name, .frame = 4, .width = 2, .height = 1, .pixels = pixels, .file = file});
+  name = "ear";
+  file = "ear-000000.png";
+  pixels.assign(6, 0);
+  const auto& frame = std::get<ImageFrame>(owned.event());
+  CHECK(frame.camera == "eye");
+  CHECK(frame.file == "eye-000000.png");
+  CHECK(frame.frame == 4);
+  CHECK(std::vector(frame.pixels.begin(), frame.pixels.end()) ==
+        std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6});
+  const OwnedEvent added(CameraAdded{.camera = {.name = "late"}});
+  CHECK(std::get<CameraAdded>(added.event()).camera.name == "late");
+}
+
 TEST_CASE("events that hold what they say are copied as they are") {
   const OwnedEvent begin(BeginRun{.run = {.robots = {{.name = "arm"}}, .objects = {}}}),
       robot(RobotAdded{.t_ns = 3, .robot = {.name = "late"}}),

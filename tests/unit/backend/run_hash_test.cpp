@@ -15,6 +15,12 @@ std::uint64_t hash_of(const Event& event) {
   return hash.value();
 }
 
+std::size_t different_hashes(const std::vector<Event>& events) {
+  std::set<std::uint64_t> hashes;
+  for (const Event& event : events) hashes.insert(hash_of(event));
+  return hashes.size();
+}
+
 }  // namespace
 
 TEST_CASE("every field that tells runs apart changes the hash") {
@@ -67,14 +73,44 @@ TEST_CASE("every field that tells runs apart changes the hash") {
       DrawingChanged{.drawing = {.name = "a", .object = "b"}},
       DrawingChanged{.drawing = {.name = "a", .T_on_drawing = moved}},
   };
-  std::set<std::uint64_t> hashes;
-  for (const Event& event : events) hashes.insert(hash_of(event));
-  CHECK(hashes.size() == events.size());
+  CHECK(different_hashes(events) == events.size());
+}
+
+TEST_CASE("every field of cameras and their pictures changes the hash") {
+  const std::uint8_t black[] = {0, 0, 0}, dark[] = {0, 0, 1};
+  Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
+  moved.translation().x() = 1e-300;
+  const std::vector<Event> events = {
+      BeginRun{},
+      BeginRun{.run = {.robots = {}, .objects = {}, .cameras = {{.name = "a"}}}},
+      CameraAdded{.camera = {.name = "a"}},
+      CameraAdded{.camera = {.name = "a", .width = 1}},
+      CameraAdded{.camera = {.name = "a", .height = 1}},
+      CameraAdded{.camera = {.name = "a", .fx = 1.0}},
+      CameraAdded{.camera = {.name = "a", .distortion = {0.0, 0.0, 0.1}}},
+      CameraAdded{.camera = {.name = "a", .far = 1.0}},
+      CameraAdded{.camera = {.name = "a", .rate = 1.0}},
+      CameraAdded{.camera = {.name = "a", .robot = 0}},
+      CameraAdded{.camera = {.name = "a", .link = 2}},
+      CameraAdded{.camera = {.name = "a", .object = "b"}},
+      CameraAdded{.camera = {.name = "a", .frame = "b"}},
+      CameraAdded{.camera = {.name = "a", .T_on_camera = moved}},
+      ImageFrame{.camera = "a", .width = 1, .height = 1, .pixels = black},
+      ImageFrame{.camera = "a", .width = 1, .height = 1, .pixels = dark},
+      ImageFrame{.camera = "b", .width = 1, .height = 1, .pixels = black},
+      ImageFrame{.camera = "a", .frame = 1, .width = 1, .height = 1, .pixels = black},
+      ImageFrame{.camera = "a", .width = 3, .height = 1, .channels = 1, .pixels = black},
+      ImageFrame{.camera = "a", .width = 1, .height = 3, .channels = 1, .pixels = black},
+      ImageFrame{.camera = "a", .width = 1, .height = 1, .pixels = black, .T_world_camera = moved},
+  };
+  CHECK(different_hashes(events) == events.size());
 }
 
 TEST_CASE("what only some listeners want does not count") {
   const std::vector<Eigen::Isometry3d> links(2, Eigen::Isometry3d::Identity());
   CHECK(hash_of(JointSample{.T_world_links = links}) == hash_of(JointSample{}));
+  CHECK(hash_of(ImageFrame{.camera = "a", .file = "a-000000.png"}) ==
+        hash_of(ImageFrame{.camera = "a"}));
   CHECK(hash_of(Note{.number = 7, .text = "a"}) == hash_of(Note{.text = "a"}));
   const Figure figure{};
   CHECK(hash_of(FigureChanged{.figure = &figure}) == RunHash().value());

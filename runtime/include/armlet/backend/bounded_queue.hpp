@@ -21,20 +21,22 @@ struct Thinned {
   std::uint64_t joint_samples = 0;
   std::uint64_t object_samples = 0;
   std::uint64_t figures = 0;  // states of a figure whose next state came before they were taken
+  std::uint64_t frames = 0;
   bool operator==(const Thinned&) const = default;
 };
 
 // Keeps copies of events until the listener takes them, in the same thread or in another one. The
 // sender never waits for the listener. Events keep their order.
 //
-// When there are more than `capacity` events and at least an eighth of them are samples that may
-// go, every second of these goes, for each robot and each object, beginning with the oldest; and
+// When there are more than `capacity` events and at least an eighth of them are ones that may
+// go, every second of these goes, for each robot, object and camera, beginning with the oldest; and
 // again until there are not. So the same events, taken at the same moments, leave the same ones.
 //
 //   joint samples   may go, unless they are the first or the last of their motion so far or belong
 //                   to none.
 //   object samples  may go if a later one of that object is there, and nothing else was told of
 //                   that object between the two.
+//   pictures        may go if a later one of that camera is there.
 //   FigureChanged   is a whole state: it takes the place of the one before that was not taken yet,
 //                   full or not, because a figure can be large.
 //
@@ -68,14 +70,14 @@ class BoundedQueue : public Backend {
 
  private:
   // serial  counts what was pushed.
-  // source  of samples: counts robots and objects.
+  // source  of samples and pictures: counts robots, objects and cameras.
   struct Entry {
     std::unique_ptr<const OwnedEvent> event;
     std::uint64_t serial = 0;
     std::size_t source = 0;
     bool may_go = false;
   };
-  // The sample of a robot or an object that was pushed last.
+  // The sample of a robot or an object, or the picture of a camera, that was pushed last.
   struct LastSample {
     std::size_t source = 0;
     std::uint64_t serial = 0;
@@ -86,6 +88,7 @@ class BoundedQueue : public Backend {
 
   void track(const JointSample& sample, Entry& entry);
   void track(const ObjectSample& sample, Entry& entry);
+  void track(const ImageFrame& frame, Entry& entry);
   void track(const FigureChanged& changed, const Entry& entry);
   void forget_object(std::string_view name);
   [[nodiscard]] std::deque<Entry>::iterator find(std::uint64_t serial);
@@ -106,6 +109,7 @@ class BoundedQueue : public Backend {
   std::size_t sources_ = 0;
   std::map<int, LastSample> robots_;
   std::map<std::string, LastSample, std::less<>> objects_;
+  std::map<std::string, LastSample, std::less<>> cameras_;
   std::map<int, std::uint64_t> figures_;  // serial of the last state of each
   Thinned thinned_;
   bool closed_ = false;

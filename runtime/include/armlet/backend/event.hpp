@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "armlet/backend/camera_info.hpp"
 #include "armlet/backend/drawing_info.hpp"
 #include "armlet/backend/robot_info.hpp"
 #include "armlet/plot/figure.hpp"
@@ -41,6 +42,7 @@ struct ObjectInfo {
 struct RunInfo {
   std::vector<RobotInfo> robots;
   std::vector<ObjectInfo> objects;
+  std::vector<CameraInfo> cameras{};
 };
 
 // The run begins, with what is there.
@@ -162,10 +164,17 @@ struct DrawingChanged {
   bool removed = false;
 };
 
+// A camera that joins after the run has begun. What it takes are ImageFrames (camera_info.hpp).
+struct CameraAdded {
+  std::int64_t t_ns = 0;
+  std::uint64_t number = 0;
+  CameraInfo camera{};
+};
+
 // What a backend is told. BeginRun comes first, and again behind an Undone from 0; EndRun last.
-using Event =
-    std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded, ObjectSample,
-                 ObjectEvent, Note, FigureChanged, FinalFigure, Undone, EndRun, DrawingChanged>;
+using Event = std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded,
+                           ObjectSample, ObjectEvent, Note, FigureChanged, FinalFigure, Undone,
+                           EndRun, DrawingChanged, CameraAdded, ImageFrame>;
 
 // The alternatives of Event, in their order.
 enum class EventKind : std::size_t {
@@ -182,6 +191,8 @@ enum class EventKind : std::size_t {
   kUndone,
   kEndRun,
   kDrawingChanged,
+  kCameraAdded,
+  kImageFrame,
 };
 inline constexpr std::size_t kEventKinds = std::variant_size_v<Event>;
 

@@ -24,9 +24,15 @@ namespace armlet {
 //    panels "panels":[{"title":"...","x":..., "series":[...]}])
 //   {"t":..,"what":"robotAdded","name":"late","joints":["rad"],..}  (as at the beginning)
 //   {"t":..,"what":"robotChanged","name":"arm",..}                  (its tool or its base)
+//   {"t":..,"what":"frame","camera":"eye","number":0,"size":[640,480,3],"hash":"16 digits",
+//    "file":"frames/eye-000000.png","p":..,"r":..}                  (a picture; file if written)
+//   {"t":..,"what":"cameraAdded","name":"eye","size":[640,480],"K":[fx,fy,cx,cy],"distortion":[..],
+//    "range":[0.01,20],"rate":25,"robot":"arm","link":-1,"on":[..]}   (or "object", "frame")
 //   {"t":..,"what":"undone","line":17,"back":1.5}                   (or redone: see below)
 //   {"t":..,"what":"end"}
 //
+// Cameras that are there at the beginning stand in "cameras" behind "robots". The hash is FNV-1a
+// of the bytes of the pixels; "on" is where the camera is on what carries it, link -1 the flange.
 // A robot's p and r are those of its tool point in the world; r is a unit quaternion. The poses
 // "on":0 before "base", only of a hand: the robot whose flange carries it, in whose frame base is.
 // before, after, base and pose are p and r in one list of seven numbers; with them the arm can be

@@ -22,10 +22,13 @@ class OwnedEvent {
   void own(JointSample& sample);
   void own(std::string_view& text);
   void own(const Figure*& figure);
+  void own(ImageFrame& frame);
 
   std::vector<double> numbers_;
   std::vector<Eigen::Isometry3d> poses_;
   std::string text_;
+  std::string file_;
+  std::vector<std::uint8_t> pixels_;
   std::unique_ptr<const Figure> figure_;
   Event event_;
 };

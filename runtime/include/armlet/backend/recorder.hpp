@@ -32,6 +32,18 @@ struct RecordedNote {
   bool operator==(const RecordedNote&) const = default;
 };
 
+struct RecordedFrame {
+  std::int64_t t_ns = 0;
+  std::string camera;
+  std::uint64_t frame = 0;
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  std::uint64_t pixels = 0;  // their hash
+  Eigen::Matrix4d T_world_camera = Eigen::Matrix4d::Identity();
+  bool operator==(const RecordedFrame&) const = default;
+};
+
 // See Undone of event.hpp.
 struct RecordedUndoing {
   std::int64_t t_ns = 0;
@@ -48,16 +60,19 @@ class Recorder : public Backend {
   void on(const Event& event) override;
   [[nodiscard]] EventKinds ignores() const override;
 
-  // What began the run, with the robots that joined, as they are now.
+  // What began the run, with the robots and cameras that joined, as they are
+  // now.
   [[nodiscard]] const RunInfo& run() const { return run_; }
   [[nodiscard]] const std::vector<RecordedJoints>& joints() const { return joints_; }
   [[nodiscard]] const std::vector<RecordedObject>& objects() const { return objects_; }
   [[nodiscard]] const std::vector<RecordedEvent>& events() const { return events_; }
   [[nodiscard]] const std::vector<RecordedNote>& notes() const { return notes_; }
+  // Pictures that cameras took; of their pixels the hash.
+  [[nodiscard]] const std::vector<RecordedFrame>& frames() const { return frames_; }
   [[nodiscard]] const std::vector<RecordedUndoing>& undoings() const { return undoings_; }
   [[nodiscard]] std::int64_t end_ns() const { return end_ns_; }
 
-  // The same samples, events, notes and marks, bit by bit.
+  // The same samples, events, notes, pictures and marks, bit by bit.
   [[nodiscard]] bool same_as(const Recorder& other) const;
 
  private:
@@ -69,6 +84,8 @@ class Recorder : public Backend {
   void keep(const ObjectSample& sample);
   void keep(const ObjectEvent& event);
   void keep(const Note& note);
+  void keep(const CameraAdded& added);
+  void keep(const ImageFrame& frame);
   void keep(const Undone& undone);
   void keep(const EndRun& end);
 
@@ -77,6 +94,7 @@ class Recorder : public Backend {
   std::vector<RecordedObject> objects_;
   std::vector<RecordedEvent> events_;
   std::vector<RecordedNote> notes_;
+  std::vector<RecordedFrame> frames_;
   std::vector<RecordedUndoing> undoings_;
   std::int64_t end_ns_ = 0;
 };

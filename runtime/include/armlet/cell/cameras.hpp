@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,8 @@ class Cell;
 // blur         standard deviation of a Gaussian bell over the picture, px, 0 to 30.
 // seed         of the noise; each picture has another one.
 // key_light    shades and shadows; else every surface shows its own colour.
+// rate         pictures a second, kLeastRate to kMostRate: one at each multiple of the period. 0:
+//              whenever one is asked for.
 // ground       whether the ground is drawn, at the height of the world's floor or at 0.
 struct Camera {
   std::string name;
@@ -42,6 +45,7 @@ struct Camera {
   std::uint64_t seed = 1;
   bool key_light = true;
   bool ground = true;
+  double rate = 0.0;
 };
 
 // The cameras of a cell. What is seen are the objects, the robots with their hands and fingers, and
@@ -51,6 +55,7 @@ class Cameras {
  public:
   static constexpr int kMost = 100;
   static constexpr std::int64_t kMostPixels = 4'194'304;  // of a picture
+  static constexpr double kLeastRate = 0.001, kMostRate = 10'000.0;
 
   Cameras();
   ~Cameras();
@@ -96,6 +101,23 @@ class Cameras {
 
   // An RGB picture, with blur and noise; the next one has other noise.
   [[nodiscard]] Image color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
+  // The picture that color would give, which does not count.
+  [[nodiscard]] Image preview(const Cell& cell, int camera,
+                              const Eigen::Isometry3d& T_world_camera);
+  // An RGB picture instead of that; it counts as one.
+  //
+  // throws  ArgumentError if it has another size or kind.
+  [[nodiscard]] Image take_given(int camera, Image given);
+  // How many pictures it took, which is the number of the next one.
+  [[nodiscard]] std::uint64_t taken(int camera) const;
+  // The first instant after now at which it takes a picture; now, if it has no rate.
+  [[nodiscard]] std::int64_t next_frame_ns(int camera, std::int64_t now_ns) const;
+  // The picture that a camera with a rate took at this instant from there, as keep() got it; null:
+  // none.
+  [[nodiscard]] const Image* taken_at(int camera, std::int64_t t_ns,
+                                      const Eigen::Isometry3d& T_world_camera) const;
+  void keep(int camera, std::int64_t t_ns, const Eigen::Isometry3d& T_world_camera,
+            const Image& image);
   // Depths z in metres; 0 where nothing is seen.
   [[nodiscard]] Image depth(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
   // Row by row, numbers of bodies of `scene`, kGroundBody or kNoBody.
@@ -114,9 +136,14 @@ class Cameras {
   class Drawer;
   // Without noise.
   [[nodiscard]] Image clean(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
-
+  struct LastTaken {
+    std::int64_t t_ns = 0;
+    Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+    std::shared_ptr<const Image> image;  // shared by copies
+  };
   std::vector<Camera> cameras_;
   std::vector<std::uint64_t> taken_;  // how many pictures each took
+  std::map<int, LastTaken> last_;     // of cameras with a rate
   std::unique_ptr<Surfaces> surfaces_;
   std::unique_ptr<Drawer> drawer_;  // null until a camera looks
   std::shared_ptr<KeptPictures> kept_;

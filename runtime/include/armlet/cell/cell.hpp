@@ -75,12 +75,10 @@ class Cell {
   [[nodiscard]] int robot_count() const { return static_cast<int>(robots_.size()); }
   [[nodiscard]] const CellRobot& robot(int index) const;
   [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
-
   // Exchanges what a robot is, for example its tool point; what it holds stays where it is.
   // throws  ArgumentError while it moves, but for a motion under forces, whose next piece is
   //         that of the new model; or if the number of joints differs.
   void set_model(int robot, std::shared_ptr<const Robot> model);
-
   // Puts a robot into a position without moving it. Throws ArgumentError while it moves.
   void set_joints(int robot, const Eigen::VectorXd& q);
 
@@ -131,15 +129,12 @@ class Cell {
   // Ends a motion under forces: brings the robot to rest as its limits allow, inside of the limits
   // of its joints.
   void settle(int robot);
-
   // Whether the robot stands, or slows down after a velocity command.
   [[nodiscard]] bool can_drive(int robot) const;
-
   [[nodiscard]] bool is_moving(int robot) const { return this->robot(robot).motion.has_value(); }
 
   // Brings a robot to rest on its path as its limits allow: see motion.hpp.
   void stop(int robot);
-
   // The same from outside of the motion, and it is reported as such.
   void halt(int robot);
   [[nodiscard]] const MotionReport& report(int motion) const;
@@ -155,7 +150,6 @@ class Cell {
   // takes it or it is put elsewhere; on a frame of the world it is only placed there.
   // throws  ArgumentError for what it would be on and is not there.
   void insert(Object object, const Mount& on);
-
   // What rested on the object falls straight down to the first surface; returns what fell, from the
   // lowest.
   // throws  ArgumentError if a hand holds the object.
@@ -170,17 +164,15 @@ class Cell {
 
   // The robot whose hand is closed on an object; nothing if none is.
   [[nodiscard]] std::optional<int> holder_of(std::string_view name) const;
-
   // Makes an object part of the task: it is counted, and contact picking considers it. Naming it
   // twice counts once.
   void add_to_task(std::string_view name);
   [[nodiscard]] const std::vector<std::string>& task_objects() const { return task_objects_; }
-
   // Closes the hand of a robot on an object, whatever its distance: see gripper.hpp for the rules.
   // An object that another hand holds as well follows the hand that closed last.
   void take(int robot, std::string_view name);
 
-  // Opens the hand: what nobody else holds falls straight down to the first surface.
+  // What nobody else holds falls straight down to the first surface.
   // throws  ArgumentError if the hand is empty.
   Drop let_go(int robot);
 
@@ -197,6 +189,13 @@ class Cell {
   [[nodiscard]] Eigen::Isometry3d T_world_mount(const Mount& on) const;
   [[nodiscard]] Cameras& cameras() { return cameras_; }
   [[nodiscard]] const Cameras& cameras() const { return cameras_; }
+  // Cameras::add, and tells the backend.
+  int add_camera(Camera camera);
+  // The picture that a camera takes from there, or `given` instead of it, counted and told to the
+  // backend. A camera with a rate has one picture at an instant: who asks again gets that one.
+  // throws  ArgumentError for a given picture of another size, or that is not RGB.
+  Image capture(int camera, const Eigen::Isometry3d& T_world_camera,
+                std::optional<Image> given = {});
 
   // --- signals and the outside ----------------------------------------------------------------
   [[nodiscard]] Signals& signals() { return signals_; }
@@ -210,8 +209,7 @@ class Cell {
   // Tells the backend. What is said before the first motion is kept until the run begins, so that
   // robots may be added after it.
   void note(NoteKind kind, std::string_view text);
-  // Begins the run for the backend with what is there; the first motion or passing of time does so
-  // by itself.
+  // Begins the run for the backend; a motion, passing of time or a picture does so by itself.
   void begin();
   // Tells the backend that a figure has begun or has changed. What changes before the run begins is
   // kept as notes are, the last state of each figure.
@@ -264,6 +262,8 @@ class Cell {
   void publish_object(std::string_view name);
   void publish_falls(const std::vector<Fall>& falls);
   void publish_drawing(const Drawing& drawing, bool removed);
+  void publish_camera(const Camera& camera);
+  void publish_frame(const ImageFrame& frame);
   void refuse_held(std::string_view name, std::string_view what) const;
   template <class Told>
   void tell(Told&& event);

@@ -24,7 +24,7 @@ class Cameras::Drawer {
 Cameras::Cameras() = default;
 Cameras::~Cameras() = default;
 Cameras::Cameras(const Cameras& other)
-    : cameras_(other.cameras_), taken_(other.taken_), kept_(other.kept_) {}
+    : cameras_(other.cameras_), taken_(other.taken_), last_(other.last_), kept_(other.kept_) {}
 Cameras& Cameras::operator=(const Cameras& other) {
   if (this != &other) *this = Cameras(other);
   return *this;
@@ -48,6 +48,9 @@ int Cameras::add(Camera camera) {
     throw ArgumentError(fmt::format("`samples` is {}; expected 1 or 4.", camera.samples));
   check_picture_parameter("noise", "sigma", camera.noise);
   check_picture_parameter("blur", "sigma", camera.blur);
+  if (camera.rate != 0.0 && !(camera.rate >= kLeastRate && camera.rate <= kMostRate))
+    throw ArgumentError(fmt::format("`rate` is {} pictures a second; expected {} to {}.",
+                                    camera.rate, kLeastRate, kMostRate));
   check_pose("camera", camera.T_on_camera);
   cameras_.push_back(std::move(camera));
   taken_.push_back(0);
@@ -103,6 +106,12 @@ void Cameras::set_taken(std::vector<std::uint64_t> taken) {
   std::ranges::copy(taken, taken_.begin());
 }
 
+Image Cameras::color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera) {
+  Image image = preview(cell, camera, T_world_camera);
+  ++taken_[static_cast<std::size_t>(camera)];
+  return image;
+}
+
 Image Cameras::clean(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera) {
   const Camera& each = at(camera);
   const Scene now = scene(cell, camera);
@@ -120,12 +129,11 @@ Image Cameras::clean(const Cell& cell, int camera, const Eigen::Isometry3d& T_wo
   return image;
 }
 
-Image Cameras::color(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera) {
+Image Cameras::preview(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera) {
   const Camera& each = at(camera);
   Image image = clean(cell, camera, T_world_camera);
-  const std::uint64_t number = taken_[static_cast<std::size_t>(camera)]++;
   if (each.noise > 0.0) {
-    Random random = Random(each.seed).split(number);
+    Random random = Random(each.seed).split(taken_[static_cast<std::size_t>(camera)]);
     add_noise(image, each.noise, random);
   }
   return image;

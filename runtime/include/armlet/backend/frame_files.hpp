@@ -1,0 +1,43 @@
+// Pictures of cameras as PNG files.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "armlet/backend/backend.hpp"
+#include "armlet/core/files.hpp"
+
+namespace armlet {
+
+// Writes each picture that a camera takes into a folder, and passes all events on. A picture is
+// passed on with the path of its file. A picture with the name of an earlier one replaces it, as
+// when a run was undone.
+class FrameFiles : public Backend {
+ public:
+  // folder  as paths of files begin; it has to exist.
+  // next    not owned; lives at least as long as this; null: events are passed on to nobody.
+  FrameFiles(std::string folder, Backend* next);
+
+  void on(const Event& event) override;
+  [[nodiscard]] EventKinds ignores() const override;
+  [[nodiscard]] bool wants_link_poses() const override;
+  // Its own first; otherwise that of the next one.
+  [[nodiscard]] std::string error() const override;
+  [[nodiscard]] const std::string& own_error() const { return error_; }
+
+  [[nodiscard]] std::uint64_t written() const { return written_; }
+
+ private:
+  void write(ImageFrame frame);
+
+  std::string path_;
+  std::optional<Folder> folder_;
+  Backend* next_;
+  std::string error_;
+  std::uint64_t written_ = 0;
+};
+
+// "eye-000012.png".
+[[nodiscard]] std::string frame_file_name(const ImageFrame& frame);
+
+}  // namespace armlet
