@@ -79,7 +79,9 @@ const NativeFunction* Registry::add_functions(std::span<const NativeFunction> fu
 }
 
 bool Registry::only_gives(const NativeFunction& function) const {
-  if (function.acts || function.commands || function.pauses || function.starts) return false;
+  if (function.acts || function.commands || function.pauses || function.starts ||
+      function.timed != nullptr)
+    return false;
   return std::ranges::any_of(values_, [&](std::span<const NativeFunction> functions) {
     const std::less<const NativeFunction*> before;
     return !functions.empty() && !before(&function, functions.data()) &&

@@ -137,6 +137,7 @@ struct CallOptions {
   bool acts = false;
   bool in_path = false;
   bool starts = false;
+  const NativeFunction* timed = nullptr;
 };
 
 namespace typed {
@@ -161,6 +162,7 @@ constexpr NativeFunction row(std::string_view signature, std::string_view help,
           .acts = options.acts,
           .starts = options.starts,
           .in_path = options.in_path,
+          .timed = options.timed,
           .takes = SplitOf<F>::Calls::takes(),
           .gives = &SplitOf<F>::Calls::kGives};
 }

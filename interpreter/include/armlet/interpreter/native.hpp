@@ -78,6 +78,8 @@ struct NativeFunction {
   // May stand in a `path`, which otherwise holds nothing that acts or takes time: a motion that is
   // collected there, or a setting that moves obey when they are collected.
   bool in_path = false;
+  // The same function, which pauses, for calls that take time by its rule (CheckCall::take_time).
+  const NativeFunction* timed = nullptr;
   // Of a function that `def` made: its parameters in the order of the signature, and its result.
   std::span<const ValueKind> takes{};
   const ValueKind* gives = nullptr;  // null: it was not made by `def`
@@ -98,16 +100,15 @@ class Waiting {
   // The virtual time (ns) at which it ends if nothing interferes; may change when it is stopped.
   [[nodiscard]] virtual std::int64_t due_ns() const = 0;
   [[nodiscard]] virtual bool is_over() const = 0;
-  // Stops under control (a guard came true, or the task is cancelled); is_over becomes true at
-  // due_ns.
+  // Stops under control (a guard came true, the task is cancelled); is_over is true at due_ns.
   virtual void stop() = 0;
   // Something to do on the way, at an instant that due_ns named; work() does it as the task that
   // waits. Returns false if it fails: the failure is set in the Vm.
   [[nodiscard]] virtual bool has_work() const { return false; }
   virtual bool work(Vm&) { return true; }
-  // Called once when over: leaves the result in `result` and returns kDone, or fails.
+  // Called once when over: leaves the result and returns kDone, or fails.
   virtual Signal finish(Vm& vm, Slot& result) = 0;
-  // What the task waits for, for reports about stuck programs: "run of left".
+  // For reports about stuck programs: "run of left".
   [[nodiscard]] virtual std::string what() const = 0;
   // The resource that is commanded meanwhile; its type is null if none is.
   [[nodiscard]] virtual Resource resource() const { return {}; }
@@ -119,8 +120,8 @@ class Timeline {
   virtual ~Timeline() = default;
   [[nodiscard]] virtual std::int64_t now_ns() const = 0;
   [[nodiscard]] virtual std::int64_t tick_ns() const = 0;  // how often conditions are looked at
-  // Brings what the host has to time t >= now, or to an earlier one: then it is asked again, so
-  // that who wants the program to stop is heard in between. Returns false if the host wants it.
+  // Brings the host to time t >= now, or to an earlier one: then it is asked again, so that stop
+  // requests are heard in between. Returns false if the host wants the program to stop.
   virtual bool advance_to(std::int64_t t_ns) = 0;
 };
 
@@ -149,8 +150,7 @@ template <class T>
   const auto* record = static_cast<const RecordObj*>(table.o);
   return items_value(record->fields()[record->layout->type->record->fields.size()]);
 }
-// Objects are counted and limited; nullptr means that the heap limit was reached and the failure is
-// set in the Vm.
+// Objects are counted and limited; nullptr: the heap limit was reached, and the failure is set.
 [[nodiscard]] Obj* new_text(Vm& vm, std::string_view text);
 // How many characters a text has, counted once as work. False: the failure is set.
 [[nodiscard]] bool text_length(Vm& vm, Slot text, std::int64_t& characters);
@@ -189,10 +189,10 @@ template <class T>
   args[0].i = value ? 1 : 0;
   return Signal::kDone;
 }
-// Long work counts as steps, so that limits and the wish to cancel reach it. Ask before the work,
-// and again while it goes on; false means that the program has to stop and the failure is set.
+// Long work counts as steps, so that limits and stop requests reach it: before the work, and again
+// while it goes on. False: the program has to stop and the failure is set.
 [[nodiscard]] bool charge_steps(Vm& vm, std::uint64_t steps);
-// Memory that a function needs for itself while it works, counted against the heap limit.
+// Memory of a function while it works, counted against the heap limit.
 class Scratch {
  public:
   Scratch(Vm& vm, std::uint64_t bytes);
@@ -223,8 +223,7 @@ struct Constant {
   std::vector<Constant> items{};
 };
 
-// What the host knows about a value before running, for example the phases of a motor. Made by
-// check rules, carried along by fixed variables.
+// What is known of a value before running. Made by rules, carried along by fixed variables.
 class Fact {
  public:
   virtual ~Fact() = default;
@@ -249,8 +248,8 @@ class CheckCall {
   virtual ~CheckCall() = default;
 
   [[nodiscard]] virtual std::string_view function_name() const = 0;  // as written: "run"
-  [[nodiscard]] virtual bool given(
-      int parameter) const = 0;  // absent, defaulted and ambient ones are not
+  // Absent, defaulted and ambient ones are not.
+  [[nodiscard]] virtual bool given(int parameter) const = 0;
   [[nodiscard]] virtual const Type* type(int parameter) const = 0;  // before conversion
   [[nodiscard]] virtual Span span(int parameter) const = 0;
   // The value with the name in front of it, if it has one: `time: 2s`.
@@ -267,13 +266,12 @@ class CheckCall {
   [[nodiscard]] virtual Span item_span(int parameter, int item) const = 0;
   [[nodiscard]] virtual std::optional<Constant> item_constant(int parameter, int item) const = 0;
   [[nodiscard]] virtual std::shared_ptr<const Fact> item_fact(int parameter, int item) const = 0;
-  // The fact of the ambient value of a host type ("motor") at this place: the one that a call
-  // without a first argument would use; null if there is none or several. The name as declared in
-  // the program, empty for the host's own.
+  // The fact of the ambient value of a host type ("motor") at this place, which a call without a
+  // first argument would use; null if there is none or several.
   [[nodiscard]] virtual std::shared_ptr<const Fact> ambient_fact(
       std::string_view host_type) const = 0;
   // Names of all block declarations of a type in the program: declared_names("object"), and
-  // whether there is one of a name.
+  // whether there is one of a name. "camera.rate": of the first one that has this row.
   [[nodiscard]] virtual std::vector<std::string> declared_names(std::string_view type) const = 0;
   [[nodiscard]] virtual bool declares(std::string_view type, std::string_view name) const = 0;
   // Where the literal element `item` of a list argument was written, following fixed and classic
@@ -291,6 +289,8 @@ class CheckCall {
   // The program means one of them that it does not declare itself (Program::uses_world).
   virtual void use_world() = 0;
 
+  // This call takes virtual time: it is one of NativeFunction::timed.
+  virtual void take_time() = 0;
   virtual void set_result_fact(std::shared_ptr<const Fact> fact) = 0;
   // Whether an error that is reported now will be told: one that will not needs no explanation.
   [[nodiscard]] virtual bool takes_errors() const = 0;

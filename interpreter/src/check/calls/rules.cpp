@@ -92,6 +92,11 @@ class Call final : public CheckCall {
   const WorldNames* world() const override { return checker_.options.world.get(); }
   void use_world() override { checker_.into.names.of_world = true; }
 
+  void take_time() override {
+    if (call_.function->timed == nullptr) return;
+    call_.function = call_.function->timed;
+    note_pause(checker_, call_.site.call);
+  }
   void set_result_fact(std::shared_ptr<const Fact> fact) override {
     call_.fact = fact.get();
     checker_.into.facts.push_back(std::move(fact));

@@ -1,7 +1,9 @@
 #include "check/names/declarations.hpp"
 
 #include <algorithm>
+#include <set>
 #include <unordered_set>
+#include <utility>
 
 #include "check/check.hpp"
 #include "check/checker.hpp"
@@ -267,6 +269,7 @@ void look_ahead(Checker& checker, const ast::Block& program) {
     if (const HostType* host = is_new ? ambient_type(checker, type, init) : nullptr)
       checker.names.add_ambient(host->name, name.text);
   };
+  std::set<std::pair<std::string, std::string_view>> rows;  // that a type of block has somewhere
   for (const ast::Stmt* stmt : program.body) {
     if (stmt->kind == ast::StmtKind::kVar) {
       for (const ast::Declarator& at : stmt->as<ast::VarStmt>().declarators)
@@ -274,7 +277,12 @@ void look_ahead(Checker& checker, const ast::Block& program) {
     } else if (stmt->kind == ast::StmtKind::kObject) {
       const auto& node = stmt->as<ast::ObjectStmt>();
       declare(node.name, node.type, nullptr);
-      checker.shared.blocks.add(checker.text_of(node.type->span), node.name.text);
+      const std::string block = checker.text_of(node.type->span);
+      checker.shared.blocks.add(block, node.name.text);
+      for (const ast::BlockItem& item : node.items) {
+        if (!item.is_row && rows.insert({block, item.name.text}).second)
+          checker.shared.blocks.add(block + '.' + std::string(item.name.text), node.name.text);
+      }
     }
   }
 }

@@ -177,7 +177,7 @@ class Changes {
     if (expr.kind == ExprKind::kCallNative) {
       const NativeFunction& native = *expr.as<CallNativeExpr>().function;
       if (native.pauses || native.commands || native.acts || native.starts || native.interrupts ||
-          expr.type->is(Kind::kVoid))
+          native.timed != nullptr || expr.type->is(Kind::kVoid))
         why_ = quoted(native.name) + " acts or takes time, so it is not called to look at a value.";
     } else if (expr.kind == ExprKind::kGuarded) {
       why_ = "A motion is not started to look at its value.";

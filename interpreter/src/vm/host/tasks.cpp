@@ -97,6 +97,8 @@ void finish(Vm& vm) {
   vm.result_ = {.status = Progress::kDone, .error = {}, .steps = state.host.aside.steps};
 }
 
+bool is_reading(Vm& vm) { return vm.state().host.is_read; }
+
 Result<Value> read_function(Vm& vm, std::string_view name, std::span<const Value> arguments) {
   lang::VmState& state = vm.state();
   const lang::Turn turn(state);

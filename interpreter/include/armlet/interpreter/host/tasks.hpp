@@ -41,4 +41,7 @@ void finish(Vm& vm);
 [[nodiscard]] Result<Value> read_function(Vm& vm, std::string_view variable,
                                           std::span<const Value> arguments = {});
 
+// Whether that is under way: a function of the library may leave no trace then.
+[[nodiscard]] bool is_reading(Vm& vm);
+
 }  // namespace armlet
