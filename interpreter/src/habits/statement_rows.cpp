@@ -31,6 +31,9 @@ constexpr std::string_view kFrames =
     "moveL(p, frame: o) takes the object or frame that p is given in, tool: the tool point";
 constexpr std::string_view kEnded =
     "a move starts where it is written and ends before the next statement";
+constexpr std::string_view kOverhead =
+    "camera {1} { at: lookingAt(xyz(400mm, 0mm, 0mm), from: xyz(400mm, 0mm, 1200mm)) }";
+constexpr std::string_view kCameras = "a camera is a block that says where it is";
 constexpr std::string_view kComment = "a comment starts with //";
 constexpr std::string_view kOneLine = "print ends its line; f\"...\" joins values before";
 
@@ -310,6 +313,10 @@ constexpr auto kStatements = std::to_array<Habit>({
     {"@ . waitMove ( * )", "", kEnded},
     {"@ . wait_move ( * )", "", kEnded},
     {"@ . clear_pose_targets ( )", "", "a move keeps no goal"},
+    // Armlet before it had cameras
+    {"camera @ = robots . overheadCamera ( )", kOverhead, kCameras},
+    {"let @ = robots . overheadCamera ( )", kOverhead, kCameras},
+    {"var @ = robots . overheadCamera ( )", kOverhead, kCameras},
     // Others
     {"dim @ as @", "var {1}: {2:type}", ""},
 });
