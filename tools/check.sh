@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-parts=(texts grammar tests page whole clang wasm tidy)
+parts=(texts grammar tests page whole clang native wasm tidy)
 
 step() { printf '== %s\n' "$*"; }
 ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^grammar/generated/' || true; }
@@ -57,6 +57,14 @@ clang() {
   ./dev build dev armlet
   tools/same_hashes.py build/bin/armlet build/dev/bin/armlet
   tools/same_hashes.py build/bin/armlet build/clang/bin/armlet
+}
+
+native() {
+  step the same hashes of runs and pixels with the widest instructions of this machine
+  ./dev build
+  ./dev build native armlet test_camera
+  tools/same_hashes.py build/bin/armlet build/native/bin/armlet
+  build/native/tests/test_camera -tc='*recorded bits*'
 }
 
 wasm() {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares the hashes of all examples and of scripts with tasks between two builds: same_hashes.py ARMLET OTHER_ARMLET."""
+"""Compares the hashes of all examples, of scripts with tasks and of sixty pictures between two builds: same_hashes.py ARMLET OTHER_ARMLET."""
 
 import shutil
 import subprocess
@@ -25,7 +25,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         programs = []
-        for source in ("examples", "tests/scripts/tasks"):
+        for source in ("examples", "tests/scripts/tasks", "tests/cameras/pictures"):
             shutil.copytree(ROOT / source, folder / source)
             programs += [p for p in sorted((folder / source).rglob("*.rbt")) if p.name not in LATE]
         with ThreadPoolExecutor(2) as pool:
