@@ -111,6 +111,8 @@ function(armlet_add_format_tests)
            $<TARGET_FILE:armlet>)
   add_test(NAME files.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/files_command.py
            $<TARGET_FILE:armlet>)
+  add_test(NAME camera.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/cameras/camera_command.py
+           $<TARGET_FILE:armlet>)
   add_test(NAME replay.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/replay_command.py
            $<TARGET_FILE:armlet>)
   if(NOT ARMLET_SANITIZE)  # which makes programs many times slower

@@ -30,7 +30,9 @@ struct ProgramOptions {
 struct RunOptions {
   ProgramOptions program;
   std::string file;
-  std::string trace;  // ends as a trace format; empty: none
+  std::string trace;                 // ends as a trace format; empty: none
+  std::vector<std::string> cameras;  // NAME=FOLDER of recorded pictures
+  std::string frames;                // where pictures that cameras take are written; empty: nowhere
   bool realtime = false;
   bool quiet = false;      // no progress, no summary
   bool plots = false;      // draw the figures in the terminal

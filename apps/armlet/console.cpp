@@ -114,8 +114,8 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
   // What a program may write lies below its own folder.
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   session.folder = folder.empty() ? std::filesystem::path(".") : folder;
-  session.convert_mesh = mesh_converter();
-  session.packages = package_folders(options.packages);
+  session.meshes.convert = mesh_converter();
+  session.meshes.packages = package_folders(options.packages);
   session.limits.steps = options.steps;
   session.output = [](std::string_view text) {
     print_out(text);

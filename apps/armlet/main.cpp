@@ -22,12 +22,18 @@ void add_packages(CLI::App& command, std::vector<std::string>& packages) {
       .add_option("--package", packages,
                   "where the meshes of package://NAME/... are (also along ROS_PACKAGE_PATH)")
       ->type_name("NAME=DIR")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->check([](const std::string& text) {
         const std::size_t equals = text.find('=');
         const bool good = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
         return good ? std::string() : "expected NAME=DIR, such as ur_description=../ur";
       });
+}
+
+std::string check_camera(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const bool good = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+  return good ? std::string() : "expected NAME=FOLDER, such as eye=recorded";
 }
 
 void add_program_options(CLI::App& command, ProgramOptions& options) {
@@ -109,6 +115,18 @@ void add_run_outputs(CLI::App& command, Asked& asked, CLI::Option* needed) {
                     .add_option("--trace", asked.run.trace,
                                 "write the run over time to a " + armlet::trace_endings() + " file")
                     ->type_name("FILE"));
+  all.push_back(command
+                    .add_option("--frames", asked.run.frames,
+                                "write each picture that a camera takes to a PNG file in this "
+                                "folder; a trace names the files")
+                    ->type_name("FOLDER"));
+  all.push_back(command
+                    .add_option("--camera", asked.run.cameras,
+                                "pictures of a camera from the PNG and JPEG files of a folder, in "
+                                "the order of their names, instead of drawn ones")
+                    ->type_name("NAME=FOLDER")
+                    ->allow_extra_args(false)
+                    ->check(check_camera));
   all.push_back(
       command.add_flag("--realtime", asked.run.realtime, "run no faster than the wall clock"));
   all.push_back(command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary"));

@@ -45,6 +45,7 @@ SessionOptions options_of(const SessionLog& log) {
   options.default_world = log.default_world;
   options.limits = log.limits;
   options.open = log.open;
+  options.frames.cameras = log.frames;
   options.laboratory = log.laboratory;
   return options;
 }

@@ -18,6 +18,7 @@
 #include "armlet/plot/braille.hpp"
 #include "armlet/plot/svg.hpp"
 #include "armlet/stdlib/install.hpp"
+#include "cameras/recorded_frames.hpp"
 #include "console.hpp"
 #include "lab/inputs.hpp"
 #include "output_file.hpp"
@@ -80,7 +81,10 @@ class Outputs {
     if (const int exit = trace_.choose(options.trace); exit != kDone) return exit;
     if (const int exit = record_.choose(options.record); exit != kDone) return exit;
     if (const int exit = storyboard_.choose(options.storyboard); exit != kDone) return exit;
-    if (trace_.backend() != nullptr) session.backends.push_back(trace_.backend());
+    if (const int exit = frames_.choose(options.frames, trace_.backend()); exit != kDone)
+      return exit;
+    Backend* traced = frames_.backend() != nullptr ? frames_.backend() : trace_.backend();
+    if (traced != nullptr) session.backends.push_back(traced);
     if (record_.is_wanted()) session.backends.push_back(&marks_);
     return kDone;
   }
@@ -97,16 +101,18 @@ class Outputs {
 
   // Puts the files in their places. Whether all of it was written.
   bool finish(const Session& session) {
+    const bool has_frames = frames_.finish() == kDone;
     is_traced_ = trace_.finish() == kDone;
     SessionLog log = session.log();
     log.marks = marks_.marks();
     const bool recorded = record_.finish(log) == kDone;
-    return storyboard_.finish() == kDone && recorded && is_traced_;
+    return storyboard_.finish() == kDone && recorded && is_traced_ && has_frames;
   }
   [[nodiscard]] bool is_traced() const { return is_traced_; }  // behind finish
 
  private:
   Trace trace_;
+  FrameFolder frames_;
   Record record_;
   RunMarks marks_;
   Storyboard storyboard_;
@@ -195,6 +201,9 @@ int run(const RunOptions& options) {
   if (setup.exit != kDone) return setup.exit;
   Outputs outputs;
   if (const int exit = outputs.choose(options, setup.session); exit != kDone) return exit;
+  if (const int exit = choose_recorded_frames(options.cameras, setup.session); exit != kDone)
+    return exit;
+  const HostFrames recorded = setup.session.frames;
   if (options.realtime) setup.session.pace = real_time();
   InputScript script;
   if (const int exit = script.read(options.inputs); exit != kDone) return exit;
@@ -216,6 +225,7 @@ int run(const RunOptions& options) {
   const bool runs = session.compile(*std::move(text), options.file);
   show(session.problems(), json);
   if (!runs) return kRejected;
+  if (const int exit = check_recorded_frames(recorded, session); exit != kDone) return exit;
   sources = &session.sources();
   running = &session;
   const std::vector<std::string> texts = texts_of(options, *sources);

@@ -102,6 +102,7 @@ std::string write(const SessionLog& log) {
   std::string out = header();
   append_record(out, "robot", {log.robot});
   for (const std::string& each : log.planners) append_record(out, "planner", {each});
+  for (const std::string& each : log.frames) append_record(out, "frames", {each});
   if (log.world) append_record(out, "world", {log.world->name, log.world->text});
   if (log.default_world)
     append_record(out, "default-world", {log.default_world->name, log.default_world->text});
@@ -209,6 +210,7 @@ class Reader {
 
   void take_robot(Fields fields) { log_.robot = fields[0]; }
   void take_planner(Fields fields) { log_.planners.emplace_back(fields[0]); }
+  void take_frames(Fields fields) { log_.frames.emplace_back(fields[0]); }
   void take_world(Fields fields) {
     log_.world = WorldText{std::string(fields[0]), std::string(fields[1])};
   }
@@ -301,6 +303,7 @@ class Reader {
   static constexpr Kind kKinds[] = {
       {"robot", 1, &Reader::take_robot},
       {"planner", 1, &Reader::take_planner},
+      {"frames", 1, &Reader::take_frames},
       {"world", 2, &Reader::take_world},
       {"default-world", 2, &Reader::take_default_world},
       {"limits", 5, &Reader::take_limits},

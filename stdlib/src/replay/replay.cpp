@@ -28,6 +28,7 @@ std::string difference(const SessionLog& ours, const SessionLog& theirs) {
                        named(ours.robot));
   }
   if (ours.planners != theirs.planners) return "the log was made with other planners of the host";
+  if (ours.frames != theirs.frames) return "the log was made with other cameras of the host";
   if (ours.world != theirs.world || ours.default_world != theirs.default_world)
     return "the log was made in another world";
   if (ours.laboratory != theirs.laboratory)
@@ -53,6 +54,7 @@ SessionLog Session::log_of(const std::vector<Entry>& entries) const {
   SessionLog log;
   if (options_.robot != nullptr) log.robot = options_.robot->name();
   for (const NamedPlanner& each : options_.planners) log.planners.push_back(each.name);
+  log.frames = options_.frames.cameras;
   log.world = options_.world;
   log.default_world = options_.default_world;
   log.limits = options_.limits;

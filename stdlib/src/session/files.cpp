@@ -165,6 +165,20 @@ Result<std::string> Host::load_shape(const std::string& name, double unit) const
   return glb;
 }
 
+std::optional<Result<std::string>> Host::host_frame(const FrameRequest& asked) const {
+  const HostFrames& frames = options_.frames;
+  if (std::ranges::find(frames.cameras, asked.camera) == frames.cameras.end()) return std::nullopt;
+  const auto take = [&]() -> Result<std::string> {
+    if (frames.take) return frames.take(asked);
+    return Error{"frames", "the log of the run has no more of them"};
+  };
+  if (options_.journal == nullptr) return take();
+  Reply reply = options_.journal->ask(fmt::format("frame {} of {}", asked.number, asked.camera),
+                                      [&] { return reply_of(take()); });
+  if (reply.error) return *reply.error;
+  return std::move(reply.text);
+}
+
 bool Host::has_mesh(const std::string& file, const std::string& mesh) const {
   if (options_.journal == nullptr) return finds_mesh(file, mesh);
   const auto outside = [&] {

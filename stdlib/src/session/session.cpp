@@ -69,8 +69,9 @@ std::unique_ptr<Host> Session::make_host(Journal* journal) {
   host_options.on_move = options_.on_move;
   host_options.pace = options_.pace;
   host_options.folder = options_.folder;
-  host_options.convert_mesh = options_.convert_mesh;
-  host_options.packages = options_.packages;
+  host_options.convert_mesh = options_.meshes.convert;
+  host_options.packages = options_.meshes.packages;
+  host_options.frames = options_.frames;
   host_options.is_cancelled = [this] { return wish_.is_there.load(); };
   if (options_.default_world) {
     host_options.default_world = [this](Host& host, const std::vector<std::string>&) {

@@ -11,6 +11,7 @@
 #include "session/setting_words.hpp"
 #include "values/eigen_results.hpp"
 #include "vision/cameras.hpp"
+#include "vision/capture.hpp"
 #include "world/objects.hpp"
 
 namespace armlet::bind {
@@ -18,6 +19,7 @@ namespace armlet::bind {
 namespace {
 constexpr int kPixelSides = 2;
 constexpr double kUsualView = 1.0;  // rad, across the width
+constexpr const char* kNoRate = "leave `rate` out to take a picture whenever it is asked for";
 }  // namespace
 
 const HostType kCamera = {
@@ -106,6 +108,7 @@ struct Rows {
   std::int64_t seed = 1;
   std::string_view light = kLightWords[0];
   bool ground = true;
+  Number rate{};
 };
 
 // A side of a picture as the checks of the runtime take it: what is out of range stays so.
@@ -159,6 +162,7 @@ Answer<CameraRef> make_camera(Vm& vm, std::string_view name, const PosC* at,
         vm, fmt::format("its `light` is \"{}\"; expected \"key\" or \"flat\"", rows.light));
   if (rows.seed < 0)
     return fail_camera(vm, fmt::format("its `seed` is {}; expected 0 or more", rows.seed));
+  if (rows.rate == 0.0) return fail_camera(vm, "its `rate` is 0 pictures a second", kNoRate);
   Camera camera{.name = std::string(name),
                 .on = *on,
                 .lens = Pinhole(*lens),
@@ -167,34 +171,43 @@ Answer<CameraRef> make_camera(Vm& vm, std::string_view name, const PosC* at,
                 .blur = rows.blur,
                 .seed = static_cast<std::uint64_t>(rows.seed),
                 .key_light = rows.light == kLightWords[0],
-                .ground = rows.ground};
+                .ground = rows.ground,
+                .rate = rows.rate.value_or(0.0)};
   if (at != nullptr) camera.T_on_camera = at->T;
-  return CameraRef{Host::of(vm).cell().cameras().add(std::move(camera))};
+  return CameraRef{Host::of(vm).cell().add_camera(std::move(camera))};
 } catch (const ArgumentError& error) {
   return fail_camera(vm, clause_of(error));
 }
 
 constexpr int kOn = 1;
 constexpr int kLight = 13;  // of a camera that is on nothing
+constexpr int kRate = 15;
+
+// kShift  how many parameters there are more.
+template <int kShift>
+void check_camera(CheckCall& call) {
+  check_words(call, kLight + kShift, kLightWords);
+  note_rate(call, kRate + kShift);
+}
 
 Answer<CameraRef> camera_block(Vm& vm, std::string_view name, const PosC* at, Wholes size,
                                Number fov, Number focal, Doubles centre, Doubles distortion,
                                double near, double far, std::int64_t samples, double noise,
-                               double blur, std::int64_t seed, std::string_view light,
-                               bool ground) {
-  return make_camera(
-      vm, name, at, Mount{},
-      {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed, light, ground});
+                               double blur, std::int64_t seed, std::string_view light, bool ground,
+                               Number rate) {
+  return make_camera(vm, name, at, Mount{},
+                     {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed,
+                      light, ground, rate});
 }
 Answer<CameraRef> camera_on_robot(Vm& vm, std::string_view name, const RobotRef& on,
                                   std::optional<std::int64_t> link, const PosC* at, Wholes size,
                                   Number fov, Number focal, Doubles centre, Doubles distortion,
                                   double near, double far, std::int64_t samples, double noise,
                                   double blur, std::int64_t seed, std::string_view light,
-                                  bool ground) {
-  return make_camera(
-      vm, name, at, mount_on_robot(vm, on, link, kOn + 1),
-      {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed, light, ground});
+                                  bool ground, Number rate) {
+  return make_camera(vm, name, at, mount_on_robot(vm, on, link, kOn + 1),
+                     {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed,
+                      light, ground, rate});
 }
 
 template <class On>
@@ -202,10 +215,10 @@ Answer<CameraRef> camera_on(Vm& vm, std::string_view name, const On& on, const P
                             Wholes size, Number fov, Number focal, Doubles centre,
                             Doubles distortion, double near, double far, std::int64_t samples,
                             double noise, double blur, std::int64_t seed, std::string_view light,
-                            bool ground) {
-  return make_camera(
-      vm, name, at, mount_on(vm, on, kOn),
-      {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed, light, ground});
+                            bool ground, Number rate) {
+  return make_camera(vm, name, at, mount_on(vm, on, kOn),
+                     {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed,
+                      light, ground, rate});
 }
 
 // ---- where it is
@@ -243,7 +256,8 @@ Answer<PosC> looking_from(Vm& vm, const PosC& p, const PosC& from) try {
 #define ARMLET_CAMERA_ROWS                                                                     \
   "at: posC?, size: int[]?, fov: angle?, focal: double?, centre: double[]?, distortion: "      \
   "double[]?, near: length = 10mm, far: length = 20m, samples: int = 4, noise: double = 0.0, " \
-  "blur: double = 0.0, seed: int = 1, light: string = \"key\", ground: bool = true) -> camera"
+  "blur: double = 0.0, seed: int = 1, light: string = \"key\", ground: bool = true, rate: "    \
+  "double?) -> camera"
 
 constexpr std::string_view kCameraHelp =
     "A camera in the world, or on the flange or a link of a robot, on an object or a frame. at: "
@@ -255,25 +269,25 @@ constexpr std::string_view kCameraHelp =
     "to "
     "255, drawn from seed. blur: that of a Gaussian bell, 0 to 30 px. light: \"key\" has shades "
     "and "
-    "shadows, \"flat\" none.";
+    "shadows, \"flat\" none. rate: pictures a second, for each of which capture waits.";
 
 constexpr NativeFunction kCameraFunctions[] = {
     def<camera_block>("camera{}(name: string, " ARMLET_CAMERA_ROWS, kCameraHelp,
                       "camera eye { at: lookingAt(xyz(400mm, 0mm, 0mm), from: xyz(400mm, 0mm, "
                       "800mm)); size: [320, 240]; fov: 60deg }",
-                      {.check = check_word<kLight, kLightWords>, .acts = true}),
+                      {.check = check_camera<0>, .acts = true}),
     def<camera_on_robot>("camera{}(name: string, on: robot, link: int?, " ARMLET_CAMERA_ROWS,
                          kCameraHelp,
                          "robot arm = robots.ur5(); camera eye { on: arm; at: xyz(z: 60mm); size: "
                          "[640, 480]; fov: 55deg }",
-                         {.check = check_word<kLight + 2, kLightWords>, .acts = true}),
+                         {.check = check_camera<2>, .acts = true}),
     def<camera_on<ObjectRef>>("camera{}(name: string, on: object, " ARMLET_CAMERA_ROWS, kCameraHelp,
                               "camera eye { on: object(\"cube\"); at: xyz(z: 100mm); focal: 600 }",
-                              {.check = check_word<kLight + 1, kLightWords>, .acts = true}),
+                              {.check = check_camera<1>, .acts = true}),
     def<camera_on<FrameRef>>("camera{}(name: string, on: frame, " ARMLET_CAMERA_ROWS, kCameraHelp,
                              "frame post { at: xyz(0mm, 0mm, 900mm) } camera eye { on: post; at: "
                              "rotY(90deg); noise: 2.0; light: \"flat\" }",
-                             {.check = check_word<kLight + 1, kLightWords>, .acts = true}),
+                             {.check = check_camera<1>, .acts = true}),
     def<looking_from>(
         "lookingAt(p: posC, from: posC) -> posC",
         "The frame of a camera at from whose axis runs through p: z forward, x to the "

@@ -144,6 +144,23 @@ Answer<CornerOptions> corner_options(Vm& vm, std::string_view method, std::int64
                        .refine = refine};
 }
 
+// R0687: not one corner was found near any of the wanted points.
+Failed fail_none(Vm& vm, const Image& image, const CornerOptions& options) {
+  const auto levels = image.bytes();
+  const auto [low, high] = std::minmax_element(levels.begin(), levels.end());
+  const int darkest = *low, brightest = *high;
+  Failure f;
+  f.headline = Headline(row("R0687"));
+  f.mark_parameter = 0;
+  f.why = fmt::format("its grey levels go from {} to {}, a difference of {}", darkest, brightest,
+                      brightest - darkest);
+  f.fix = options.method == CornerMethod::kSusan && brightest - darkest <= options.threshold
+              ? fmt::format("`threshold` is {}: choose less than the difference, or more light",
+                            options.threshold)
+              : "look at something that has corners, from where they are in the picture";
+  return fail(vm, std::move(f));
+}
+
 // One corner for each wanted one, in their order.
 Answer<PlanePoints> corners_near(Vm& vm, const Image& image, const CornerOptions& options,
                                  const PlanePoints& wanted, double within) {
@@ -151,6 +168,7 @@ Answer<PlanePoints> corners_near(Vm& vm, const Image& image, const CornerOptions
       with_pictures(vm, 0, [&] { return find_corners_around(image, wanted, within, options); });
   const auto points = found ? few_enough(vm, *found) : Failed{};
   if (!points) return Failed{};
+  if (points->rows() == 0) return fail_none(vm, image, options);
   const auto matches = with_pictures(vm, 0, [&] { return match_points(*points, wanted, within); });
   if (!matches) return Failed{};
   if (const std::vector<int> lost = matches->lost(); !lost.empty())

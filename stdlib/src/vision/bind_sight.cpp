@@ -8,6 +8,7 @@
 #include "values/eigen_results.hpp"
 #include "values/matrices.hpp"
 #include "vision/cameras.hpp"
+#include "vision/capture.hpp"
 #include "vision/picture_rules.hpp"
 #include "vision/pictures.hpp"
 #include "world/objects.hpp"
@@ -28,11 +29,6 @@ auto looking(Vm& vm, const CameraRef& c, const PosC* from, F f)
   return fail_blind(vm, clause_of(error));
 }
 
-Answer<Image> capture(Vm& vm, const CameraRef& c, const PosC* from) {
-  return looking(vm, c, from, [&](Cell& cell, const Eigen::Isometry3d& T) {
-    return cell.cameras().color(cell, c.id, T);
-  });
-}
 Answer<Image> capture_depth(Vm& vm, const CameraRef& c, const PosC* from) {
   return looking(vm, c, from, [&](Cell& cell, const Eigen::Isometry3d& T) {
     return cell.cameras().depth(cell, c.id, T);
@@ -261,11 +257,23 @@ Answer<std::vector<std::vector<double>>> corners_of(Vm& vm, const ObjectRef& o) 
   "camera eye { at: lookingAt(xyz(400mm, 0mm, 0mm), from: xyz(400mm, 0mm, 900mm)); size: [64, " \
   "48] }; "
 
+constexpr std::string_view kCapture = "capture(c: camera, from: posC?) -> image";
+constexpr std::string_view kCaptureHelp =
+    "The RGB picture of the camera at this instant, which takes no time; of a camera with a rate, "
+    "its next picture, for which it waits. from: as in pose(c).";
+constexpr std::string_view kCaptureExample = ARMLET_SHOWN_EYE "print(eye.capture())";
+
+void check_capture(CheckCall& call) {
+  note_kind(call, PixelKind::kRgb);
+  check_rate(call, 0);
+}
+
+constexpr NativeFunction kCaptureNext =
+    def<capture_next>(kCapture, kCaptureHelp, kCaptureExample, {.pauses = true});
+
 constexpr NativeFunction kSightFunctions[] = {
-    def<capture>("capture(c: camera, from: posC?) -> image",
-                 "The RGB picture of the camera at this instant, which takes no time. from: as in "
-                 "pose(c).",
-                 ARMLET_SHOWN_EYE "print(eye.capture())", {.check = gives_kind<PixelKind::kRgb>}),
+    def<capture>(kCapture, kCaptureHelp, kCaptureExample,
+                 {.check = check_capture, .timed = &kCaptureNext}),
     def<capture_depth>(
         "captureDepth(c: camera, from: posC?) -> image",
         "A picture of depths: how far what is seen lies along the axis of the camera, "

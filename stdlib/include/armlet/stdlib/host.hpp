@@ -20,6 +20,7 @@
 #include "armlet/interpreter/native.hpp"
 #include "armlet/model/urdf.hpp"
 #include "armlet/plot/figure.hpp"
+#include "armlet/stdlib/host_frames.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
 #include "armlet/stdlib/mesh_converter.hpp"
 #include "armlet/trajectory/planner.hpp"
@@ -125,6 +126,7 @@ struct HostOptions {
   MeshConverter convert_mesh{};          // null: of meshes, only GLB is read
   PackageFolders packages{};             // whose meshes descriptions may name
   std::function<bool()> is_cancelled{};  // whether the program is to stop; null: never
+  HostFrames frames{};                   // pictures of cameras that the host gives
   // Fills an empty world when a program names an object and nobody gave a world; null: there is
   // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
   std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
@@ -189,8 +191,7 @@ class Host : public Timeline {
   // told of.
   [[nodiscard]] std::vector<CellEvent> take_events();
   [[nodiscard]] bool first_contact_pick();
-  // Whether this is the first time that it is reported of objects that lost their support.
-  [[nodiscard]] bool first_fall();
+  [[nodiscard]] bool first_fall();  // the same of objects that lost their support
   // Whether these two bodies are reported for this call the first time; or were reported before.
   [[nodiscard]] bool first_collision(const void* call, std::string pair);
   [[nodiscard]] bool knows_collision(const void* call, const std::string& pair) const;
@@ -216,14 +217,14 @@ class Host : public Timeline {
                                               std::size_t most = 16 << 20) const;
   // Whether a mesh exists that a file of the program names, the program itself if `file` is empty.
   [[nodiscard]] bool has_mesh(const std::string& file, const std::string& mesh) const;
+  // HostFrames::take; nothing: pictures of this camera are drawn.
+  [[nodiscard]] std::optional<Result<std::string>> host_frame(const FrameRequest& asked) const;
 
   // The figures of the program, in the order in which it began them.
   [[nodiscard]] std::vector<Figure>& figures() { return figures_; }
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
-  // Adds a figure, which becomes the last one; it gets the next index.
-  Figure& begin_figure(Figure figure);
-  // The last figure has changed: tells who listens.
-  void figure_changed();
+  Figure& begin_figure(Figure figure);  // it becomes the last one and gets the next index
+  void figure_changed();                // the last one has changed: tells who listens
 
   // What the `lab` block of the program says; null: it has come to none.
   void set_lab(LabRows lab) { lab_ = std::move(lab); }
@@ -238,10 +239,9 @@ class Host : public Timeline {
   [[nodiscard]] const LastVelocity* last_velocity(int robot) const;
 
   void remember_rest(int robot, LastRest rest);
-  // That of the last velocity command, once.
-  [[nodiscard]] std::optional<LastRest> take_rest(int robot);
+  [[nodiscard]] std::optional<LastRest> take_rest(int robot);  // of the last command, once
 
-  // The last goal that was out of reach; null: all were reached. It is for whoever shows the run.
+  // The last goal that was out of reach, for whoever shows the run; null: all were reached.
   void note_unreached(UnreachedGoal goal) { unreached_ = std::move(goal); }
   [[nodiscard]] const UnreachedGoal* unreached() const {
     return unreached_ ? &*unreached_ : nullptr;

@@ -109,10 +109,12 @@ struct LoggedEntry {
   Instant end{};
 };
 
-// robot  the name of the host's robot; empty: it has none. The same for its planners.
+// robot   the name of the host's robot; empty: it has none. The same for its planners.
+// frames  names of the cameras whose pictures the host gave.
 struct SessionLog {
   std::string robot;
   std::vector<std::string> planners;
+  std::vector<std::string> frames{};
   std::optional<WorldText> world;
   std::optional<WorldText> default_world;
   RunLimits limits;

@@ -21,14 +21,20 @@ struct SharedBySessions {
   std::shared_ptr<KeptPictures> pictures;
 };
 
+// Where meshes come from that programs name: see HostOptions.
+struct MeshSources {
+  MeshConverter convert{};
+  PackageFolders packages{};
+};
+
 struct SessionOptions : SharedBySessions {
   std::shared_ptr<const Robot> robot;      // for programs that declare none; null: none
   std::vector<NamedPlanner> planners;      // beside the built-in ones
   std::optional<WorldText> world;          // given by the user
   std::optional<WorldText> default_world;  // when a program names an object and none is given
   std::filesystem::path folder;            // below which the program may write files; empty: none
-  MeshConverter convert_mesh{};            // see HostOptions
-  PackageFolders packages{};               // see HostOptions
+  MeshSources meshes{};
+  HostFrames frames{};      // pictures of cameras that the host gives
   bool keeps_files = true;  // otherwise what it saves can be loaded, and goes with the run
   ParseLimits parse_limits;
   bool open = false;     // see CompileOptions
