@@ -127,7 +127,8 @@ constexpr NativeFunction kMarkerFunctions[] = {
         "poseFromMarker(c: camera, marker: Marker, size: length) -> PlanarPose",
         "The pose of a marker in the frame of the camera: x to its right, y upwards, z out of it. "
         "size: of a side of its black square. As poseFromPoints, it gives both poses of a plane.",
-        "camera near { at: xyz(); size: [80, 80]; focal: 100 }; let img = markerPicture(7, cell: 10); "
+        "camera near { at: xyz(); size: [80, 80]; focal: 100 }; let img = markerPicture(7, cell: "
+        "10); "
         "print(poseFromMarker(near, markers(img)[0], size: 60mm).error < 1.0)"),
     def<pose_from_solid>(
         "poseFromSolid(c: camera, pixels: matrix, points: length[][]) -> SolidPose",
