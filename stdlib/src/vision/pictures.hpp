@@ -42,8 +42,8 @@ Failed fail_picture(Vm& vm, std::string_view clause, int parameter = -1, std::st
 // R0606 with the size of the picture.
 Failed fail_outside(Vm& vm, const Image& image, std::int64_t x, std::int64_t y);
 
-// Writes the picture into a file of the kind that its name says; else R0680 or R0681. `parameter` is
-// that of the name.
+// Writes the picture into a file of the kind that its name says; else R0680 or R0681. `parameter`
+// is that of the name.
 Answer<void> save_picture(Vm& vm, const Image& image, std::string_view file, int parameter);
 
 // f() of a function of pictures, after so many operations were counted; what it refuses is R0681.

@@ -47,8 +47,9 @@ void check_example(const NativeFunction& function) {
   }
   // No folder is granted here.
   if (!compiled || function.name == "save" || function.name == "savePlot" ||
-      function.name == "urdf" || function.name == "mesh" || function.name == "loadTable" ||
-      function.name == "loadImage" || function.name == "robot.body.mesh")
+      function.name == "snapshot" || function.name == "urdf" || function.name == "mesh" ||
+      function.name == "loadTable" || function.name == "loadImage" ||
+      function.name == "robot.body.mesh")
     return;
   const RunResult result = session.run();
   if (result.error && result.error->code == "R0691" && !has_opencv()) return;
