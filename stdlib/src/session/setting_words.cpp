@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "armlet/math/ode.hpp"
+#include "armlet/vision/markers.hpp"
 
 namespace armlet::bind {
 
@@ -18,7 +19,7 @@ std::span<const std::string_view> words_of_parameter(std::string_view parameter)
       {"direction", kDirections},   {"axis", kAxisSides},
       {"log", kLogarithmicAxes},    {"method", ode_method_names()},
       {"use", kShapeUses},          {"light", kLightWords},
-      {"law", kServoLaws},
+      {"law", kServoLaws},          {"dictionary", kMarkerDictionaries},
   };
   const auto* found = std::ranges::find(rows, parameter, &Row::parameter);
   return found != std::end(rows) ? found->words : std::span<const std::string_view>();
