@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "armlet/core/checkpoint.hpp"
 #include "mesh/edges.hpp"
 #include "mesh/rays.hpp"
 #include "mesh/shells.hpp"
@@ -27,6 +28,8 @@ bool lies_behind_all(const TriangleMesh& mesh, double rounding) {
   constexpr std::size_t kMostLooks = 5'000;
   const std::size_t step = mesh.triangles().size() / kMostLooks + 1;
   for (std::size_t i = 0; i < mesh.triangles().size(); i += step) {
+    constexpr std::uint64_t kLook = 20'000;  // operations
+    checkpoint(kLook);
     const Vector3d &a = mesh.corner(i, 0), u = mesh.corner(i, 1) - a, v = mesh.corner(i, 2) - a;
     const Vector3d n = u.cross(v);
     const double area = n.norm();

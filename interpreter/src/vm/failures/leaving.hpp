@@ -12,7 +12,7 @@ namespace armlet::lang {
 // Of all finally blocks together, however often they pause.
 inline constexpr std::uint64_t kLeavingSteps = 1'000'000;
 // A failure: its message is made, and finally blocks that fail may call themselves.
-inline constexpr std::uint64_t kFailureStepsLeaving = 1000;
+inline constexpr std::uint64_t kFailureStepsLeaving = 2000;
 // A pause: finally blocks may wait and move some hundred times.
 inline constexpr std::uint64_t kPauseStepsLeaving = StepMeter::kChunk;
 // A look at a condition: a wait for one ends where time stands in for work.
