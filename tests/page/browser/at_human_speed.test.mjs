@@ -36,7 +36,7 @@ test("behind a number only units are offered", () =>
     const page = await open();
     await untilStatus(page, /1\.00 s/);
     await typeAtEnd(page, "let h = 85m");
-    await popup(page).filter({ hasText: /^mm$/ }).waitFor();
+    await popup(page).filter({ hasText: /^mm\s*length$/ }).waitFor(); // with what it measures
     const offered = await popup(page).allInnerTexts();
     for (const name of ["metal", "max", "moveJ", "matrix"]) assert.ok(!offered.some((text) => text.startsWith(name)), `${name} is offered`);
   }));
