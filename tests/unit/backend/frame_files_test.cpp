@@ -14,7 +14,7 @@ using namespace armlet;
 
 namespace {
 
-// What it is told of pictures, and how many other events.
+// Keeps the pictures that it receives, and counts the other events.
 class FileListener : public Backend {
  public:
   void on(const Event& event) override {

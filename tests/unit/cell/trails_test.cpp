@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 
-// Listens to everything, so that the run is told.
+// A backend that receives all events and does nothing.
 class AnyListener : public Backend {
  public:
   void on(const Event&) override {}

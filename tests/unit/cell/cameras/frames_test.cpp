@@ -1,4 +1,4 @@
-// Pictures that cameras of a cell take, as backends are told of them.
+// Pictures that cameras of a cell take, as events that backends receive.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ Camera small_camera(std::string name, double rate = 0.0) {
   return camera;
 }
 
-// Copies of the pictures that it is told.
+// Keeps copies of the pictures that it receives.
 class Album : public Backend {
  public:
   void on(const Event& event) override {
@@ -55,7 +55,7 @@ bool has_pixels(const ImageFrame& frame, const Image& image) {
 
 }  // namespace
 
-TEST_CASE("a picture is told as it was taken, with its instant, its number and where from") {
+TEST_CASE("the event of a picture has its pixels, instant, number and camera") {
   Album album;
   Cell cell;
   cell.set_backend(&album);
