@@ -81,8 +81,7 @@ class Outputs {
     if (const int exit = trace_.choose(options.trace); exit != kDone) return exit;
     if (const int exit = record_.choose(options.record); exit != kDone) return exit;
     if (const int exit = storyboard_.choose(options.storyboard); exit != kDone) return exit;
-    if (const int exit = frames_.choose(options.frames, trace_.backend()); exit != kDone)
-      return exit;
+    frames_.choose(options.frames, trace_.backend());
     Backend* traced = frames_.backend() != nullptr ? frames_.backend() : trace_.backend();
     if (traced != nullptr) session.backends.push_back(traced);
     if (record_.is_wanted()) session.backends.push_back(&marks_);
@@ -93,7 +92,8 @@ class Outputs {
   int open(const std::vector<std::string>& texts) {
     if (const int exit = trace_.open(texts); exit != kDone) return exit;
     if (const int exit = record_.open(texts); exit != kDone) return exit;
-    return storyboard_.open(texts);
+    if (const int exit = storyboard_.open(texts); exit != kDone) return exit;
+    return frames_.open();
   }
 
   [[nodiscard]] bool wants_moves() const { return storyboard_.is_wanted(); }

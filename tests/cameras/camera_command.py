@@ -135,6 +135,8 @@ def check_frames(folder):
     (folder / "file").write_text("")
     done = run(folder, THREE, "--frames", "file/below")
     check("a folder that cannot be made", (done.returncode, "cannot be made" in done.stderr), (NO_FILE, True))
+    run(folder, "print(nothing)", "--frames", "unused")
+    check("a program that is refused leaves a folder", (folder / "unused").exists(), False)
 
 
 def check_record(folder):

@@ -106,17 +106,22 @@ int check_recorded_frames(const HostFrames& frames, const Session& session) {
   return kDone;
 }
 
-int FrameFolder::choose(const std::string& path, Backend* next) {
-  if (path.empty()) return kDone;
+void FrameFolder::choose(const std::string& path, Backend* next) {
+  path_ = path;
+  if (!path.empty()) files_ = std::make_unique<FrameFiles>(path, next);
+}
+
+int FrameFolder::open() {
+  if (files_ == nullptr) return kDone;
   std::error_code failed;
-  fs::create_directories(path, failed);
+  fs::create_directories(path_, failed);
   if (failed) {
-    progress(fmt::format("armlet: the folder {} cannot be made: {}", path, failed.message()));
+    progress(fmt::format("armlet: the folder {} cannot be made: {}", path_, failed.message()));
     return kNoFile;
   }
-  files_ = std::make_unique<FrameFiles>(path, next);
-  if (files_->error().empty()) return kDone;
-  progress(fmt::format("armlet: {}", files_->error()));
+  files_->open();
+  if (files_->own_error().empty()) return kDone;
+  progress(fmt::format("armlet: {}", files_->own_error()));
   return kNoFile;
 }
 

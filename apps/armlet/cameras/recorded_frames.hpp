@@ -20,14 +20,18 @@ int check_recorded_frames(const HostFrames& frames, const Session& session);
 // The folder of --frames, which is made if it is not there.
 class FrameFolder {
  public:
-  // The exit status after a message; nothing is wanted if the path is empty.
+  // Nothing is wanted if the path is empty.
   // next  what the pictures are passed on to with the names of their files; null: nobody.
-  int choose(const std::string& path, Backend* next);
+  void choose(const std::string& path, Backend* next);
+  // Once it is known that the program runs. The exit status, after a message if the folder cannot
+  // be made or opened.
+  int open();
   [[nodiscard]] Backend* backend() const { return files_.get(); }
   // The exit status, after a message if a picture could not be written.
   int finish() const;
 
  private:
+  std::string path_;
   std::unique_ptr<FrameFiles> files_;
 };
 

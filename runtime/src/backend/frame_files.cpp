@@ -14,7 +14,9 @@ std::string frame_file_name(const ImageFrame& frame) {
   return fmt::format("{}-{:06d}.png", frame.camera, frame.frame);
 }
 
-FrameFiles::FrameFiles(std::string folder, Backend* next) : path_(std::move(folder)), next_(next) {
+FrameFiles::FrameFiles(std::string folder, Backend* next) : path_(std::move(folder)), next_(next) {}
+
+void FrameFiles::open() {
   Result<Folder> opened = Folder::open(path_);
   if (opened.ok()) {
     folder_.emplace(std::move(opened).value());

@@ -35,6 +35,7 @@ TEST_CASE("pictures are written as they are, and passed on with the names of the
   const TemporaryFolder folder;
   FileListener listener;
   FrameFiles files(folder.path().string(), &listener);
+  files.open();
   const std::vector<std::uint8_t> grey{0, 50, 100, 150, 200, 250};
   const std::vector<std::uint8_t> rgb{1, 2, 3, 40, 50, 60};
   files.on(BeginRun{});
@@ -60,6 +61,7 @@ TEST_CASE("pictures are written as they are, and passed on with the names of the
 TEST_CASE("a picture that cannot be written is an error, and is passed on without a file") {
   FileListener listener;
   FrameFiles files("/there/is/no/such/folder", &listener);
+  files.open();
   const std::vector<std::uint8_t> rgb{1, 2, 3};
   files.on(ImageFrame{.camera = "eye", .width = 1, .height = 1, .pixels = rgb});
   CHECK(files.error().find("/there/is/no/such/folder") != std::string::npos);
@@ -67,6 +69,7 @@ TEST_CASE("a picture that cannot be written is an error, and is passed on withou
   CHECK(listener.files == std::vector<std::string>{""});
   const TemporaryFolder folder;
   FrameFiles bad_name(folder.path().string(), nullptr);
+  bad_name.open();
   bad_name.on(ImageFrame{.camera = "../eye", .width = 1, .height = 1, .pixels = rgb});
   CHECK(bad_name.error().find("eye-000000.png") != std::string::npos);
   CHECK_FALSE(bad_name.ignores().has(EventKind::kImageFrame));

@@ -14,9 +14,13 @@ namespace armlet {
 // when a run was undone.
 class FrameFiles : public Backend {
  public:
-  // folder  as paths of files begin; it has to exist.
+  // folder  as paths of files begin.
   // next    not owned; lives at least as long as this; null: events are passed on to nobody.
   FrameFiles(std::string folder, Backend* next);
+
+  // Opens the folder, which has to exist; pictures before that get no files. error() says if it
+  // cannot be opened.
+  void open();
 
   void on(const Event& event) override;
   [[nodiscard]] EventKinds ignores() const override;
