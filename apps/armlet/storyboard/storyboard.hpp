@@ -26,7 +26,6 @@ class Storyboard {
   // Draws the sheet. The exit status, and a message if it cannot be written or shows a part of the
   // moves.
   int finish();
-  void give_up() { file_.give_up(); }
 
  private:
   struct Frame {

@@ -20,7 +20,6 @@ constexpr ParameterKind kWhole = ParameterKind::kWhole;
 constexpr std::string_view kGrey = "grey levels";
 constexpr std::string_view kPixels = "px";
 
-constexpr std::array<std::string_view, 3> kCornerMethods{"susan", "harris", "fast"};
 constexpr std::array<std::string_view, 2> kTouching{"sides", "corners"};
 constexpr std::array<std::string_view, 2> kSwitch{"false", "true"};
 
@@ -95,10 +94,8 @@ constexpr std::array<PictureParameter, 3> kLines{{
     {"maxGap", kNumber, 0, 100, 5, kPixels, "Nearer pieces of a line are one segment."},
 }};
 
-constexpr std::array<std::string_view, 5> kDictionaries{"4x4_50", "5x5_100", "6x6_250", "aruco",
-                                                        "apriltag_36h11"};
 constexpr PictureParameter kDictionary{"dictionary",          ParameterKind::kChoice, 0, 4, 0, "",
-                                       "The set of markers.", kDictionaries};
+                                       "The set of markers.", kMarkerDictionaries};
 constexpr std::array<PictureParameter, 3> kMarkerPicture{{
     {"id", kWhole, 0, 1023, 0, "", "The number of the marker."},
     kDictionary,

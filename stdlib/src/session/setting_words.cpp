@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "armlet/image/parameters.hpp"
 #include "armlet/math/ode.hpp"
-#include "armlet/vision/markers.hpp"
 
 namespace armlet::bind {
 

@@ -24,8 +24,6 @@ inline constexpr std::array<std::string_view, 3> kDirections = {"both", "rising"
 inline constexpr std::array<std::string_view, 2> kAxisSides = {"left", "right"};
 inline constexpr std::array<std::string_view, 4> kLogarithmicAxes = {"x", "y", "xy", "yx"};
 
-// In the order of CornerMethod.
-inline constexpr std::array<std::string_view, 3> kCornerMethods = {"susan", "harris", "fast"};
 // In the order of ServoLaw.
 inline constexpr std::array<std::string_view, 5> kServoLaws = {"current", "desired", "mean",
                                                                "position", "hybrid"};

@@ -43,7 +43,7 @@ class Overview {
   [[nodiscard]] Viewpoint viewpoint() const;
 
  private:
-  [[nodiscard]] Viewpoint nearest() const;
+  [[nodiscard]] Viewpoint place() const;
 
   Intrinsics lens_;
   Eigen::Matrix3d R_;  // of the camera in the world

@@ -2,10 +2,18 @@
 // The functions of pictures with their parameters as data, for whatever offers, explains or sets
 // them. The functions check their arguments against this table.
 
+#include <array>
 #include <span>
 #include <string_view>
 
 namespace armlet {
+
+// What `method` of corners may be, in the order of CornerMethod.
+inline constexpr std::array<std::string_view, 3> kCornerMethods{"susan", "harris", "fast"};
+// What `dictionary` of markers may be: cells of the code and how many markers there are, those of
+// ArUco (5 x 5, 1024) and of AprilTag (6 x 6, 587).
+inline constexpr std::array<std::string_view, 5> kMarkerDictionaries{"4x4_50", "5x5_100", "6x6_250",
+                                                                     "aruco", "apriltag_36h11"};
 
 // What a value of a parameter may be: any number of the range, a whole number of it, or one of the
 // names in `choices`.

@@ -3,18 +3,12 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <string_view>
 #include <vector>
 
 #include "armlet/image/image.hpp"
 #include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
-
-// Sets of markers: cells of the code and how many markers there are, those of ArUco (5 x 5, 1024)
-// and of AprilTag (6 x 6, 587).
-inline constexpr std::array<std::string_view, 5> kMarkerDictionaries = {
-    "4x4_50", "5x5_100", "6x6_250", "aruco", "apriltag_36h11"};
 
 // A marker that was seen.
 //
@@ -29,7 +23,7 @@ struct FoundMarker {
 // pixel. A marker needs a light border around its black square.
 //
 // grey        one channel of 8 bits.
-// dictionary  index into kMarkerDictionaries.
+// dictionary  index into kMarkerDictionaries (image/parameters.hpp).
 // throws      ArgumentError for another kind of picture, more than 2,097,152 pixels, a dictionary
 //             that does not exist, and where there is no OpenCV.
 // source      S. Garrido-Jurado and others, Automatic generation and detection of highly reliable

@@ -100,12 +100,12 @@ Viewpoint Overview::viewpoint() const {
     const Vector3d half = Vector3d::Constant(0.5);
     shown.add(AlignedBox3d(-half, half), Isometry3d::Identity());
   }
-  return shown.nearest();
+  return shown.place();
 }
 
 // A camera at (a, b, c) in its own axes has (x, y, z) in its picture if |x - a| <= k_x (z - c) and
 // |y - b| <= k_y (z - c).
-Viewpoint Overview::nearest() const {
+Viewpoint Overview::place() const {
   const double c = std::min({-(right_ + left_) / (2.0 * k_x_), -(down_ + up_) / (2.0 * k_y_),
                              nearest_ - kLeast / (2.0 * std::min(k_x_, k_y_))});
   Isometry3d T = Isometry3d::Identity();

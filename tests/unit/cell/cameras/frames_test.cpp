@@ -48,6 +48,20 @@ class Album : public Backend {
   std::vector<std::unique_ptr<const OwnedEvent>> frames_;
 };
 
+// A cell with a camera at T, whose events are kept.
+struct Looking {
+  Album album{};
+  Cell cell{};
+  int eye = 0;
+  Eigen::Isometry3d T;
+
+  Looking() {
+    cell.set_backend(&album);
+    eye = cell.add_camera(small_camera("eye"));
+    T = cell.cameras().T_world_camera(cell, eye);
+  }
+};
+
 bool has_pixels(const ImageFrame& frame, const Image& image) {
   return std::ranges::equal(frame.pixels, image.bytes()) && frame.width == image.width() &&
          frame.height == image.height() && frame.channels == image.channels();
@@ -56,11 +70,8 @@ bool has_pixels(const ImageFrame& frame, const Image& image) {
 }  // namespace
 
 TEST_CASE("the event of a picture has its pixels, instant, number and camera") {
-  Album album;
-  Cell cell;
-  cell.set_backend(&album);
-  const int eye = cell.add_camera(small_camera("eye"));
-  const Eigen::Isometry3d T = cell.cameras().T_world_camera(cell, eye);
+  Looking looking;
+  auto& [album, cell, eye, T] = looking;
   const Image first = cell.capture(eye, T);
   cell.advance_to(30'000'000);
   const Eigen::Isometry3d higher = T * make_translation({0.0, 0.0, -0.1});
@@ -183,11 +194,8 @@ TEST_CASE("a camera with a rate has one picture at an instant, whoever asks for 
 }
 
 TEST_CASE("a given picture takes the place of the drawn one if it fits") {
-  Album album;
-  Cell cell;
-  cell.set_backend(&album);
-  const int eye = cell.add_camera(small_camera("eye"));
-  const Eigen::Isometry3d T = cell.cameras().T_world_camera(cell, eye);
+  Looking looking;
+  auto& [album, cell, eye, T] = looking;
   Image given(24, 16, PixelKind::kRgb);
   given.row(3)[5] = 77;
   CHECK(cell.capture(eye, T, given) == given);  // without noise and blur
@@ -203,11 +211,8 @@ TEST_CASE("a given picture takes the place of the drawn one if it fits") {
 }
 
 TEST_CASE("a preview is the picture that would be taken next, and leaves no trace") {
-  Album album;
-  Cell cell;
-  cell.set_backend(&album);
-  const int eye = cell.add_camera(small_camera("eye"));
-  const Eigen::Isometry3d T = cell.cameras().T_world_camera(cell, eye);
+  Looking looking;
+  auto& [album, cell, eye, T] = looking;
   const Image first = cell.capture(eye, T);
   const Image seen = cell.cameras().preview(cell, eye, T);
   CHECK_FALSE(seen == first);  // other noise
