@@ -12,7 +12,8 @@ ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^g
 texts() {
   step format
   ours '*.cpp' '*.hpp' '*.h' | xargs -r clang-format --dry-run --Werror
-  step layers, messages, names, notices, sizes, structure and words
+  step decisions, layers, messages, names, notices, sizes, structure and words
+  python3 tools/check_decisions.py
   python3 tools/check_layers.py
   python3 tools/check_messages.py
   python3 tools/check_names.py

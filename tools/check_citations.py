@@ -24,7 +24,7 @@ LIST = rf"{NUMBER}(?:(?:,| and| to|;)\s+{NUMBER}(?![\d.]*\s*(?:mm|deg|s|%)\b))*"
 SECTION = re.compile(rf"\b[Ss]ections?\s+({LIST})")
 BARE = re.compile(rf"\breference,\s+({NUMBER})\b")
 RULING = re.compile(r"\b[Rr]ulings?\s+(\d+(?:(?:,| and| to)\s+\d+)*)")
-DECISION = re.compile(r"\b[Dd]ecision\s+(\d+)\b")
+DECISION = re.compile(r"\b[Dd]ecisions?\s+(\d+(?:(?:,| and|, and)\s+\d+)*)\b")
 CODE = re.compile(r"\b([ERW]\d{4})\b")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 NAME = re.compile(r"(?<![\w./<>{*-])((?:[\w.-]+/)*[\w-]+(?:\.[\w-]+)*\.(?:cpp|hpp|md|py|def|g4|inc|cmake))\b(?!/)")
@@ -104,8 +104,9 @@ class Checker:
                 if number not in self.rulings:
                     self.fault(path, at(m), f"there is no ruling {number}")
         for m in DECISION.finditer(flat):
-            if int(m[1]) not in self.decisions:
-                self.fault(path, at(m), f"there is no decision {m[1]}")
+            for number in re.findall(r"\d+", m[1]):
+                if int(number) not in self.decisions:
+                    self.fault(path, at(m), f"there is no decision {number}")
         for m in CODE.finditer(flat):
             if m[1] not in self.codes and m[1][1:3] in ("01", "02", "03", "04", "05", "06", "07"):
                 self.fault(path, at(m), f"there is no message {m[1]}")

@@ -41,7 +41,7 @@ LATER = {}
 # Samples that list a table, and who compares them with it.
 LISTS = {"E0202": "tests/unit/stdlib/reference_test.cpp"}  # the planners
 
-# Where a script shows another text than the sample (docs/decisions/0006-samples-of-messages.md).
+# Where a script shows another text than the sample (docs/notes/messages.md).
 CHANGED = {
     "R0604": {"163 deg": "130 deg"},
     "R0607": {"since t = 0.00 s": "since t = 3.00 s"},

@@ -22,7 +22,7 @@ FOLDERS = ("runtime", "interpreter", "stdlib", "apps", "tests", "bench")
 
 # Folders of any size: a file is one item of a collection, nobody reads them side by side.
 COLLECTIONS = {
-    "docs/decisions": "numbered in the order in which they were made, listed by docs/architecture.md",
+    "docs/decisions": "numbered in the order in which they were made, listed by their README.md",
     "tests/fuzz/corpus": "inputs of the fuzzer, read by programs",
     "tests/reference/messages": "what programs print, one file for each of tests/mistakes",
     "bench/programs/lua": "each beside the program of the same name in ../rbt",
