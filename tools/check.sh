@@ -12,12 +12,13 @@ ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^g
 texts() {
   step format
   ours '*.cpp' '*.hpp' '*.h' | xargs -r clang-format --dry-run --Werror
-  step decisions, layers, messages, names, notices, sizes, structure and words
+  step decisions, layers, messages, names, notices, the page, sizes, structure and words
   python3 tools/check_decisions.py
   python3 tools/check_layers.py
   python3 tools/check_messages.py
   python3 tools/check_names.py
   python3 tools/check_notices.py
+  python3 tools/check_page.py
   python3 tools/check_sizes.py
   python3 tools/check_structure.py
   python3 tools/check_words.py

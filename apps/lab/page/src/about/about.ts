@@ -1,5 +1,5 @@
 // What Armlet is, and the software of others in it with licences and copyrights: notices.json, which tools/check_notices.py makes.
-import { el } from "../shell/dom.ts";
+import { el } from "../dom/dom.ts";
 import notices from "./notices.json";
 
 type Part = {

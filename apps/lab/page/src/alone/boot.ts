@@ -1,6 +1,6 @@
 // Starts a page that stands alone: its script is packed in it, because a file is mailed and kept.
 // The policy of the page names the hash of the script, so that nothing else can be put there.
-import { unpacked } from "./packed.ts";
+import { unpacked } from "../protocol/packed.ts";
 
 const packed = document.getElementById("armlet-page");
 if (packed && "DecompressionStream" in window) {

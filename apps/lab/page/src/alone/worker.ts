@@ -1,7 +1,7 @@
 // The worker of a page that stands alone: the laboratory as WebAssembly (apps/lab/worker/worker.cpp). The script
 // of the engine, which defines createArmlet, is put in front of this one.
 import type { Incoming, Outgoing } from "../protocol/messages.ts";
-import { unpacked } from "./packed.ts";
+import { unpacked } from "../protocol/packed.ts";
 import { firstText, reopen, type Saved } from "./saved.ts";
 
 interface Engine {

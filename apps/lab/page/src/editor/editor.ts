@@ -6,7 +6,7 @@ import { forEachDiagnostic, lintGutter, lintKeymap, setDiagnostics, type Action,
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction, type Annotation, type StateEffect } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
-import { fixed } from "../elements/units.ts";
+import { fixed } from "../numbers/units.ts";
 import type { Diagnostic, Edit, Span } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";

@@ -1,5 +1,5 @@
 // The window of a camera, and pictures that a program computes: the picture at the instant that is looked at, with marks over it.
-import { el, setText } from "../shell/dom.ts";
+import { el, setText } from "../dom/dom.ts";
 import type { Marks, PictureAnswer } from "../protocol/pictures.ts";
 import type { Run } from "../store/run.ts";
 import { farthest, marksText, waysOf, type Way } from "./marks.ts";

@@ -1,9 +1,9 @@
 // Sliders, fields and buttons.
-import { el, setText } from "../shell/dom.ts";
+import { el, setText } from "../dom/dom.ts";
+import { rollPitchYaw, shownUnit, written, type Shown } from "../numbers/units.ts";
 import type { Coordinate } from "../protocol/messages.ts";
 import type { Run } from "../store/run.ts";
 import type { State } from "../store/state.ts";
-import { rollPitchYaw, shownUnit, written, type Shown } from "./units.ts";
 import type { ElementView, Place } from "./view.ts";
 
 let made = 0;

@@ -1,13 +1,13 @@
 // The column of a laboratory's elements, in their order.
-import { el } from "../shell/dom.ts";
+import { el } from "../dom/dom.ts";
 import type { ElementInfo } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
 import { inControl, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
+import { cameraView } from "./camera_view.ts";
 import { button, field, handSliders, jointSliders } from "./controls.ts";
 import { plot } from "./plot.ts";
-import { cameraView } from "./camera_view.ts";
 import { figures, image, noted, table, text, torques } from "./shown.ts";
 import type { ElementView, Place } from "./view.ts";
 

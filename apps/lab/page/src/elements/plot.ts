@@ -1,10 +1,10 @@
 // Plots over time: drag to zoom, double click for the whole, click to go to that instant.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { el, save, setText } from "../shell/dom.ts";
+import { el, save, setText } from "../dom/dom.ts";
+import { besideOf, csvOf, seriesOf, svgOf, type Series } from "../numbers/series.ts";
 import type { Run } from "../store/run.ts";
 import { LEFT, rightMargin, spanOf } from "../timebar/lanes.ts";
-import { besideOf, csvOf, seriesOf, svgOf, type Series } from "./series.ts";
 import type { ElementView, Place } from "./view.ts";
 
 function colors(): string[] {

@@ -1,9 +1,9 @@
 // Elements that only show: tables, texts, images, and places of what has no picture here.
-import { el, setText } from "../shell/dom.ts";
+import { el, setText } from "../dom/dom.ts";
+import { fixed } from "../numbers/units.ts";
 import { NEAR, type Run } from "../store/run.ts";
 import { richText } from "./rich_text.ts";
 import { shownTable } from "./table_value.ts";
-import { fixed } from "./units.ts";
 import type { ElementView, Place } from "./view.ts";
 
 export function table({ element }: Place): ElementView {

@@ -1,6 +1,6 @@
 // Values of a program as tables.
+import { shownUnit } from "../numbers/units.ts";
 import type { Units, Value } from "../protocol/messages.ts";
-import { shownUnit } from "./units.ts";
 
 export interface Table {
   header: string[];

@@ -1,6 +1,6 @@
 // Meshes of other formats than GLB, in a page that stands alone: read by a worker whose source the page carries. What is in the file
 // of a stranger can hold up or break nothing but that worker.
-import { unpacked } from "../alone/packed.ts";
+import { unpacked } from "../protocol/packed.ts";
 
 const READ = /\.(stl|obj|ply)$/i;
 const OTHERS = /\.(3ds|wrl|vrml|dae|gltf)$/i;

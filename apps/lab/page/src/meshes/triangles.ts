@@ -1,6 +1,6 @@
 // Triangles of any origin, each number checked, and as a GLB file: what the converter of the command makes of such files
 // (apps/mesh/converter/scene_builder.cpp), for pages that have no command behind them.
-import { glbOf, pictureOf } from "../scene/glb.ts";
+import { glbOf, pictureOf } from "./glb.ts";
 
 const MOST_TRIANGLES = 1_000_000;
 const FARTHEST = 1e4; // m

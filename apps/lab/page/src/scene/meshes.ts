@@ -3,7 +3,7 @@ import {
   CanvasTexture, Group, LoadingManager, Mesh, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type BufferGeometry, type Material, type Object3D, type Texture,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import { decoded, safeGlb } from "./glb.ts";
+import { decoded, safeGlb } from "../meshes/glb.ts";
 
 const KEPT = 32; // files that are kept although nothing shows them
 

@@ -1,15 +1,15 @@
 // Title, robots and world, play and speed, sharing, and which columns are open; below, who is in control.
-import type { Intents } from "../store/intents.ts";
+import { el, remember, remembered, save, setText } from "../dom/dom.ts";
+import { icon } from "../dom/icons.ts";
 import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
+import type { Intents } from "../store/intents.ts";
 import { base64, filesOf, looksOf, recordingOf, timesToLook } from "../store/recording.ts";
 import type { Run } from "../store/run.ts";
 import { adviceOfRun, comingRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { transport } from "../timebar/transport.ts";
-import { el, remember, remembered, save, setText } from "./dom.ts";
-import { icon } from "./icons.ts";
+import type { ColumnName } from "./columns.ts";
 import { hashToText, textToHash } from "./link.ts";
-import type { ColumnName } from "./page.ts";
 
 export interface HeaderActions {
   // The page as it was before anything was shown in it, and whether its laboratory is in it.

@@ -1,7 +1,7 @@
 // Three lines in each part of the page for those who see it for the first time. Once closed, they do not come back.
+import { el, remember, remembered } from "../dom/dom.ts";
 import type { Store } from "../store/store.ts";
-import { el, remember, remembered } from "./dom.ts";
-import type { ColumnName } from "./page.ts";
+import type { ColumnName } from "./columns.ts";
 
 const HINTS: Record<ColumnName, string[]> = {
   program: ["Change the program: it runs at once.", "Hold Alt and drag a number.", "Point at a line: its path lights up."],

@@ -1,7 +1,7 @@
 // Keys of the whole page, where nobody writes; the help tells them.
+import { el } from "../dom/dom.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl } from "../store/state.ts";
-import { el } from "./dom.ts";
 
 export const KEYS: [string, string][] = [
   ["Space", "play or pause"],

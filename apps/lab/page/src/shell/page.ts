@@ -1,25 +1,22 @@
 // The page: header, three columns, the bar of time; on a phone one column with tabs.
 import { aboutDialog } from "../about/about.ts";
+import { el, remember, remembered, setText } from "../dom/dom.ts";
 import { Editor } from "../editor/editor.ts";
 import { elementPanel } from "../elements/panel.ts";
 import { findConverter } from "../home/converter.ts";
-import { SceneView } from "../scene/scene.ts";
 import type { Span } from "../protocol/messages.ts";
+import { SceneView } from "../scene/scene.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl, isStale, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { TimeBar } from "../timebar/bar.ts";
+import { COLUMNS, TITLES, type ColumnName } from "./columns.ts";
 import { droppedFiles } from "./drop.ts";
-import { el, remember, remembered, setText } from "./dom.ts";
 import { header } from "./header.ts";
 import { hints } from "./hints.ts";
 import { globalKeys, helpDialog } from "./keys.ts";
 import { editorPanels } from "./panels.ts";
 import { sceneTools } from "./scene_tools.ts";
-
-const COLUMNS = ["program", "view", "elements"] as const;
-export type ColumnName = (typeof COLUMNS)[number];
-const TITLES: Record<ColumnName, string> = { program: "Program", view: "3D view", elements: "Laboratory" };
 
 // source, alone  see HeaderActions.
 export function buildPage(root: HTMLElement, store: Store, intents: Intents, source: string, alone: boolean): void {

@@ -1,11 +1,11 @@
 // Below the editor: problems, output, variables and the list of runs.
+import { el, setText } from "../dom/dom.ts";
 import type { Editor } from "../editor/editor.ts";
 import type { Diagnostic } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import { adviceOfRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { stepButtons } from "../timebar/transport.ts";
-import { el, setText } from "./dom.ts";
 
 export interface Tab {
   name: string;

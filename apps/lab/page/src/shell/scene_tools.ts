@@ -1,12 +1,12 @@
 // What stands over the 3D view: points of view, frames, the picture as a file, and where the hand is.
+import { el, save, setText } from "../dom/dom.ts";
 import type { Editor } from "../editor/editor.ts";
-import { fixed, rollPitchYaw } from "../elements/units.ts";
+import { fixed, rollPitchYaw } from "../numbers/units.ts";
 import type { SceneView } from "../scene/scene.ts";
 import type { Preset } from "../scene/stage.ts";
 import type { Intents } from "../store/intents.ts";
 import { shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
-import { el, save, setText } from "./dom.ts";
 import { videoButton } from "./video.ts";
 import { viewCube } from "./view_cube.ts";
 

@@ -1,7 +1,7 @@
 // The 3D view as a film: the browser records the canvas while the run plays from its start to its end.
+import { el, save, setText } from "../dom/dom.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Store } from "../store/store.ts";
-import { el, save, setText } from "./dom.ts";
 
 const PICTURES = 30; // a second, at most
 const LAST = 250; // ms that the last picture stays

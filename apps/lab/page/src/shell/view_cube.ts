@@ -1,7 +1,7 @@
 // A cube that stands as the picture does, and whose faces are points of view. Keys and the buttons beside it do the same.
+import { el } from "../dom/dom.ts";
 import type { SceneView } from "../scene/scene.ts";
 import type { Side } from "../scene/stage.ts";
-import { el } from "./dom.ts";
 
 type Axis = readonly [number, number, number];
 const HALF = 20; // px

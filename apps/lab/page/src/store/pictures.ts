@@ -1,17 +1,9 @@
 // Pictures of elements at the instant that is looked at: the laboratory draws them when it is asked, and nothing keeps them but the
 // page, the last one of each.
 import type { PictureAnswer } from "../protocol/pictures.ts";
-import type { Run } from "./run.ts";
+import type { Run, SeenPicture } from "./run.ts";
 import { shownRun, type State } from "./state.ts";
 import type { Store } from "./store.ts";
-
-// What there is of an element: the picture and when it was, or why there is none.
-export interface SeenPicture {
-  key: string; // of the run with its inputs, and the instant
-  t: number;
-  picture: PictureAnswer | null;
-  fault: string;
-}
 
 export type AskPicture = (element: string, run: number, t: number) => Promise<PictureAnswer>;
 

@@ -1,13 +1,21 @@
 // Everything that is known of one run, and questions about it.
 import type * as M from "../protocol/messages.ts";
+import type { PictureAnswer } from "../protocol/pictures.ts";
 import { DrawingRows } from "./drawings.ts";
-import type { SeenPicture } from "./pictures.ts";
-import { Rows, Track } from "./rows.ts";
 import { changeAt, matrixPose, multiply, shapeFrames, toolFrame } from "./kinematics.ts";
+import { Rows, Track } from "./rows.ts";
 
 export interface Figure {
   title: string;
   svg: string;
+}
+
+// The newest picture of an element: its instant and the picture, or why there is none.
+export interface SeenPicture {
+  key: string; // of the run with its inputs, and the instant
+  t: number;
+  picture: PictureAnswer | null;
+  fault: string;
 }
 
 // A share of what a motor can give from which on it is near its limit.

@@ -1,5 +1,5 @@
 // The bar of time: lanes of blocks, ticks for what happened, other runs as thin lines.
-import { el, setText } from "../shell/dom.ts";
+import { el, setText } from "../dom/dom.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
 import { isStale, shownRun, type State } from "../store/state.ts";

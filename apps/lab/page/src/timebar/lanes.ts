@@ -1,8 +1,8 @@
 // What stands in the bar of time: a lane for each robot, task and signal, with blocks for what they did and were.
+import { seriesOf } from "../numbers/series.ts";
 import type { Run } from "../store/run.ts";
 import type { State } from "../store/state.ts";
 import { shownRun } from "../store/state.ts";
-import { seriesOf } from "../elements/series.ts";
 
 export const LEFT = 76; // px: names of lanes; where plots below the bar have their axis
 const RIGHT = 14;

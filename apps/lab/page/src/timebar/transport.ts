@@ -1,10 +1,10 @@
 // Play and speed, in the header; steps, beside what is told of the program.
-import { el, setText } from "../shell/dom.ts";
-import { icon, type IconName } from "../shell/icons.ts";
+import { el, setText } from "../dom/dom.ts";
+import { icon, type IconName } from "../dom/icons.ts";
+import type { StepHow } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
-import type { StepHow } from "../protocol/messages.ts";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 
