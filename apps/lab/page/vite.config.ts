@@ -1,6 +1,5 @@
 import { createHash } from "node:crypto";
 import { defineConfig, type Plugin } from "vite";
-import { leanThree } from "./lean_three.ts";
 import { comparedNotices } from "./notices.ts";
 
 // KaTeX names each font in three formats; every browser that runs this page reads the first. Letters of
@@ -68,7 +67,7 @@ const alone = (name: string) => ({
 
 export default defineConfig(({ mode }) => (ALONE.includes(mode) ? alone(mode) : {
   base: "./",
-  plugins: [leanThree(), onlyWoff2(), comparedNotices(true), oneFile()],
+  plugins: [onlyWoff2(), comparedNotices(true), oneFile()],
   build: {
     target: "es2022",
     assetsInlineLimit: 100_000_000,
