@@ -22,7 +22,7 @@ namespace armlet::bind {
 namespace {
 
 // The parameters that failures mark, by their place in the signature that was called.
-constexpr int kRate = 0, kStart = 1;
+constexpr int kRateAt = 0, kStartAt = 1;
 struct Marks {
   int from, to, step, method, tolerance, knots, when;
 };
@@ -74,25 +74,25 @@ Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std
       return failure(vm, "R0612",
                      fmt::format("element {} of the state is not finite at t = {:.6g} s",
                                  outcome.element, outcome.t),
-                     kRate, {}, "use a shorter step, or method: \"rkf45\"");
+                     kRateAt, {}, "use a shorter step, or method: \"rkf45\"");
     case OdeStatus::kNotRates:
       return failure(vm, "R0609",
                      fmt::format("this method takes a state [q; v], and the rate of element {} is "
                                  "not element {} of the state",
                                  outcome.element, outcome.element + half),
-                     kRate, "\"symplectic\" and \"verlet\" integrate positions and their speeds",
+                     kRateAt, "\"symplectic\" and \"verlet\" integrate positions and their speeds",
                      "give f(t, y) as the speeds, then the accelerations, or use \"rk4\"");
     case OdeStatus::kStepTooSmall:
       return failure(vm, "R0609",
                      fmt::format("ode cannot go on at t = {:.6g} s: no step is short enough for a "
                                  "tolerance of {:.6g}",
                                  outcome.t, tolerance),
-                     kRate, "the equation is stiff there, or jumps, or runs to infinity");
+                     kRateAt, "the equation is stiff there, or jumps, or runs to infinity");
     case OdeStatus::kTooManySteps:
       return failure(
           vm, "R0609",
           fmt::format("ode gave up at t = {:.6g} s after a million steps within one", outcome.t),
-          kRate, "the equation is stiff there",
+          kRateAt, "the equation is stiff there",
           "use a larger tolerance, or look for a rate that is far too large");
     default:
       return {};
@@ -234,11 +234,12 @@ Answer<OdeMethod> method_called(Vm& vm, std::string_view name, int parameter) {
 }
 
 Answer<void> check_start(Vm& vm, std::span<const double> start) {
-  if (start.empty()) return failure(vm, "R0613", "ode needs a state of at least one value", kStart);
+  if (start.empty())
+    return failure(vm, "R0613", "ode needs a state of at least one value", kStartAt);
   std::size_t bad = start.size();
   if (!find_number(vm, start, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
   if (bad == start.size()) return {};
-  return not_finite(vm, fmt::format("element {} of the start", bad), start[bad], kStart);
+  return not_finite(vm, fmt::format("element {} of the start", bad), start[bad], kStartAt);
 }
 
 // How a call wants it.
@@ -258,7 +259,7 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
   const bool splits = *method == OdeMethod::kSymplectic || *method == OdeMethod::kVerlet;
   if (splits && start.size() % 2 != 0) {
     return failure(vm, "R0613", fmt::format("a state [q; v] cannot have {} elements", start.size()),
-                   kStart,
+                   kStartAt,
                    fmt::format("\"{}\" integrates positions and as many speeds", settings.method));
   }
   const double tolerance = settings.tolerance;
@@ -285,7 +286,7 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
 
 Answer<RecordObj*> solve_lists(Vm& vm, FunctionValue f, std::span<const double> start,
                                const OdeSettings& settings) {
-  RateOfProgram rate(vm, f.object, kRate);
+  RateOfProgram rate(vm, f.object, kRateAt);
   const OdeRate call = [&rate](double t, std::span<const double> y, std::span<double> out) {
     return static_cast<bool>(rate(t, y, out));
   };
