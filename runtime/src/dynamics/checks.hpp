@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/check_finite.hpp"
 #include "kernels.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 #include "armlet/model/joint_coupling.hpp"
 
 // Dynamics of arms with rows that copy others: with the values E q + offset of the rows, their

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/twist.hpp"
 
 namespace armlet {

@@ -24,23 +24,22 @@ std::vector<int> joints_of(const std::vector<Joint>& rows) {
   return joint_of;
 }
 
-Eigen::MatrixXd factors_of(const RobotSpec& spec) {
+JointMatrix factors_of(const RobotSpec& spec) {
   const std::vector<int> joint_of = joints_of(spec.joints);
-  Eigen::MatrixXd E =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(joint_of.size()), spec.home.size());
+  JointMatrix E = JointMatrix::Zero(static_cast<Eigen::Index>(joint_of.size()), spec.home.size());
   for (std::size_t k = 0; k < joint_of.size(); ++k)
     E(static_cast<Eigen::Index>(k), joint_of[k]) = spec.joints[k].drive.ratio;
   return E;
 }
 
-Eigen::VectorXd offsets_of(const RobotSpec& spec) {
-  Eigen::VectorXd offset(static_cast<Eigen::Index>(spec.joints.size()));
+JointVector offsets_of(const RobotSpec& spec) {
+  JointVector offset(static_cast<Eigen::Index>(spec.joints.size()));
   for (std::size_t k = 0; k < spec.joints.size(); ++k)
     offset[static_cast<Eigen::Index>(k)] = spec.joints[k].drive.offset;
   return offset;
 }
 
-RobotSpec spec_of_rows(RobotSpec spec, const Eigen::VectorXd& home) {
+RobotSpec spec_of_rows(RobotSpec spec, JointsIn home) {
   for (Joint& row : spec.joints) row.drive = {};
   spec.followers = nullptr;
   spec.home = home;
@@ -68,17 +67,17 @@ RowMotion motion_of_row(const Robot& robot, int k) {
   return motion;
 }
 
-Eigen::VectorXd row_values(const Robot& robot, JointsIn q) {
+JointVector row_values(const Robot& robot, JointsIn q) {
   const JointCoupling* coupling = robot.coupling();
-  return coupling == nullptr ? Eigen::VectorXd(q) : coupling->values(q);
+  return coupling == nullptr ? JointVector(q) : coupling->values(q);
 }
 
-Eigen::VectorXd row_rates(const Robot& robot, JointsIn qd) {
+JointVector row_rates(const Robot& robot, JointsIn qd) {
   const JointCoupling* coupling = robot.coupling();
-  return coupling == nullptr ? Eigen::VectorXd(qd) : coupling->rates(qd);
+  return coupling == nullptr ? JointVector(qd) : coupling->rates(qd);
 }
 
-Eigen::VectorXd joint_forces(const Robot& robot, JointsIn of_rows) {
+JointVector joint_forces(const Robot& robot, JointsIn of_rows) {
   const JointCoupling* coupling = robot.coupling();
   if (coupling == nullptr) return of_rows;
   return coupling->E.transpose() * of_rows;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "armlet/core/error.hpp"
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/twist.hpp"
 
 namespace armlet {

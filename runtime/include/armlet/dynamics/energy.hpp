@@ -1,6 +1,6 @@
 #pragma once
 
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 
 // All throw ArgumentError unless their arguments have n finite elements and the result is finite.
 namespace armlet {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 
 // The dynamics of an arm are linear in its masses, moments and friction, so these can be found from
 // motions and the forces that they took. Without Stribeck's part, which is not linear,

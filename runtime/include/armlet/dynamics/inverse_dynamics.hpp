@@ -1,6 +1,6 @@
 #pragma once
 
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/twist.hpp"
 
 // Which joint forces a motion takes. Throughout, tau is what the motors give, seen at the joints,

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/ode.hpp"
 
 namespace armlet {

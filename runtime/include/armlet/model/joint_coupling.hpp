@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 
+#include "armlet/model/joint_arrays.hpp"
 #include "armlet/model/robot.hpp"
 
 namespace armlet {
@@ -15,8 +15,8 @@ namespace armlet {
 // rows  the arm whose rows all move on their own. It has the links, the tool and the payload, but
 //       not RobotSpec::followers.
 struct JointCoupling {
-  Eigen::MatrixXd E;
-  Eigen::VectorXd offset;
+  JointMatrix E;
+  JointVector offset;
   Robot rows;
 
   // Of the spec of a robot of which rows copy others, with all rates of its joints and a home.
@@ -24,8 +24,8 @@ struct JointCoupling {
   // throws  ArgumentError as Robot does.
   explicit JointCoupling(const RobotSpec& spec);
 
-  Eigen::VectorXd values(JointsIn q) const { return E * q + offset; }
-  Eigen::VectorXd rates(JointsIn qd) const { return E * qd; }
+  JointVector values(JointsIn q) const { return E * q + offset; }
+  JointVector rates(JointsIn qd) const { return E * qd; }
 };
 
 // The joint that moves row k, counted from 0, and by which ratio.
@@ -37,9 +37,9 @@ RowMotion motion_of_row(const Robot& robot, int k);
 
 // Positions and rates of the rows of any robot, and the forces of its joints from those of the
 // rows.
-Eigen::VectorXd row_values(const Robot& robot, JointsIn q);
-Eigen::VectorXd row_rates(const Robot& robot, JointsIn qd);
-Eigen::VectorXd joint_forces(const Robot& robot, JointsIn of_rows);
+JointVector row_values(const Robot& robot, JointsIn q);
+JointVector row_rates(const Robot& robot, JointsIn qd);
+JointVector joint_forces(const Robot& robot, JointsIn of_rows);
 
 // "-0.5 x joint 2 + 10 deg" for a row that copies another one, else empty.
 std::string copy_text(const Robot& robot, int k);

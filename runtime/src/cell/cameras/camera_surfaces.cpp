@@ -62,7 +62,7 @@ Isometry3d moved(const GlbNode& node, double q) {
 void add_robot(const Cell& cell, int index, std::vector<SceneBody>& bodies) {
   const CellRobot& robot = cell.robot(index);
   const auto& links = robot.model->derived<LinkSurfaces>();
-  const Eigen::VectorXd values = row_values(*robot.model, robot.q);
+  const JointVector values = row_values(*robot.model, robot.q);
   std::vector<Isometry3d> poses;
   int row = 0;
   for (const LinkSurfaces::Node& node : links.nodes) {

@@ -4,6 +4,7 @@
 
 #include "armlet/dynamics/batch.hpp"
 #include "batch_table.hpp"
+#include "chain/batch_lines.hpp"
 #include "chain/batch_plan.hpp"
 #include "dynamics/checks.hpp"
 #include "dynamics/coupled.hpp"
@@ -35,9 +36,6 @@ bool add_stribeck(const DynamicsPlan& plan, const MotionBatch& batch, double* ta
   return all_finite(tau, static_cast<Eigen::Index>(plan.n * batch.count));
 }
 
-// One line for each joint or row, one motion in each column.
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 // Forces of an arm with rows that copy others, without links beside it.
 void coupled_forces(const JointCoupling& coupling, std::span<const double> q,
                     std::span<const double> qd, std::span<const double> qdd, std::span<double> tau,
@@ -45,25 +43,23 @@ void coupled_forces(const JointCoupling& coupling, std::span<const double> q,
   const Eigen::Index n = coupling.E.cols();
   const Eigen::Index count = static_cast<Eigen::Index>(q.size()) / n;
   const auto lines = [&](std::span<const double> values) {
-    return Eigen::Map<const Rows>(values.data(), n, count);
+    return Eigen::Map<const BatchLines>(values.data(), n, count);
   };
-  const auto span_of = [](const Rows& values) {
-    return std::span(values.data(), static_cast<std::size_t>(values.size()));
-  };
-  Rows position = coupling.E * lines(q);
+  BatchLines position = coupling.E * lines(q);
   position.colwise() += coupling.offset;
-  const Rows rate = coupling.E * lines(qd), acceleration = coupling.E * lines(qdd);
-  Rows forces(coupling.rows.n(), count);
-  inverse_dynamics_batch(coupling.rows, span_of(position), span_of(rate), span_of(acceleration),
+  const BatchLines rate = coupling.E * lines(qd), acceleration = coupling.E * lines(qdd);
+  BatchLines forces(coupling.rows.n(), count);
+  inverse_dynamics_batch(coupling.rows, numbers_of(position), numbers_of(rate),
+                         numbers_of(acceleration),
                          {forces.data(), static_cast<std::size_t>(forces.size())}, set);
-  Eigen::Map<Rows>(tau.data(), n, count) = coupling.E.transpose() * forces;
+  Eigen::Map<BatchLines>(tau.data(), n, count) = coupling.E.transpose() * forces;
 }
 
 bool add_followers(const Robot& robot, const MotionBatch& batch, double* tau) {
   const auto count = static_cast<Eigen::Index>(batch.count);
-  const Eigen::Map<const Rows> q(batch.q, robot.n(), count), qd(batch.qd, robot.n(), count),
+  const Eigen::Map<const BatchLines> q(batch.q, robot.n(), count), qd(batch.qd, robot.n(), count),
       qdd(batch.qdd, robot.n(), count);
-  Eigen::Map<Rows> all(tau, robot.n(), count);
+  Eigen::Map<BatchLines> all(tau, robot.n(), count);
   for (Eigen::Index k = 0; k < count; ++k) {
     JointVector more = JointVector::Zero(robot.n());
     const Eigen::VectorXd rate = qd.col(k);

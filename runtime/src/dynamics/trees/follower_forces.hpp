@@ -1,6 +1,6 @@
 #pragma once
 
-#include "armlet/dynamics/joint_arrays.hpp"
+#include "armlet/model/joint_arrays.hpp"
 #include "armlet/model/mechanism.hpp"
 
 // What the links add to the dynamics of an arm whose joints copy joints of it

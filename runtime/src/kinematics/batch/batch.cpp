@@ -5,6 +5,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/model/joint_coupling.hpp"
 #include "batch_table.hpp"
+#include "chain/batch_lines.hpp"
 #include "chain/batch_plan.hpp"
 #include "kinematics/forward/kernels.hpp"
 
@@ -34,19 +35,13 @@ std::size_t checked_count(const Robot& robot, std::span<const double> q, std::si
   return count;
 }
 
-using ColumnsOfBatch = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 // The values of the rows of a coupled arm, one configuration in each column.
-ColumnsOfBatch columns_of_rows(const JointCoupling& coupling, std::span<const double> q,
-                               std::size_t count) {
-  const Eigen::Map<const ColumnsOfBatch> joints(q.data(), coupling.E.cols(),
-                                                static_cast<Eigen::Index>(count));
-  ColumnsOfBatch rows = coupling.E * joints;
+BatchLines columns_of_rows(const JointCoupling& coupling, std::span<const double> q,
+                           std::size_t count) {
+  const Eigen::Map<const BatchLines> joints(q.data(), coupling.E.cols(),
+                                            static_cast<Eigen::Index>(count));
+  BatchLines rows = coupling.E * joints;
   return rows.colwise() + coupling.offset;
-}
-
-std::span<const double> numbers_of(const ColumnsOfBatch& lanes) {
-  return {lanes.data(), static_cast<std::size_t>(lanes.size())};
 }
 
 // Columns of rows that go together are added up.
@@ -56,10 +51,10 @@ void coupled_jacobians(const Robot& robot, std::span<const double> q, std::span<
   const auto n = static_cast<std::size_t>(robot.n());
   const std::size_t count = checked_count(robot, q, 6 * n, jacobians, "jacobians", set);
   const auto columns = static_cast<Eigen::Index>(count);
-  ColumnsOfBatch of_rows(6 * robot.rows(), columns);
+  BatchLines of_rows(6 * robot.rows(), columns);
   jacobian_batch(coupling.rows, numbers_of(columns_of_rows(coupling, q, count)),
                  {of_rows.data(), static_cast<std::size_t>(of_rows.size())}, set);
-  Eigen::Map<ColumnsOfBatch> out(jacobians.data(), 6 * robot.n(), columns);
+  Eigen::Map<BatchLines> out(jacobians.data(), 6 * robot.n(), columns);
   out.setZero();
   for (int k = 0; k < robot.rows(); ++k) {
     const auto [joint, ratio] = motion_of_row(robot, k);

@@ -36,11 +36,9 @@ double rotation_about_z(const Matrix3d& R) {
   return det::atan2(-R(0, 1), R(1, 1));
 }
 
-}  // namespace
-
 // Rows that copy others may keep the tool upright on axes that lie: a parallel linkage does. Seen
 // at positions without symmetry.
-static std::optional<Vector3d> fixed_tilt_seen(const Robot& robot) {
+std::optional<Vector3d> fixed_tilt_seen(const Robot& robot) {
   constexpr int kPositions = 8;
   constexpr double kGolden = 0.6180339887498949;
   const Vector3d up = forward(robot, robot.home()).linear().row(2);
@@ -57,7 +55,7 @@ static std::optional<Vector3d> fixed_tilt_seen(const Robot& robot) {
   return up.normalized();
 }
 
-std::optional<Vector3d> fixed_tilt(const Robot& robot) {
+std::optional<Vector3d> find_fixed_tilt(const Robot& robot) {
   if (robot.coupling() != nullptr) return fixed_tilt_seen(robot);
   const Chain& chain = robot.chain();
   Matrix3d R = chain.T_world_base.linear();
@@ -70,6 +68,17 @@ std::optional<Vector3d> fixed_tilt(const Robot& robot) {
   R = R * about_x(chain.cos_alpha[n], chain.sin_alpha[n]) * chain.T_flange_tool.linear();
   return R.row(2).transpose().normalized();
 }
+
+// Every goal asks for the tilt of its arm; it is worked out once.
+struct FixedTilt {
+  using FromShape = void;
+  explicit FixedTilt(const Robot& robot) : up(find_fixed_tilt(robot)) {}
+  std::optional<Vector3d> up;
+};
+
+}  // namespace
+
+std::optional<Vector3d> fixed_tilt(const Robot& robot) { return robot.derived<FixedTilt>().up; }
 
 double tilt_error(const Robot& robot, const Eigen::Isometry3d& T_world_frame) {
   const auto up = fixed_tilt(robot);
