@@ -43,27 +43,28 @@ def title_of(path):
 
 def faults_of(path):
     name, text = path.name, path.read_text(encoding="utf-8")
+    shown = f"docs/decisions/{name}"
     lines = text.splitlines()
     title = TITLE.fullmatch(lines[0]) if lines else None
     number = NAME.fullmatch(name)
     if not number:
-        yield f"{name}: the name of a decision is a number and its title, 0007-start-and-end-of-tasks.md"
+        yield f"{shown}: the name of a decision is a number and its title, 0007-start-and-end-of-tasks.md"
     elif not title or title[1] != number[1]:
-        yield f"{name}:1: the first line is `# {number[1]}: Title`"
+        yield f"{shown}:1: the first line is `# {number[1]}: Title`"
     elif not title[2][0].isupper() or title[2].endswith("."):
-        yield f"{name}:1: a title starts with a capital letter and has no full stop"
+        yield f"{shown}:1: a title starts with a capital letter and has no full stop"
     found = [line[3:] for line in lines if line.startswith("## ")]
     if found != SECTIONS:
-        yield f"{name}: the sections are {', '.join(SECTIONS)}; found: {', '.join(found) or 'none'}"
+        yield f"{shown}: the sections are {', '.join(SECTIONS)}; found: {', '.join(found) or 'none'}"
     for section in re.split(r"(?m)^## ", text)[1:]:
         heading, _, body = section.partition("\n")
         if not body.strip():
-            yield f"{name}: the section {heading} is empty"
+            yield f"{shown}: the section {heading} is empty"
     if len(lines) > LINES:
-        yield f"{name}: {len(lines)} lines; at most {LINES}"
+        yield f"{shown}: {len(lines)} lines; at most {LINES}"
     for at, line in enumerate(lines, 1):
         if len(line) > COLUMNS and not line.startswith("|"):
-            yield f"{name}:{at}: {len(line)} characters; at most {COLUMNS}"
+            yield f"{shown}:{at}: {len(line)} characters; at most {COLUMNS}"
 
 
 def repeated(paths):
@@ -72,7 +73,7 @@ def repeated(paths):
     for path in paths:
         first = seen.setdefault(path.name[:4], path.name)
         if first != path.name:
-            yield f"{path.name}: {first} has the same number"
+            yield f"docs/decisions/{path.name}: {first} has the same number"
 
 
 def index(paths):
@@ -87,9 +88,9 @@ def main():
         INDEX.write_text(wanted, encoding="utf-8")
     present = INDEX.read_text(encoding="utf-8") if INDEX.exists() else ""
     if present != wanted:
-        faults.append("README.md is old; make it by tools/check_decisions.py --write:")
+        faults.append("docs/decisions/README.md is old; make it by tools/check_decisions.py --write:")
         faults += [line for line in difflib.unified_diff(present.splitlines(), wanted.splitlines(), lineterm="", n=0) if line[:3] not in ("---", "+++")]
-    print("".join(f"docs/decisions/{fault}\n" if ".md" in fault[:200] else f"{fault}\n" for fault in faults), end="")
+    print("".join(f"{fault}\n" for fault in faults), end="")
     return 1 if faults else 0
 
 
