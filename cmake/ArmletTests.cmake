@@ -245,3 +245,11 @@ function(armlet_add_wasm_tests)
            $<TARGET_FILE:armlet> $<TARGET_FILE:write_programs> 200)
   set_tests_properties(wasm.programs PROPERTIES SKIP_RETURN_CODE 77)
 endfunction()
+
+# ./dev test quick: what together takes less than 20 s on two processors, a second at most each.
+function(armlet_label_quick_tests)
+  get_property(quick DIRECTORY PROPERTY TESTS)
+  list(FILTER quick INCLUDE REGEX "^(examples/|tests/scripts/|source\\.|layer\\.|unit\\.(backend|chain|core|grasp|host|image|plot|support|vision|world)$)")
+  list(FILTER quick EXCLUDE REGEX "opencv|07_visual_servo|random_lines|stuck_tasks|torque_limit|source\\.refused")
+  set_tests_properties(${quick} PROPERTIES LABELS quick)
+endfunction()

@@ -4,7 +4,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-parts=(texts grammar tests page whole clang native wasm tidy)
+rooms=(interpreter runtime library scripts commands)
+parts=(texts grammar "${rooms[@]/#/dev-}" "${rooms[@]/#/asan-}" tests "${rooms[@]/#/tsan-}" page whole clang native wasm tidy)
 
 step() { printf '== %s\n' "$*"; }
 ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^grammar/generated/' || true; }
@@ -33,11 +34,21 @@ grammar() {
   diff -r --exclude RbtTables.h build/grammar grammar/generated  # a test checks the tables
 }
 
+# tests_of PRESET ROOM: one part of the tests with assertions (dev) or with sanitizers (asan, tsan).
+tests_of() {
+  local names
+  case $2 in
+    interpreter) names='^unit[.](interpreter|host|opcodes|checked|convert|oracle)$|^fuzz[.]' ;;
+    runtime) names='^layer[.]|^unit[.](backend|camera|cell|chain|collision|core|dynamics|grasp|image|kinematics|math|mesh|model|opencv|planning|plot|support|trajectory|vision|world)$' ;;
+    library) names='^unit[.](apps|lab|stdlib)$' ;;
+    scripts) names='^(tests/scripts|examples)/' ;;
+    commands) names='[.](command|server|secrets|read|write)$|^(hostile|trace[.]numpy)$' ;;
+  esac
+  step "tests of $2 in build/$1"
+  ./dev test "$1" "$names"
+}
+
 tests() {
-  step build and test, with assertions
-  ./dev test dev
-  step build and test, with the address and undefined-behaviour sanitizers
-  ./dev test asan
   step build and test, optimised
   ./dev test
 }
@@ -86,5 +97,10 @@ tidy() {
 for part; do
   [[ " ${parts[*]} " == *" $part "* ]] || { echo "check: there is no part $part; parts are: ${parts[*]}" >&2; exit 64; }
 done
-for part; do "$part"; done
+for part; do
+  case $part in
+    dev-* | asan-* | tsan-*) tests_of "${part%%-*}" "${part#*-}" ;;
+    *) "$part" ;;
+  esac
+done
 step all in order

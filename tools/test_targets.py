@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What has to be built for some of the tests: test_targets.py BUILD NAME
+"""What has to be built for some of the tests: test_targets.py BUILD -R NAME, or test_targets.py BUILD -L LABEL
 
-Prints the targets of the folder BUILD that the tests whose name contains NAME run, one a line; `all` for tests that install
-everything. Exits with 1 if there is no such test.
+Prints the targets of the folder BUILD that the chosen tests run, one a line: those whose name matches the pattern NAME, or
+that have the label LABEL. Prints `all` for tests that install everything. Exits with 1 if there is no such test.
 """
 import pathlib
 import re
@@ -13,12 +13,14 @@ QUOTED = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 
 def tests(folder):
-    """Of a folder and those in it: the name and the command of every test."""
+    """Of a folder and those in it: the name, the command and the label of every test; ctest does not tell the commands of
+    programs that are not built yet."""
     listed = "".join(path.read_text() for path in folder.glob("CTestTest*"))
+    labels = dict(re.findall(r'^set_tests_properties\(\[=*\[(.*?)\]=*\] PROPERTIES .*?LABELS "(.*?)"', listed, re.M))
     for line in listed.splitlines():
         test = re.match(r"add_test\(\[=*\[(.*?)\]=*\](.*)\)$", line)
         if test:
-            yield test[1], QUOTED.findall(test[2])
+            yield test[1], QUOTED.findall(test[2]), labels.get(test[1])
         below = re.match(r'subdirs\("(.*)"\)$', line)
         if below:
             yield from tests(folder / below[1])
@@ -32,10 +34,11 @@ def outputs(build):
 
 
 def main():
-    build, name = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
-    chosen = [command for test, command in tests(build) if name in test]
+    build, choice, wanted = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], sys.argv[3]
+    chosen = [command for name, command, label in tests(build)
+              if (label == wanted if choice == "-L" else re.search(wanted, name))]
     if not chosen:
-        sys.exit(f"no test has a name with {name} in it; `ctest --test-dir {sys.argv[1]} -N` lists them")
+        sys.exit(f"there is no such test: {wanted}; `ctest --test-dir {sys.argv[1]} -N` lists them")
     known, needed = outputs(build), set()
     for command in chosen:
         if {"--install", "--build-and-test"} & set(command):
@@ -46,6 +49,6 @@ def main():
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
     main()
