@@ -1,6 +1,6 @@
 // How much faster than real time a cell is simulated: a minute of pick and place in 40 moves, with
 // conditions looked at a thousand times a second and nobody listening. Everything counts: reading
-// the program, planning and verifying its moves, the hand and what it carries.
+// the program, planning and verifying its moves, the tool and what it carries.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -45,7 +45,7 @@ struct KdlArm::State {
         J(static_cast<unsigned>(arm.size())),
         q(static_cast<unsigned>(arm.size())) {}
 
-  // Whole turns into the limits; false if a joint stays outside.
+  // Whole revolutions into the limits; false if a joint stays outside.
   bool wrap_into_limits() {
     for (std::size_t i = 0; i < joints.size(); ++i) {
       double& value = q(static_cast<unsigned>(i));

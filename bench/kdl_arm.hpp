@@ -27,7 +27,7 @@ struct KdlBody {
 };
 
 // An arm in Orocos KDL. It is compiled apart from Armlet, which lays out Eigen's types without the
-// alignment that the installed KDL library expects. Inputs are handed over before the clock runs.
+// alignment that the installed KDL library expects. Inputs are passed before the clock runs.
 class [[gnu::visibility("default")]] KdlArm {
  public:
   KdlArm(const PlainPose& base, const std::vector<KdlJoint>& joints, const PlainPose& tool);

@@ -7,7 +7,7 @@
 
 namespace armlet::bench {
 
-// The dynamics of an arm in Orocos KDL, compiled apart like KdlArm. Inputs are handed over before
+// The dynamics of an arm in Orocos KDL, compiled apart like KdlArm. Inputs are passed before
 // the clock runs.
 class [[gnu::visibility("default")]] KdlDynamics {
  public:

@@ -1,4 +1,4 @@
-# Orocos KDL, the peer of the benchmarks: kdl_arm is our way of calling it, kdl_origin says whose build of it.
+# Orocos KDL, the peer of the benchmarks: kdl_arm calls it, kdl_origin says whose build of it.
 set(ARMLET_KDL_SOURCE "" CACHE PATH "Folder orocos_kdl of the sources of Orocos KDL, compiled with our flags for the benchmarks")
 set(kdl orocos-kdl)
 set(kdl_origin "KDL from the system")

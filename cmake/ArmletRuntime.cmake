@@ -76,7 +76,7 @@ function(armlet_place_module module)
   endif()
 endfunction()
 
-# The room of the sampling planners, loaded when the first way is searched (runtime/src/planning/sampling_door.hpp). Without OMPL,
+# The room of the sampling planners, loaded when the first path is searched (runtime/src/planning/sampling_door.hpp). Without OMPL,
 # everything else is built all the same.
 function(armlet_add_sampling_library)
   if(EMSCRIPTEN OR NOT ARMLET_PLANNING)

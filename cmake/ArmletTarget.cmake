@@ -9,7 +9,7 @@
 # armlet_compile_apart(SOURCE...) keeps sources out of these groups.
 # armlet_compile_options(TARGET) gives a target the flags that all of our own code is compiled with.
 
-# A compiler cache when there is one that is not switched off; it and precompiled headers get in each other's way.
+# A compiler cache when there is one that is not switched off; it and precompiled headers hinder each other.
 find_program(ARMLET_CCACHE ccache)
 if(ARMLET_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT DEFINED ENV{CCACHE_DISABLE})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${ARMLET_CCACHE})

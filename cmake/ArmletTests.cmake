@@ -72,7 +72,7 @@ function(armlet_add_script_tests)
   list(TRANSFORM ARGN APPEND /*.rbt)
   file(GLOB_RECURSE scripts CONFIGURE_DEPENDS ${ARGN})
   list(FILTER scripts EXCLUDE REGEX "/modules/")
-  if(NOT TARGET armlet_planning)  # these search ways around obstacles
+  if(NOT TARGET armlet_planning)  # these search paths around obstacles
     list(FILTER scripts EXCLUDE REGEX "around|R0644_")
   endif()
   if(NOT TARGET armlet_vision)  # these call OpenCV
@@ -153,7 +153,7 @@ function(armlet_add_format_tests)
   endif()
 endfunction()
 
-# Meshes of other formats. What a false size does is told by the limit on memory, which sanitizers do not keep.
+# Meshes of other formats. What a false size does is reported by the limit on memory, which sanitizers do not keep.
 function(armlet_add_convert_tests)
   armlet_add_unit_tests(convert armlet_mesh_client ${PROJECT_SOURCE_DIR}/apps/mesh)
   target_sources(test_convert PRIVATE ${PROJECT_SOURCE_DIR}/apps/mesh/converter/confine.cpp)

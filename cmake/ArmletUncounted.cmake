@@ -1,4 +1,4 @@
-# armlet_uncounted is the command without the counting of steps: its own copy of the loop takes the place of the library's.
+# armlet_uncounted is the command without the counting of steps: its own copy of the loop replaces the library's.
 find_package(CLI11 REQUIRED)
 get_target_property(command_sources armlet SOURCES)
 get_target_property(command_folder armlet SOURCE_DIR)

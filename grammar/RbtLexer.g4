@@ -2,7 +2,7 @@
 //
 // The lexer never fails: text that is no token becomes BADNUM, BADSTR or ERR, which are reported in the words of the
 // program before the parser runs. Line breaks are tokens on a channel of their own; interpreter/src/syntax/line_ends
-// turns them into ends of statements, so that the parser sees only SEMI.
+// makes ends of statements of them, so that the parser sees only SEMI.
 lexer grammar RbtLexer;
 
 options { language = Cpp; }

@@ -71,7 +71,7 @@ class LexerAutomaton : public LexerATNSimulator {
 constexpr std::size_t kCharacters = 0x110000;
 constexpr std::size_t kAscii = 128;
 
-// The first characters of the intervals that the grammar tells apart.
+// The first characters of the intervals that the grammar distinguishes.
 std::vector<std::size_t> intervals_of(const ATN& atn) {
   std::set<std::size_t> firsts{0};
   for (const ATNState* state : atn.states) {

@@ -132,7 +132,7 @@ void read_edges(Words& words, ATN& atn) {
   }
 }
 
-// From the end of a rule the way goes on behind each of its calls.
+// From the end of a rule prediction goes on behind each of its calls.
 void add_returns(ATN& atn) {
   for (ATNState* state : atn.states) {
     for (Transition* transition : state->transitions) {

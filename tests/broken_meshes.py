@@ -76,7 +76,7 @@ def hostile(folder):
     yield "net.gltf", gltf(buffers=[{"uri": "http://localhost/x", "byteLength": 10}]), "on a drive or in a network"
     yield "deep.gltf", b"[" * 1000000, "more than 64 values in one another"
     yield "digits.gltf", gltf(buffers=[{"uri": "data:;base64,!!!!", "byteLength": 3}]), "base64"
-    # Pictures: what is there and cannot be used is refused, what is not there is told.
+    # Pictures: what is there and cannot be used is refused, what is not there is reported.
     for picture, why in (("fifo.png", "it is a pipe"), ("wide.png", "20000 x 20000 pixels"), ("long.png", "is damaged or cut off"),
                          ("link.png", "it is a link")):
         for name, data in pictured(picture, folder, document):

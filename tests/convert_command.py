@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Meshes of other formats: convert_command.py ARMLET CONVERTER. Textured boxes in every format become GLB with the picture and
 the colour inside; programs, joints and robot descriptions take them, with a cache; broken files are refused with their name and
-the reason, in bounded time, without a foreign file being opened. Without a converter (CONVERTER is empty), what is told then."""
+the reason, in bounded time, without a foreign file being opened. Without a converter (CONVERTER is empty), the message about that."""
 
 import json
 import os
@@ -75,7 +75,7 @@ def numbers_of(document, binary, index):
 
 
 def triangles_of(name, document, binary):
-    """(positions with z up, places on the picture or None, primitive) of each triangle."""
+    """(positions with z up, positions on the picture or None, primitive) of each triangle."""
     for mesh in document["meshes"]:
         for each in mesh["primitives"]:
             positions = numbers_of(document, binary, each["attributes"]["POSITION"])
@@ -304,7 +304,7 @@ def check_cache(folder):
 
 
 def check_missing_picture(folder):
-    """It is told each time, also when the mesh comes from the cache or from a record."""
+    """It is reported each time, also when the mesh comes from the cache or from a record."""
     text, library = meshes.obj("nowhere.png", "plain.mtl")
     folder.write("plain.obj", text)
     folder.write("plain.mtl", library)
@@ -465,7 +465,7 @@ def main():
         names = meshes.textured(folder.path)
         check_without(folder)
         if not sys.argv[2]:
-            print("the converter is not built; what is told without it is right")
+            print("the converter is not built; the message about that is right")
             return
         for name in names:
             check_format(folder, name)

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-# Writes where it is told, seen from the folder in which it runs, what the build then changes.
+# Writes into the given file, relative to the folder in which it runs, what the build then changes.
 TOOL = """#!/usr/bin/env python3
 import pathlib, sys
 out = pathlib.Path(sys.argv[sys.argv.index("-o") + 1])

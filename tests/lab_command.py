@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""armlet lab --inputs: laboratories are played without a page, the same way each time, and bad scripts are refused:
+"""armlet lab --inputs: laboratories are played without a page, identically each time, and bad scripts are refused:
 lab_command.py ARMLET."""
 
 import subprocess

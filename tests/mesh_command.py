@@ -88,7 +88,7 @@ print(topGrasp(one).p[2] / 1mm)
 
 
 def check_mass(folder):
-    # 0.04 x 0.06 x 0.08 m of 2700 kg/m^3: the arm feels its weight.
+    # 0.04 x 0.06 x 0.08 m of 2700 kg/m^3: the arm carries its weight.
     lines, _ = folder.lines("""robot arm = robots.puma560(tool: parallelGripper(stroke: 80mm, force: 200N))
 let from = posJ(0deg, -30deg, -60deg, 0deg, -60deg, 0deg)
 arm.moveJ(from)

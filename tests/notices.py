@@ -155,7 +155,7 @@ def unpacked(text):
 
 
 def check_has_notices(what, text):
-    """Whether a page tells of what it and its engine contain."""
+    """Whether a page names what it and its engine contain."""
     for part in PARTS:
         if {"page", "engine"} & set(part["in"]):
             for line in [part["name"], *part["copyright"]]:

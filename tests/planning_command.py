@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Ways around obstacles: their library is loaded when the first one is searched, and not before; without it programs say
+"""Paths around obstacles: their library is loaded when the first one is searched, and not before; without it programs say
 so; two processes find the same bits: planning_command.py ARMLET."""
 
 import os
@@ -40,7 +40,7 @@ def main():
         print("this build has no OMPL")
         sys.exit(77)
     loaded = run(COMMAND, AROUND, LD_DEBUG="files")
-    check("a way around is found", loaded.returncode == 0, loaded.stdout, loaded.stderr[-2000:])
+    check("a path around is found", loaded.returncode == 0, loaded.stdout, loaded.stderr[-2000:])
     check("its library is loaded for that", "libompl" in loaded.stderr)
     beside = run(COMMAND, BESIDE, LD_DEBUG="files")
     check("a move that meets nothing does not need it",
@@ -64,7 +64,7 @@ def main():
               without.returncode != 0 and "R0646" in without.stderr + without.stdout
               and '"post"' in without.stderr + without.stdout, without.stdout, without.stderr)
         check("and moves that meet nothing are made", run(alone, BESIDE).returncode == 0)
-    print("ways around: in order")
+    print("paths around obstacles: in order")
 
 
 if __name__ == "__main__":

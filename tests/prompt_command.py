@@ -112,7 +112,7 @@ def check_own_pages():
 
 
 def check_recording():
-    """The session is left for `armlet replay` when the prompt is told so, and not before."""
+    """The session is left for `armlet replay` when the prompt is asked to, and not before."""
     with tempfile.TemporaryDirectory() as folder:
         lines = ["print(1)", ":record on", "print(2)", ":record off", ":record mine.arec", "moveJ(home() + [0.1, 0, 0, 0])", ":record a.txt",
                  ":record no/a.arec"]
@@ -251,7 +251,7 @@ def check_stopping(home):
     slow.type("print(\"there\", n == seen)\n")
     slow.expect(r"\nthere true", "a line that takes long")
     slow.type("let z = 1\n:undo\n")
-    slow.expect(r":undo", "the wish to go back")
+    slow.expect(r":undo", "the request to go back")
     time.sleep(0.15)
     slow.type("\x03")
     found = slow.expect(r"stopped; all as it was|as before", "Ctrl-C while lines run again")
@@ -283,16 +283,16 @@ def check_motions(home):
     arm.type("moveL(poseOf(c), speed: 200mm/s)\n")
     arm.expect(r"scara moveL", "at the cube")
     arm.type("grasp(c)\n")
-    arm.expect(r"grasp\(c\).*rbt> ", "in the hand")
+    arm.expect(r"grasp\(c\).*rbt> ", "in the gripper")
     arm.type("moveJ(home(), time: 2s)\n")
     arm.expect(r"scara moveJ 2\.00 s, hand at (\([^)]*\))", "carried away")
     arm.type(":objects\n")
-    away = arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "the cube is in the hand").group(1)
+    away = arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "the cube is in the gripper").group(1)
     arm.type(":undo\n")
     arm.expect(r"as before\s+moveJ\(home\(\)", "back to before the motion")
     arm.type(":objects\n")
-    there = arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "the cube is back, and still in the hand").group(1)
-    check("the cube went back with the hand", there != away, (there, away))
+    there = arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "the cube is back, and still in the gripper").group(1)
+    check("the cube went back with the gripper", there != away, (there, away))
     arm.type(":undo\n")
     arm.expect(r"as before\s+grasp\(c\)", "back to before the grasp")
     arm.type(":where\n")
@@ -300,14 +300,14 @@ def check_motions(home):
     arm.type(":redo 2\n")
     arm.expect(r"done again\s+grasp\(c\)\s+moveJ\(home\(\)", "both again")
     arm.type(":objects\n")
-    check("the same as first", arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "in the hand").group(1) == away, arm.text)
+    check("the same as first", arm.expect(r"cube +\(([^)]*)\) mm +held by scara", "in the gripper").group(1) == away, arm.text)
     arm.type(":steps\n")
     arm.expect(r"2(\.0+)? s", "how the last move was planned")
     arm.type(":speed 1x\n")
     arm.expect(r"at 1 times", "the speed of the clock")
     arm.type("moveJ(home() + [0.8, 0, 0, 0], time: 1500ms)\n")
     shown = [arm.expect(r"t = (\d+\.\d+) s   scara \((.*?)\), hand at \(([^)]*)\)", "a line under the motion").groups() for _ in range(8)]
-    check("time, joints and hand go on", all(a != b for a, b in zip(shown[0], shown[-1])), shown)
+    check("time, joints and tool go on", all(a != b for a, b in zip(shown[0], shown[-1])), shown)
     arm.expect(r"scara moveJ 1\.50 s, hand at", "the end of the motion")
     arm.type("moveJ(home(), time: 20s)\n")
     arm.expect(r"t = \d+\.\d+ s   scara", "a long motion")

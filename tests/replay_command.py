@@ -12,7 +12,7 @@ from pathlib import Path
 
 COMMAND = Path(sys.argv[1]).resolve()
 ROOT = Path(__file__).resolve().parent.parent
-LATE = {"end_of_time.rbt"}  # three years, of which every 10 ms would be told
+LATE = {"end_of_time.rbt"}  # three years, of which every 10 ms would be reported
 FNV_OFFSET, FNV_PRIME = 0xCBF29CE484222325, 0x100000001B3
 
 

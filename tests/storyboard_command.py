@@ -45,7 +45,7 @@ with tempfile.TemporaryDirectory() as name:
     first = (folder.path / "sheet.png").read_bytes()
     folder.run(MOVES, "--storyboard", "sheet.png", "--quiet")
     check("the same sheet again", (folder.path / "sheet.png").read_bytes() == first)
-    # Pictures differ where the arm does; below each is a label; the last places are white.
+    # Pictures differ where the arm does; below each is a label; the last fields are white.
     cut = f'let img = loadImage("sheet.png")\nfn tile(i: int) -> image {{ let x = {GAP} + i % 4 * {WIDTH + GAP}; let y = {GAP} + i / 4 * {HEIGHT + LABEL + GAP}; ' \
           f'return img[x:x + {WIDTH}, y:y + {HEIGHT + LABEL}] }}\n'
     out = folder.look(cut + f'print(tile(0) == tile(1), tile(1) == tile(2), min(matrix(gray(tile(0)[0:{WIDTH}, {HEIGHT}:{HEIGHT + LABEL}]))) < 100, min(matrix(gray(tile(7)))))')

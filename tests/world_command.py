@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Worlds in files: world_command.py ARMLET. Scenes as .rbt, GLB and URDF are taken by `run`, `check` and the prompt; what is wrong in them is
-refused with file, place and cause; textures and their broken files."""
+refused with file, line and cause; textures and their broken files."""
 
 import math
 import struct

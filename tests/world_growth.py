@@ -68,7 +68,7 @@ def signals(n):
 
 
 def moves(n):
-    """The arm passes some bodies closely, and most in no way."""
+    """The arm passes some bodies closely, and most not at all."""
     return spread(n) + ('robot arm = robots.ur5()\nfor (i in range(4)) {\n'
                         '  arm.moveJ(posJ([i % 2 == 0 ? 0.5rad : -0.5rad, -1.2rad, 1.2rad, 0rad, 0.3rad, 0rad]), 2s)\n}\n')
 

@@ -4,7 +4,7 @@
 usage: check_citations.py [FILE...]
 
 "Section 13.2" means docs/language.md, or the document that says it if that has numbered headings; a section of a book stands
-behind its year. CHANGELOG.md tells of the past and is left out.
+behind its year. CHANGELOG.md is about the past and is left out.
 """
 import pathlib
 import re
@@ -60,7 +60,7 @@ def comments(path, text):
 
 
 def joined(text):
-    """Comments whose sentences go over several lines, as one; a line number for every place."""
+    """Comments whose sentences go over several lines, as one; a line number for every character."""
     out, lines = [], []
     for number, line in enumerate(text.splitlines(), 1):
         line = re.sub(r"^\s*(?://+|#)\s?", "", line) + " "

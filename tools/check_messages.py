@@ -27,7 +27,7 @@ ELSEWHERE = {
     "R0691": "tests/opencv/vision_command.py",  # a build without OpenCV
     "W0740": "tests/convert_command.py",  # needs the converter
     "W0741": "tests/convert_command.py",
-    "W0743": "tests/world_command.py",  # it has no place in the program
+    "W0743": "tests/world_command.py",  # it has no line in the program
     "W0719": "tests/unit/interpreter/vm/entries_test.cpp",  # a script is one entry
     "W0712": "tests/unit/stdlib/session_test.cpp",  # the command always supplies a world
 }

@@ -46,7 +46,7 @@ def faults(rows):
             yield f"{name}: licence, copyright and home are needed"
         for place in row["in"] + row.get("loaded", []):
             if place not in PLACES:
-                yield f"{name}: there is no place {place}"
+                yield f"{name}: there is no component {place}"
         if not row["in"] + row.get("loaded", []):
             yield f"{name}: nothing contains or loads it"
         if row["licence"].startswith("MPL") and row["in"] and "source" not in row:

@@ -51,7 +51,7 @@ def words(lists):
 
 
 def units(lists):
-    """Section 6 of the language reference. The letter mu is written in two ways, which look alike."""
+    """Section 6 of the language reference. The letter mu is written with two characters, which look alike."""
     found = {}
     for row in lists["units"]:
         if "\u03bc" not in row["unit"]:

@@ -78,18 +78,21 @@ class Glossary:
         return None
 
 
-def python_prose(text):
-    """Comments and texts of a Python source, with their lines."""
+def python_prose(name, text):
+    """Comments and documentation of a Python source with their lines; of a tool also its texts, which in tests are mostly data."""
+    opened = True  # whether a string here stands alone on its line
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        if token.type in (tokenize.COMMENT, tokenize.STRING):
+        if token.type == tokenize.COMMENT or token.type == tokenize.STRING and (opened or name.startswith("tools/")):
             for offset, line in enumerate(token.string.splitlines()):
                 yield token.start[0] + offset, re.sub(r"\{[^}]*\}", "{}", line)
+        if token.type not in (tokenize.COMMENT, tokenize.NL):
+            opened = token.type in (tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT)
 
 
 def prose(name, text):
     """The lines of a file that are for readers, without code and addresses."""
     fenced = False
-    for number, line in python_prose(text) if name.endswith(".py") else enumerate(comments(name, text).splitlines(), 1):
+    for number, line in python_prose(name, text) if name.endswith(".py") else enumerate(comments(name, text).splitlines(), 1):
         if name.endswith(".md"):
             fenced ^= line.startswith("```")
             if fenced or line.startswith("    "):

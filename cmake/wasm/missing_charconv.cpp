@@ -6,8 +6,8 @@
 
 namespace std {
 
-// fmt's digits are the fewest that tell a number from its neighbours, and of these the nearest to
-// it, as the standard wants them.
+// fmt's digits are the fewest that distinguish a number from its neighbours, and of these the
+// nearest to it, as the standard wants them.
 to_chars_result to_chars(char* first, char* last, double value, chars_format) {
   const auto decimal = fmt::detail::dragonbox::to_decimal(value);
   const string digits = to_string(decimal.significand);

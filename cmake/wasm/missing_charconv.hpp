@@ -39,7 +39,7 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {behind, errc()};
 }
 
-// In a given number of places.
+// In a given number of digits.
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format format,
                                 int places) {
   const char* pattern = format == chars_format::scientific ? "%.*e"
@@ -53,7 +53,7 @@ inline to_chars_result to_chars(char* first, char* last, double value, chars_for
   return {first + size, errc()};
 }
 
-// With as few digits as tell the number, finite and above zero, from its neighbours; in the
+// With as few digits as identify the number, finite and above zero, from its neighbours; in the
 // scientific format, whichever is asked for.
 to_chars_result to_chars(char* first, char* last, double value, chars_format format);
 

@@ -23,7 +23,7 @@ void insert_each(const void* row, Less less, uint32_t* begin, uint32_t* end) {
   }
 }
 
-// Merges [begin, middle) and [middle, end), both in order, by way of `other`.
+// Merges [begin, middle) and [middle, end), both in order, through `other`.
 void merge_halves(const void* row, Less less, uint32_t* begin, uint32_t* middle, uint32_t* end,
                   uint32_t* other) {
   if (!less(row, *middle, middle[-1])) return;
@@ -50,8 +50,8 @@ void sort_row(const void* row, uint32_t count, const Sorted& sorted) {
   uint32_t* const order = count > kFew ? many.data() : few;
   std::iota(order, order + count, 0U);
   sort_numbers(row, sorted.less, order, order + count, order + count);
-  // The element for place i has been swapped away if its number is below i: to where the one came
-  // from that took its place, which `order` says of places that are done.
+  // The element for index i has been swapped away if its number is below i. It is now at the old
+  // index of its replacement, which `order` holds for the finished indexes.
   for (uint32_t i = 0; i < count; ++i) {
     uint32_t from = order[i];
     while (from < i) from = order[from];

@@ -3,7 +3,7 @@ find_program(ARMLET_EMCC emcc REQUIRED)
 file(REAL_PATH ${ARMLET_EMCC} emscripten)
 cmake_path(GET emscripten PARENT_PATH emscripten)
 include(${emscripten}/cmake/Modules/Platform/Emscripten.cmake)
-# Exceptions of WebAssembly itself; those by way of JavaScript make everything slower.
+# Exceptions of WebAssembly itself; those through JavaScript make everything slower.
 # Instructions that every browser with these exceptions has: a double becomes an integer without a test around it, for one.
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions -mnontrapping-fptoint -msign-ext")
 # Packages of headers are those of the system.

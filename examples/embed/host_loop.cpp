@@ -1,5 +1,5 @@
 // A control loop of 1 kHz that belongs to the host: each tick it calls the program's controller,
-// lets the program's own tasks run up to the same time, and hands values over. With --paced it
+// lets the program's own tasks run up to the same time, and passes values. With --paced it
 // keeps to the wall clock; what is computed does not depend on it.
 #include <armlet/interpreter/host.hpp>
 #include <chrono>

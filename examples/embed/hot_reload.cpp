@@ -1,5 +1,5 @@
 // A program is replaced while the host goes on: variables with the same name and type keep their
-// values, and the host hears of the others.
+// values, and the others are reported to the host.
 #include <armlet/interpreter/host.hpp>
 #include <iostream>
 #include <memory>

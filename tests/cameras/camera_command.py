@@ -148,7 +148,7 @@ def check_record(folder):
         verified = subprocess.run([COMMAND, "replay", "--verify", "r.arec"], cwd=folder, capture_output=True, text=True, timeout=60)
         check(f"the same run: {verified.stderr}", (verified.returncode, verified.stdout),
               (0, "the same run, " + done.stdout.splitlines(True)[-1]))
-    # One pixel that the program does not look at is another one: the hash tells.
+    # One pixel that the program does not look at is another one: the hash shows it.
     drawn = run(folder, THREE, "--hash").stdout.splitlines()[-1]
     other = run(folder, THREE.replace("noise: 4.0", "noise: 4.0; seed: 2"), "--hash").stdout.splitlines()[-1]
     check("other noise, another hash", drawn == other, False)

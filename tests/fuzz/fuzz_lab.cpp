@@ -1,4 +1,4 @@
-// The protocol of laboratories: whatever pages send, each of them is told what holds together.
+// The protocol of laboratories: whatever pages send, each page receives consistent messages.
 //
 // The input is lines. One that begins with + lets a page join, with - the last one leave, with .
 // the laboratory work; any other one is a message of the page whose number comes first, by default
@@ -21,7 +21,7 @@ namespace {
 constexpr int kSlices = 60;
 constexpr std::size_t kMostPages = 4;
 
-// What a page has been told so far.
+// What a page has received so far.
 class Listener {
  public:
   explicit Listener(int page) : number(page) {}

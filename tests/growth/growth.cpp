@@ -1,5 +1,5 @@
-// Compiles programs, each part of the way in a function of its own, so that a tool that counts
-// instructions by function can tell how the work of each part grows.
+// Compiles programs, each part of the work in a function of its own, so that a tool that counts
+// instructions by function can show how the work of each part grows.
 //
 //   growth FILE...     at most kMost files; file number i is worked on by read<i>, check<i>,
 //   lower<i>, show<i>, lay_out<i>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Counts the instructions that each part of the way from text to bytecode takes for programs of size n and 4n.
+"""Counts the instructions that each part of the work from text to bytecode takes for programs of size n and 4n.
 
 usage: growth.py GROWTH [SHAPE...] [--all] [--scale S] [--show]
 

@@ -1,4 +1,4 @@
-"""Programs with mistakes of every kind: what is wrong is found, and told, in time that goes with the text."""
+"""Programs with mistakes of every kind: they are found and reported in time proportional to the text."""
 
 from shapes import lines, shape
 

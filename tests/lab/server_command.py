@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Serves laboratories and behaves badly at them: whatever comes, the laboratory goes on and tells everyone else the truth.
+"""Serves laboratories and behaves badly at them: whatever comes, the laboratory goes on and sends the other pages the right messages.
 
 Usage: server_command.py ARMLET
 """
@@ -77,7 +77,7 @@ def run_text(page, text, version, seconds=60):
 
 
 def goes_on(address):
-    """A new page can connect, and is told the whole run."""
+    """A new page can connect, and receives the whole run."""
     page = greet(address)
     run, seen = page.until(lambda m: is_message(m, "run") and m["state"] != "running")
     assert any(isinstance(each, Rows) and each.count for each in seen)
@@ -396,7 +396,7 @@ def check_crowd(lab):
 
 
 def check_pages(lab):
-    """Two pages: one shows, the other follows; the control is handed over; who comes back sees the present."""
+    """Two pages: one shows, the other follows; the control is passed on; a page that returns sees the present state."""
     teacher = greet(lab.address)
     take_control(teacher)
     student = greet(lab.address)

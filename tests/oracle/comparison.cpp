@@ -81,7 +81,7 @@ std::string run_machine(const std::shared_ptr<const Program>& program, const Run
 
 namespace {
 
-// The output of the whole program. With few steps and calls it has to end at the same place too.
+// The output of the whole program. With few steps and calls it has to end at the same position too.
 std::string run_twice(const std::shared_ptr<const Program>& program, std::uint64_t few,
                       std::string& more) {
   std::string out = run_machine(program, kLimits, &more);

@@ -9,7 +9,7 @@
 
 namespace armlet::oracle {
 
-// What one way of running did: all that it wrote, then the error that ended it with its place.
+// What one evaluation did: all that it wrote, then the error that ended it with its position.
 struct Report {
   std::string oracle;
   std::string plain;

@@ -1,5 +1,5 @@
 #pragma once
-// Runs a checked program by walking its typed tree: the slowest and plainest way there is, to
+// Runs a checked program by walking its typed tree: the slowest and plainest method, to
 // compare the machine with.
 //
 // Values are copied whenever they are read; functions of the text call functions of C++; failures
@@ -28,7 +28,7 @@ struct Outcome {
 
 class Aside;
 
-// How a statement ended: normally, on the way to a loop, switch or try, or returning.
+// How a statement ended: normally, jumping to a loop, switch or try, or returning.
 struct Completion {
   enum class How : std::uint8_t { kNormal, kJump, kReturn } how = How::kNormal;
   lang::hir::Jump jump{};
@@ -51,7 +51,7 @@ class Evaluator {
 
  private:
   friend class Aside;
-  // A variable is a place of its own: tasks share those that they see.
+  // A variable has its own memory: tasks share those that they see.
   using Variables = std::unordered_map<const lang::hir::Variable*, std::shared_ptr<Value>>;
   using Values = std::vector<Value>;
   struct Index {
@@ -161,12 +161,12 @@ class Evaluator {
   [[nodiscard]] Tasks::Condition condition_of(const lang::hir::Expr& e);
   void refuse_to_pause(Span where) const;
 
-  // ---- places
+  // ---- targets of assignments
   [[nodiscard]] Variables& home(const lang::hir::Variable& v);
   void declare(const lang::hir::Variable& v, Value value);
   void check_set(const lang::hir::Variable& v, Span where);
   [[nodiscard]] Indices indices(const lang::hir::Place& place);
-  // makes: the entry of a map that the place ends with, if it is not there.
+  // makes: the entry of a map that the target ends with, if it is not there.
   [[nodiscard]] Value& walk(const lang::hir::Place& place, const Indices& indices,
                             bool makes = false);
 

@@ -196,7 +196,7 @@ Value Evaluator::element(const ElementExpr& e) {
     fail_index(index, items.size(), e.span);
   if (items[index].absent()) {
     Span list = e.object->span;
-    // A place that is assigned: its variable has the span of all of it.
+    // A target of an assignment: its variable has the span of all of it.
     const bool is_variable = e.object->kind == ExprKind::kVariable;
     const std::string_view name =
         is_variable ? e.object->as<VariableExpr>().variable->name : std::string_view();

@@ -145,7 +145,7 @@ Completion Evaluator::switch_case(const SwitchStmt& s) {
 
 // ---- failures and their handling
 
-// An error that `finally` raises replaces the one that is under way, but does not end a
+// An error that `finally` raises replaces the one being handled, but does not end a
 // cancellation.
 Completion Evaluator::try_catch(const TryStmt& s) {
   if (s.finally == nullptr) return attempt(s);
@@ -195,7 +195,7 @@ Completion Evaluator::attempt(const TryStmt& s) {
   }
 }
 
-// ---- places
+// ---- targets of assignments
 
 Evaluator::Variables& Evaluator::home(const Variable& v) {
   return v.storage == Storage::kGlobal ? globals_ : *locals_;
@@ -260,7 +260,7 @@ Value& Evaluator::walk(const Place& place, const Indices& indices, bool makes) {
 }
 
 // Indexes first, then the right side, then the old value if it is needed: the right side may have
-// changed the place.
+// changed the target.
 void Evaluator::assign(const AssignStmt& s) {
   const Variable& variable = *s.place.variable;
   const bool is_first = s.place.steps.empty() && !s.compound && variable.init == nullptr;

@@ -136,7 +136,7 @@ bool Tasks::continue_tasks() {
   return any && !tasks_.front()->has_ended;
 }
 
-// What came true goes on only if it still holds when its turn comes.
+// What came true goes on only if it still holds when the scheduler reaches it.
 bool Tasks::has_turn(Task& task, bool& any) {
   if (!may_continue(task)) return false;
   Watch* watch = task.watch;

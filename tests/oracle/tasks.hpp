@@ -3,7 +3,7 @@
 // end (language reference, section 12, and decision 7).
 //
 // A task is a thread of the processor, so that it can wait in the middle of whatever it does. Only
-// one thread runs at a time: the scheduler gives the turn to a task, and gets it back when that
+// one thread runs at a time: the scheduler gives control to a task, and gets it back when that
 // waits or has ended.
 
 #include <cstdint>
@@ -76,7 +76,7 @@ class Tasks {
   [[nodiscard]] bool has_turn(Task& task, bool& any);
   void drop(Task& task);  // a body that has not begun
   void give_turn(Task& task);
-  void give_back();  // the running task waits until it has the turn again
+  void give_back();  // the running task waits until it has control again
 
   // ---- how tasks begin and end
   Task& create(Body body, Task* parent, Watch* watch);
@@ -93,7 +93,7 @@ class Tasks {
   std::uint64_t last_order_ = 0;
   std::int64_t now_ = 0;
   Task* running_ = nullptr;
-  std::binary_semaphore scheduler_{0};  // its turn
+  std::binary_semaphore scheduler_{0};  // it has control
   bool abandoned_ = false;              // all threads come to an end, doing nothing more
   std::exception_ptr broken_;           // the oracle itself failed
 };

@@ -1,4 +1,4 @@
-// Pictures of cameras without a browser: messages, who is asked when, marks and ways, and where a camera stands in the 3D view.
+// Pictures of cameras without a browser: messages, who is asked when, marks and paths, and where a camera stands in the 3D view.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { source } from "./modules.mjs";

@@ -1,6 +1,6 @@
 // Measures in a browser what docs/performance.md says of the page: how soon mistakes, paths and pictures are there. Served by the
 // command, and as one file where there is an engine. Without a graphics processor pictures are drawn by the processor, so times
-// of frames are told with and without drawing.
+// of frames are measured with and without drawing.
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -28,7 +28,7 @@ function largeLaboratory() {
 const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
 const ms = (value) => `${value.toFixed(0)} ms`;
 
-// Tells the page's own code when an answer of a type has come, whatever carries it.
+// Reports to the page's own code when an answer of a type has come, whatever carries it.
 const listening = (page) => page.addInitScript(() => {
   const heard = (data) => {
     if (typeof data !== "string" || !globalThis.whenAnswered) return;

@@ -100,7 +100,7 @@ test("a polygon is covered by its triangles: 500 of them, seen from all sides, w
     const triangles = cutPolygon(points);
     assert.equal(triangles.length, flat.length - 2);
     const areas = triangles.map((three) => areaOf(three.map((k) => flat[k])));
-    // Those of corners on an edge may have no area; none is turned over by more than rounding.
+    // Those of corners on an edge may have no area; none is reversed by more than rounding.
     assert.ok(areas.every((area) => area > -1e-12), `${round}: ${areas}`);
     assert.ok(Math.abs(areas.reduce((sum, area) => sum + area, 0) - areaOf(flat)) < 1e-12 * count);
   }

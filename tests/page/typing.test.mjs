@@ -38,7 +38,7 @@ after(() => {
   performance.now = real.now;
 });
 
-// A page in control of a laboratory that answers when it is told to.
+// A page in control of a laboratory that answers on request.
 function typing() {
   const store = new Store((work) => work());
   const sent = [];

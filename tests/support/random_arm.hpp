@@ -8,7 +8,7 @@
 #include "armlet/model/robot.hpp"
 
 // Arms of every structure: twists that need no arithmetic and others, lengths that are zero and
-// others, turning and prismatic joints, both conventions, with and without a base and a tool.
+// others, revolute and prismatic joints, both conventions, with and without a base and a tool.
 namespace armlet {
 
 inline double random_twist(Random& random) {

@@ -1,4 +1,4 @@
-// Random places and poses of bodies.
+// Random positions and poses of bodies.
 #pragma once
 
 #include <Eigen/Geometry>

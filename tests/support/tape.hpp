@@ -1,5 +1,5 @@
-// The hash of each event of a run by its number. Events that are told again, after going back, take
-// the place of the first ones; what is undone counts no more, until the run goes forth to it again.
+// The hash of each event of a run by its number. Events that are sent again, after going back,
+// replace the first ones; undone events do not count until the run goes forward to them again.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class Tape : public Backend {
   }
 
   [[nodiscard]] const std::vector<std::uint64_t>& hashes() const { return hashes_; }
-  // What an entry told that was taken back counts no more, whether others come or not.
+  // Events of an entry that was taken back no longer count, whether others come or not.
   void take_back(std::size_t before) {
     hashes_.resize(before);
     told_.resize(before);

@@ -29,7 +29,7 @@ export async function loadArmlet(script) {
   for (const [name, [result, parameters]] of Object.entries(names))
     armlet[name] = module.cwrap(`armlet_${name}`, result, parameters);
   const decoder = new TextDecoder();
-  // What the last call has handed out, as bytes; texts of programs may hold a zero.
+  // What the last call has returned, as bytes; texts of programs may hold a zero.
   const bytes = (address) => module.HEAPU8.slice(address, address + armlet.taken_bytes());
   armlet.takeText = (session, what) => decoder.decode(bytes(armlet.take(session, what)));
   armlet.putFile = (path, content) => {

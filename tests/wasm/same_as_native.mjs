@@ -49,7 +49,7 @@ function runInModule(files, program) {
   return { ...result, written };
 }
 
-// Ways around obstacles are searched by a library that the module does not have.
+// Paths around obstacles are searched by a library that the module does not have.
 const needsLibrary = (ran) => ran.status === exitStatus[Answer.failed] && /error R06(46|91)/.test(ran.messages);
 
 // What a program differs in; nothing if it does not.

@@ -21,7 +21,7 @@ void RandomProgram::conditional() {
   close();
 }
 
-// A way out of what is open.
+// An exit from what is open.
 void RandomProgram::leaving() {
   if (loops_ > 0 && !in_lambda_ && one_in(4)) {
     line("if (" + truth(1) + ") { " + (one_in(2) ? "break" : "continue") + " }");
@@ -175,7 +175,7 @@ void RandomProgram::guarded() {
   }
   if (!catches || one_in(3)) {
     close(" finally {");
-    // It may not be left on any other way than by an error.
+    // It may not be left otherwise than by an error.
     const auto result = std::exchange(result_, nullptr);
     const auto loops = std::exchange(loops_, 0);
     body(1);

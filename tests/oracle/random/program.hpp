@@ -3,7 +3,7 @@
 // everywhere.
 //
 // They try to be unpleasant to a compiler: lists that share their storage until one is changed,
-// functions that change what is being read, failures in the middle of everything, ways out through
+// functions that change what is being read, failures in the middle of everything, exits through
 // finally, ints near their ends, tasks that change what others have half read.
 
 #include <cstdint>
@@ -231,7 +231,7 @@ class RandomProgram {
   std::string milliseconds(std::size_t most);
   void open(const std::string& header) { line(header + " {"); }
   void close(const std::string& rest = "") { line("}" + rest); }
-  // The place to store something of this type into; "" if there is none.
+  // The target to store something of this type into; "" if there is none.
   std::string place(const Ty* type);
   void keep_short(const std::string& text_name);
 
@@ -265,7 +265,7 @@ class RandomProgram {
   bool can_retry_ = false;
   bool has_tasks_ = false;
   bool tasks_wanted_ = false;
-  int tasks_left_ = 0;  // places that start some
+  int tasks_left_ = 0;  // statements that start some
 };
 
 }  // namespace armlet::oracle

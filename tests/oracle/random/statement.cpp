@@ -270,7 +270,7 @@ void RandomProgram::grid_assignment() {
   if (found == nullptr) return show();
   const std::string name = found->name;
   const Ty* type = found->type;
-  // An end that the text tells, and a list that is written out, are compared before running.
+  // An end that the text shows, and a list that is written out, are compared before running.
   const std::string end = one_in(2) ? "" : "pile.length % " + std::to_string(2 + below(6));
   line(name + "[" + (one_in(2) ? "" : std::to_string(below(2))) + ":" + end +
        "] = " + expr(type, 2));

@@ -1,5 +1,5 @@
-// Lists whose elements are not set yet, copied and looked into in every way: whatever reads such an
-// element fails, whatever only hands it on does not.
+// Lists whose elements are not set yet, copied and looked into in every form: whatever reads such
+// an element fails, whatever only passes it on does not.
 
 #include "random/program.hpp"
 

@@ -65,7 +65,7 @@ test("everything is reached and worked from the keyboard", () =>
     await page.getByRole("dialog", { name: "Keys" }).waitFor();
     await page.keyboard.type("next break");
     assert.deepEqual(await page.locator(".help dt:visible").allInnerTexts(), ["F5"]);
-    // What a browser tells late of the time before does not clear what is searched now.
+    // A late event of the browser about the search before does not clear the present search.
     await page.evaluate(() => document.querySelector(".help").dispatchEvent(new Event("close")));
     assert.deepEqual(await page.locator(".help dt:visible").allInnerTexts(), ["F5"]);
     await page.keyboard.press("Escape");

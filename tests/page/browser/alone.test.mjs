@@ -77,7 +77,7 @@ test("one file has everything: it runs, is edited, steps, completes, takes input
       for (let k = 0; k < 8; k++) await page.keyboard.press("Backspace");
       await untilStatus(page, /5 moves, 6\.50 s/);
       const { x, y } = await placeOf(page, "let lag", "lag");
-      await page.mouse.move(x, y); // at once: on the way it would come to rest on another word, whose text then lies over this one
+      await page.mouse.move(x, y); // at once: in between it would come to rest on another word, whose text then lies over this one
       await page.locator(".tip-code", { hasText: "lag" }).waitFor();
       await page.mouse.move(5, 5);
       await page.getByRole("button", { name: "Go", exact: true }).click();
@@ -107,7 +107,7 @@ test("one file has everything: it runs, is edited, steps, completes, takes input
     });
     assert.ok(statSync(join(folder, "recorded.html")).size < 0.5 * statSync(file).size);
     await opened(join(folder, "recorded.html"), (page) => untilStatus(page, /recording, 6 moves, 7\.50 s/));
-    // What was changed behind its back is told.
+    // A change made outside of the page is reported.
     writeFileSync(handed, readFileSync(handed, "utf8").replaceAll(last.hash, "0123456789abcdef"));
     await opened(handed, async (page) => {
       await page.locator(".message", { hasText: "computes otherwise" }).waitFor();
@@ -139,7 +139,7 @@ test("in one file the program is laid out, mended with one click, gone through i
     await typeAtEnd(page, "arm.movej(posJ(0deg, 0deg, 0mm, 0deg), time: 1s)\n");
     await page.getByRole("button", { name: /^Fix:/ }).first().click();
     await untilStatus(page, /4 moves, 4\.00 s/);
-    // The bar of time is dragged; the hand goes along.
+    // The bar of time is dragged; the tool goes along.
     const hand = page.locator("output.where");
     const end = await hand.innerText();
     const bar = await page.locator(".bar").boundingBox();

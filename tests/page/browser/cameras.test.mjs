@@ -83,7 +83,7 @@ test("a program with many pictures says how far it is, and the page stays usable
     await page.locator(".cm-content").focus();
     await page.keyboard.press("Control+End");
     await page.keyboard.insertText("var sum = 0\nfor (k in range(900)) { setPose(ball, xyz(-150mm + (k % 300) * 1mm + k * 0.001mm, 400mm, 40mm)); sum += blur(eye.capture(), sigma: 6.0)[80, 60].r; wait(20ms) }\n");
-    // The run before can be looked into while the next one is under way.
+    // The run before can be looked into while the next one is running.
     await until(async () => /running anew/.test(await status(page).innerText()), () => status(page).innerText());
     const before = (await redIn(page, "From above"))[0];
     await goTo(page, 0.02);

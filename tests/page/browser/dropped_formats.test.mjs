@@ -133,7 +133,7 @@ test("a laboratory in one file takes STL, OBJ and PLY, and is handed in with the
     await download.saveAs(join(folder, "handed.html"));
     assert.deepEqual(page.problems, []);
     await page.context().close();
-    // What was handed in has the meshes, and takes more.
+    // What was saved has the meshes, and takes more.
     const again = await openPage(`file://${join(folder, "handed.html")}`);
     await untilStatus(again, /1 move, 1\.00 s/);
     await until(async () => (await pixelsLike(again, RED)) > 200, () => "the picture is not seen");

@@ -257,7 +257,7 @@ test("the hand is pulled in the view: the arm follows, and says why where it can
     const label = page.locator(".label", { hasText: /^tool$/ });
     await label.waitFor();
     const before = await page.locator("output.where").innerText();
-    // The label is put at the hand by the next picture; then the ball is beside it.
+    // The label is put at the tool by the next picture; then the ball is beside it.
     let box = null;
     await until(async () => {
       const last = box;

@@ -1,4 +1,4 @@
-// Things in the 3D view: meshes and pictures, how near they are, what hands feel, frames, planned ways, files that are dropped.
+// Things in the 3D view: meshes and pictures, how near they are, contact forces, frames, planned paths, files that are dropped.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
@@ -228,7 +228,7 @@ test("a planned way is shown from when it was planned until it has been gone", (
   withLab(readFileSync(join(root, "examples/22_around_a_wall.rbt"), "utf8"), async (open) => {
     const page = await open();
     await untilStatus(page, /\d s$/);
-    // 4.75 s: around the wall; 3.4 s: straight up; 9 s: along a way that was planned in the program.
+    // 4.75 s: around the wall; 3.4 s: straight up; 9 s: along a path that was planned in the program.
     for (const [share, wanted] of [[0.42, true], [0.3, false], [0.8, true]]) {
       await goTo(page, share);
       await until(async () => ((await pixelsLike(page, [1, 12])) > 100) === wanted, () => `a way at ${share}: ${!wanted}`);
@@ -268,7 +268,7 @@ test("a file dropped onto the view is kept beside the program and becomes an obj
     await shows(page, "red", RED, 200);
     // It stands on the floor, behind the objects that were there, and before the moves.
     assert.match(await program(page), /object block[^\n]*\n+object \w+ \{ shape: mesh\("My-sign\.glb"\); at: xyz\([^)]*, 50mm\) \}\n+arm\.moveJ/);
-    // The same again is the same file; another one of the name is not put in its place, nor is what a link leads to.
+    // The same again is the same file; another one of the name does not replace it, nor does the target of a link.
     await drop(page, "My sign!.glb", glb, [0.3, 0.8]);
     await until(async () => (await program(page)).split("My-sign.glb").length === 3, () => program(page));
     symlinkSync("/nowhere", join(lab.folder, "My-sign-2.glb"));

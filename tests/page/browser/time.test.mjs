@@ -84,7 +84,7 @@ test("plots lie below the bar along its time, and go back among the elements", (
       assert.ok(Math.abs(box.x - (bar.x + 76)) < 2, `it begins at ${box.x}, the bar at ${bar.x + 76}`);
       assert.ok(Math.abs(bar.x + bar.width - box.x - box.width - 76) < 2, `it ends at ${box.x + box.width} of ${bar.x + bar.width}`);
     }
-    // Two seconds are at the same place in both.
+    // Two seconds are at the same position in both.
     const box = await page.locator(".along .u-over").first().boundingBox();
     await page.mouse.click(box.x + 0.5 * box.width, box.y + 30);
     await untilClock(page, /^2\.0\d \/ 4\.00/);

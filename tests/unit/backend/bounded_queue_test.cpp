@@ -26,14 +26,14 @@ JointSample sample_of(int robot, int motion) {
   return {.robot = robot, .motion = motion, .q = kOne, .qd = kOne, .qdd = kOne};
 }
 
-// The numbers of what it is told.
+// The numbers of what it receives.
 class Listener : public Backend {
  public:
   void on(const Event& event) override { numbers.push_back(number_of(event)); }
   std::vector<std::uint64_t> numbers;
 };
 
-// What a run told, and which numbers a listener has to be told whatever happens.
+// The events of a run, and the numbers that a listener receives in any case.
 struct Sent {
   std::uint64_t count = 0;
   std::set<std::uint64_t> must{};

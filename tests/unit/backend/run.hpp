@@ -1,4 +1,4 @@
-// A short run told to a backend: two robots, one object, one of everything.
+// A short run for a backend: two robots, one object, one of everything.
 #pragma once
 
 #include <array>

@@ -26,7 +26,7 @@ struct Counts {
   }
 };
 
-// The rule of edges said in another way: by the signs of three products.
+// The rule of edges in another form: by the signs of three products.
 bool covers(const FixedTriangle& t, std::int64_t x, std::int64_t y) {
   const std::int64_t area = t.doubled_area();
   if (area == 0) return false;
@@ -112,7 +112,7 @@ TEST_CASE("triangles side by side cover every sample once") {
     Counts counts(grid);
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
       const FixedTriangle t{{x[a], x[b], x[c]}, {y[a], y[b], y[c]}};
-      counts.add(t, t.doubled_area() > 0 ? 1 : -1);  // moved points may turn a triangle over
+      counts.add(t, t.doubled_area() > 0 ? 1 : -1);  // moved points may reverse a triangle
     };
     for (std::size_t row = 0; row + 1 < kSide; ++row) {
       for (std::size_t column = 0; column + 1 < kSide; ++column) {

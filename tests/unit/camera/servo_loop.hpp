@@ -28,7 +28,7 @@ inline Pinhole lens_of(double focal) {
   return Pinhole(of);
 }
 
-// Looking along -z of the world at its origin from a height, turned about the optical axis.
+// Looking along -z of the world at its origin from a height, rotated about the optical axis.
 inline Isometry3d above(double height, double turn) {
   Isometry3d T = Isometry3d::Identity();
   T.linear() = rot_x(kPi) * rot_z(turn);

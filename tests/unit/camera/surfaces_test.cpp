@@ -30,7 +30,7 @@ TEST_CASE("surfaces of shapes are closed, face outward and hold their volume") {
   for (const auto& [shape, volume] : shapes) {
     const Surface surface = surface_of(shape);
     CAPTURE(shape_name(shape));
-    // Signed tetrahedra; a mesh would turn itself right.
+    // Signed tetrahedra; a mesh would reverse itself.
     double sum = 0.0;
     const SurfaceParts& parts = surface.parts();
     for (const auto& c : parts.corners)

@@ -72,7 +72,7 @@ TEST_CASE("a picture that no pose gives ends in a local minimum") {
 TEST_CASE("a joint limit ends the loop of an arm that has no other way") {
   Loop loop;
   loop.T = displaced(loop.wanted, Vector3d::Zero(), {0.06, 0, 0});
-  loop.arm.lower[0] = -0.03;  // half of the way back
+  loop.arm.lower[0] = -0.03;  // half of the travel back
   loop.arm.turns.assign(6, false);
   const VisualServo servo = loop.run();
   CHECK(servo.end() == ServoEnd::kJointLimit);
@@ -151,7 +151,7 @@ TEST_CASE("an arm that loses a direction of motion ends the loop") {
 }
 
 TEST_CASE("an arm of four joints says what it cannot control") {
-  // Moves along three axes and turns about the optical one.
+  // Moves along three axes and rotates about the optical one.
   Loop loop;
   loop.arm = free_arm(4);
   loop.J = MatrixXd::Zero(6, 4);

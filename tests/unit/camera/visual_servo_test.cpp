@@ -12,7 +12,7 @@
 using namespace armlet;
 using namespace armlet::servoing;
 
-// Closed forms for a turn about the optical axis over a symmetric target, to 4 digits and more.
+// Closed forms for a rotation about the optical axis over a symmetric target, to 4 digits and more.
 TEST_CASE("the first twist of a turn about the optical axis is that of each law") {
   const double gain = 0.7, Z = 0.5;
   for (const double turn : {0.1, 0.4, 0.8}) {

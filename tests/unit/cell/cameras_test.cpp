@@ -59,7 +59,7 @@ TEST_CASE("what is drawn of an arm goes with its links") {
       for (const SceneBody& body : cell.cameras().scene(cell, eye).bodies) {
         if (body.name != "arm flange") continue;
         ++flanges;
-        // Two ways to the same frame: rounding of at most eight products.
+        // Two products for the same frame: rounding of at most eight products.
         CHECK(body.T_world_body.isApprox(cell.T_world_flange(arm), 1e-12));
       }
       CHECK(flanges <= 1);

@@ -1,4 +1,4 @@
-// What a hand carries counts in the dynamics of its arm.
+// What a tool carries counts in the dynamics of its arm.
 #include <doctest/doctest.h>
 
 #include "armlet/cell/cell.hpp"

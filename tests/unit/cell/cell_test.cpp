@@ -31,7 +31,7 @@ Object cube(const Eigen::Vector3d& p) {
   return object;
 }
 
-// Two arms, one motion each, one stopped; told to the recorder.
+// Two arms, one motion each, one stopped; for the recorder.
 void run_two_arms(Recorder* recorder, std::int64_t step_ns) {
   Cell cell;
   cell.set_backend(recorder);

@@ -137,7 +137,7 @@ TEST_CASE("what is mounted and held counts as the arm, and the witness is named"
 }
 
 TEST_CASE("a depth that is a lower bound is told as one, and one that is whole is not") {
-  // How many of some places around the hand have an overlap, and how many of these are bounds.
+  // How many of some positions around the tool have an overlap, and how many of these are bounds.
   const auto count = [](const Shape& shape) {
     std::array<int, 2> found{};
     Random random(164);

@@ -38,7 +38,7 @@ void run_to_end(Cell& cell) {
   while (cell.next_event()) cell.advance_to(*cell.next_event());
 }
 
-// Its hand has a length of its own, so that there is room for it.
+// Its gripper has a length of its own, so that there is room for it.
 std::shared_ptr<const Robot> with_gripper() {
   return std::make_shared<const Robot>(
       make_robot("scara")->with_tool(parallel_gripper(0.060, 0.150)));
@@ -90,7 +90,7 @@ TEST_CASE("a hand goes down to a cube, takes it, lifts it and puts it down: no c
   free(bench.down(-0.05));
 }
 
-// The column of an arm turns, but round as it is it stays where it is.
+// The column of an arm rotates, but being round it occupies the same space.
 TEST_CASE("an arm that stands on a table, or in a hole of it, does not hit it") {
   Bench bench;
   bench.cell.insert(box_at("bench top", {0.4, 0.4, 0.1}, {0.0, 0.0, -0.02}, true));

@@ -1,4 +1,4 @@
-// What a hand feels: numbers by hand, with a SCARA whose third joint lowers the tool.
+// Contact forces on a tool: numbers by hand, with a SCARA whose third joint lowers the tool.
 #include "armlet/cell/contacts.hpp"
 
 #include <doctest/doctest.h>
@@ -31,7 +31,7 @@ Trajectory probe_move(const Cell& cell, int robot, const VectorXd& q1, double ti
   return *std::move(plan.trajectory);
 }
 
-// The tool point of an arm without a hand; `p` is where it stands, 50 mm below its home.
+// The tool point of an arm without a gripper; `p` is where it stands, 50 mm below its home.
 struct Probe {
   Cell cell;
   int arm;
@@ -150,7 +150,7 @@ TEST_CASE("a box that is dragged over a plane: Coulomb friction, of the smoother
   const CellRobot& arm = probe.cell.robot(probe.arm);
   const Vector3d v = (jacobian(*arm.model, arm.q) * arm.qd).head<3>();
   REQUIRE(v.norm() > 0.01);
-  // The middle of the face is 30 mm below the tool point and turns with it.
+  // The middle of the face is 30 mm below the tool point and rotates with it.
   const Vector3d expected = press * Vector3d::UnitZ() - 0.2 * press * v.normalized();
   CHECK((probe.force() - expected).norm() < 1e-5 * press);
   CHECK((probe.moment() - Vector3d(0.0, 0.0, -0.03).cross(expected)).norm() < 1e-6 * press);
@@ -159,20 +159,20 @@ TEST_CASE("a box that is dragged over a plane: Coulomb friction, of the smoother
 TEST_CASE("at the edge of a plate the normal stays that of the first touch") {
   Probe probe;
   probe.put("peg", Cylinder{0.01, 0.04}, Vector3d::Zero(), false);
-  // The peg overlaps the plate by 1 mm only, and is pressed 5 mm into it: the shortest way out
+  // The peg overlaps the plate by 1 mm only, and is pressed 5 mm into it: the shortest exit
   // would be aside.
   probe.put("plate", Box{{0.1, 0.1, 0.02}}, {0.059, 0.0, -0.035});
   probe.cell.take(probe.arm, "peg");
   probe.lower(0.010);
   probe.wait(1000);
   CHECK((probe.force() - Vector3d(0.0, 0.0, 5e4 * 0.005)).norm() < 1e-4);
-  // What begins to press stays so through the next motion, in another way than by its end.
+  // The depth along the first normal stays through the next motion; a new touch would have another.
   VectorXd q = probe.cell.robot(probe.arm).q;
   q[3] += 0.4;
   probe.cell.start(probe.arm, probe_move(probe.cell, probe.arm, q, 1.0));
   probe.wait(1000);
   CHECK((probe.force() - Vector3d(0.0, 0.0, 5e4 * 0.005)).norm() < 1e-4);
-  // Pulled out and pushed from the side it is the side that is felt.
+  // Pulled out and pushed from the side, it has a contact force from the side.
   probe.lower(-0.010);
   probe.wait(1000);
   CHECK(probe.force().isZero(0.0));
@@ -242,7 +242,7 @@ TEST_CASE("a hand feels neither what it holds nor what it is open for") {
 TEST_CASE(
     "a link that is pressed into a box: force, moment about the tool point, joint torques by "
     "hand") {
-  // Two links of 0.5 m in a plane; the second one turns into a box beside its middle.
+  // Two links of 0.5 m in a plane; the second one rotates into a box beside its middle.
   Cell cell;
   const int arm = cell.add_robot(make_robot("planar2"));
   const Robot& model = *cell.robot(arm).model;
@@ -254,7 +254,7 @@ TEST_CASE(
     if (each.frame == 1 && !each.still && each.role == LinkShapeRole::kLink) link = &each;
   }
   REQUIRE(link != nullptr);
-  // A ball beside the middle of the first link, which turns into it.
+  // A ball beside the middle of the first link, which rotates into it.
   const Eigen::Isometry3d T = link_frame(model, q, 1) * link->solid.T;
   const double r = 0.02;
   const Vector3d along = T.linear().col(2), p_middle = T.translation();
@@ -286,7 +286,7 @@ TEST_CASE(
   CHECK(F.normalized().dot(-side) > 0.999);
   const Vector3d p_tool = cell.T_world_tool(arm).translation();
   CHECK((Vector3d(wrench.tail<3>()) - (presses[0].p - p_tool).cross(F)).norm() < 1e-9);
-  // The second joint does not feel what presses on the first link; the first one by its lever.
+  // A force on the first link loads the first joint by its lever, and not the second one.
   const VectorXd tau = cell.contact_forces(arm);
   CHECK(tau[1] == 0.0);
   const Vector3d o = model.T_world_base().translation();

@@ -1,4 +1,4 @@
-// What a cell tells its backend.
+// What a cell sends to its backend.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ void Drawer::draw(const JointSample& sample) {
   error = std::max(error, difference(sample.T_world_tool, expected.back()));
 }
 
-// Two moves of one arm after another, told to a backend.
+// Two moves of one arm after another, for a backend.
 void run_two_moves(Backend& backend) {
   Cell cell;
   cell.set_backend(&backend);

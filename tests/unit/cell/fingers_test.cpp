@@ -28,7 +28,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// An arm that stands still, with a hand on it.
+// An arm that stands still, with a hand with fingers on it.
 struct Grasping {
   Cell cell{World(0.0)};
   int arm = 0;
@@ -43,7 +43,8 @@ struct Grasping {
     hand = cell.add_hand(arm, make_barrett_robots("hand"));
   }
 
-  // An object between the fingers, turned as the hand is, `out` m along the tool from its point.
+  // An object between the fingers, rotated as the hand with fingers is, `out` m along the tool from
+  // its point.
   void put(Shape shape, double mass, double friction, double out = 0.0) {
     Object object{.name = "thing", .shape = shape, .mass = mass, .friction = friction};
     object.T_world_obj = cell.T_world_tool(arm) * make_translation({0.0, 0.0, out});
@@ -125,7 +126,7 @@ TEST_CASE("a hand on an arm stands where the flange brings it") {
             .norm() < 1e-12);
   CHECK((bench.cell.T_world_tool(bench.arm).translation() - T * Vector3d(0, 0, 0.165)).norm() <
         1e-12);
-  // The tips are where the tree of the same hand has them.
+  // The tips are where the tree of links of the Barrett hand has them.
   const Mechanism tree = make_barrett_hand();
   VectorXd q(4);
   q << 0.7, 0.4, 0.9, 1.3;
@@ -210,7 +211,7 @@ TEST_CASE("the force is the stiffness times the depth, worked out by hand") {
   const double depth = -finger_gap_at(bench, 2, q[3]);
   CHECK(depth > 1e-5);
   CHECK(finger_force(bench.cell, bench.finger(2)) == doctest::Approx(5e4 * depth).epsilon(1e-9));
-  // The hand feels it from the other side, and the arm with it.
+  // The reaction acts on the hand with fingers, and on its arm.
   const Vector6d wrench = bench.cell.contact_wrench(bench.hand);
   CHECK(wrench.head<3>().norm() == doctest::Approx(5e4 * depth).epsilon(1e-9));
   CHECK((bench.cell.contact_wrench(bench.arm) - wrench).norm() < 1e-12);

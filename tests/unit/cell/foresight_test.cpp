@@ -1,4 +1,4 @@
-// What happens by itself while robots move: hands that are pressed too hard, and things that slip.
+// Overloads and slips while robots move: grippers that are pressed too hard, objects that slip.
 #include "armlet/cell/foresight.hpp"
 
 #include <doctest/doctest.h>
@@ -116,7 +116,7 @@ TEST_CASE("what is pressed too hard where a motion begins can be moved away, als
   bench.cell.advance_to(5000 * kMilli);
   CHECK_FALSE(bench.cell.report(away).overload);
   CHECK(bench.cell.report(away).state == MotionState::kReached);
-  // Deeper is told again.
+  // Deeper is reported again.
   const int again = bench.lower(0.06, 1.0);
   bench.cell.advance_to(7000 * kMilli);
   CHECK(bench.cell.report(again).overload);
@@ -145,7 +145,7 @@ TEST_CASE(
 
 namespace {
 
-// The first link of an arm turns into a post; its hand can stand so much.
+// The first link of an arm rotates into a post; its gripper has this limit.
 struct Elbow {
   Cell cell;
   int arm = 0;
@@ -205,7 +205,7 @@ TEST_CASE("a link that presses harder than the hand can stand stops the motion t
 
 namespace {
 
-// An arm with a hand that holds a ball between its fingers.
+// An arm with a Barrett hand that holds a ball between its fingers.
 struct Holding {
   Cell cell{World(0.0)};
   int arm = 0;
@@ -247,7 +247,7 @@ TEST_CASE("the inertia of what fingers hold counts: m (a - g) has to be carried 
   const double at_rest =
       carried_part(bench.cell, bench.arm, finger_contacts(bench.cell, bench.hand), "ball");
   REQUIRE(at_rest > 1.0);
-  // Slowly it stays in the hand.
+  // In a slow motion the ball stays held.
   const int slow = bench.swing(0.5, 4.0);
   bench.cell.advance_to(bench.cell.now_ns() + 4500 * kMilli);
   CHECK(bench.cell.report(slow).state == MotionState::kReached);

@@ -103,7 +103,7 @@ TEST_CASE("a motion that is stopped before it has begun does not move at all") {
 }
 
 // Constant speed v, deceleration a that is built up and taken back with jerk j: it takes
-// v / a + a / j, and half of that time times v is the way.
+// v / a + a / j, and half of that time times v is the distance.
 TEST_CASE("from constant speed a stop takes v / a + a / j and covers half of that times v") {
   const Trapezoid shape = trapezoid_with_ramp(4.0, 4.0, 1.0);
   Motion motion({{{trapezoid_segments(0.0, 4.0, shape), 4.0}}, 4.0}, 0);
@@ -121,7 +121,7 @@ TEST_CASE("from constant speed a stop takes v / a + a / j and covers half of tha
   CHECK(q[0] - from == doctest::Approx(0.5 * speed * time).epsilon(5e-3));
 }
 
-// One joint may slow down at its limit already while another has a long way to go.
+// One joint may slow down at its limit already while another has far to go.
 TEST_CASE("one joint at its limit does not keep the others from stopping") {
   const Trapezoid quick = trapezoid_with_ramp(1.0, 1.0, 0.5);
   const Trapezoid slow = trapezoid_with_ramp(10.0, 10.0, 0.5);

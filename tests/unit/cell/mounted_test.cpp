@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kGravity = 9.81;  // of arms unless told otherwise
+constexpr double kGravity = 9.81;  // of arms unless declared otherwise
 
 Trajectory way_to(const Cell& cell, int robot, const Eigen::VectorXd& q, double time) {
   const PlannerSet planners;
@@ -121,7 +121,7 @@ TEST_CASE("what is mounted weighs on the arm, on its own link") {
 TEST_CASE("mounted bodies collide with objects as parts of the arm") {
   Cell cell;
   const int arm = cell.add_robot(make_robot("scara"), "arm");
-  // A mast on the second link, and a beam over the way that only the mast can hit.
+  // A mast on the second link, and a beam over the path that only the mast can hit.
   const double top = link_frame(*cell.robot(arm).model, cell.robot(arm).q, 2).translation().z();
   cell.insert(brick("mast", {-0.1, 0.0, -0.4}, {0.02, 0.02, 0.2}, 0.1), on_link(arm, 2));
   const Vector3d p = cell.world().at("mast").T_world_obj.translation();

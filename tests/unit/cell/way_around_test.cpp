@@ -21,8 +21,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Points = std::vector<VectorXd>;
 
-constexpr double kRoom = 0.012;     // m, between obstacles and the way that is known
-constexpr double kOwnRoom = 0.006;  // m, between its own links along that way
+constexpr double kRoom = 0.012;     // m, between obstacles and the known path
+constexpr double kOwnRoom = 0.006;  // m, between its own links along that path
 
 Trajectory straight(const VectorXd& q0, const VectorXd& q1) {
   std::vector<JointPath> joints;
@@ -34,7 +34,7 @@ Trajectory straight(const VectorXd& q0, const VectorXd& q1) {
   return {std::move(joints), 1.0};
 }
 
-// A cell with one robot, and a way of the joints that is known to be free.
+// A cell with one robot, and a joint path that is known to be free.
 class Puzzle {
  public:
   Puzzle(const std::string& name, std::uint64_t seed) : random_(seed), robot_(make_robot(name)) {
@@ -45,7 +45,7 @@ class Puzzle {
     } while (!is_free({}, way_, kOwnRoom));
   }
 
-  // Boxes, balls and cylinders near the straight way, which is blocked in the end.
+  // Boxes, balls and cylinders near the straight path, which is blocked in the end.
   bool scatter(std::size_t count) {
     count += objects_.size();
     for (int k = 0; k < 400 && objects_.size() < count; ++k) {
@@ -56,7 +56,7 @@ class Puzzle {
     return is_blocked();
   }
 
-  // A wall of tiles across the straight way, without those that the known way needs: a gap.
+  // A wall of tiles across the straight path, without those that the known path needs: a gap.
   void wall() {
     const VectorXd q = 0.5 * (way_.front() + way_.back());
     const Vector3d p = forward(*robot_, q).translation();
@@ -116,7 +116,7 @@ class Puzzle {
     return object;
   }
 
-  // A point of a link somewhere on the straight way, and beside it.
+  // A point of a link somewhere on the straight path, and beside it.
   Vector3d near_straight_way() {
     const VectorXd q = way_.front() + random_.uniform(0.15, 0.85) * (way_.back() - way_.front());
     const int frame = 1 + static_cast<int>(random_.below(static_cast<std::uint64_t>(robot_->n())));
@@ -140,7 +140,7 @@ class Puzzle {
     }
   }
 
-  // Unless the known way meets it.
+  // Unless the known path meets it.
   void add(Object object) {
     object.name = "o" + std::to_string(objects_.size() + 1);
     object.fixed = true;
@@ -248,7 +248,7 @@ void check_motion_keeps_limits(const Robot& robot, const Trajectory& motion) {
 
 }  // namespace
 
-// 200 scenes: a way is sampled first, then obstacles are put where it is not.
+// 200 scenes: a path is sampled first, then obstacles are put where it is not.
 TEST_CASE("ways around are found in random scenes that have one, certified, with the same bits" *
           doctest::skip(!can_search_ways())) {
   const std::vector<std::string> arms = {"puma560", "scara", "ur5",  "planar3",
@@ -287,7 +287,7 @@ TEST_CASE("ways around are found in random scenes that have one, certified, with
                  << " iterations, " << whole << " s of motions");
 }
 
-// Where there is much room a wide clearance is kept as well; where there is none that wide, no way
+// Where there is much room a wide clearance is kept as well; where there is none that wide, no path
 // is found, or one that keeps it.
 TEST_CASE("a clearance of any width is kept everywhere, corners included" *
           doctest::skip(!can_search_ways())) {
@@ -430,7 +430,8 @@ TEST_CASE("what the hand carries is part of the arm" * doctest::skip(!can_search
   CHECK(find_collisions(cell, arm, *carried.motion.trajectory).empty());
 }
 
-// The second arm has left when it stands: for the search there is room, on the way there is not.
+// The second arm has left when it stands: for the search there is room, during the motion there is
+// not.
 TEST_CASE("a robot that is met while it moves is told, and no motion is given") {
   const auto model = make_robot("planar2");
   const auto q = [](double angle) { return VectorXd(Eigen::Vector2d(angle, 0.0)); };

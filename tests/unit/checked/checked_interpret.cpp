@@ -1,4 +1,4 @@
-// The machine with the costly checks of what hosts do: takes the place of the library's.
+// The machine with the costly checks of what hosts do: replaces the library's.
 
 #define ARMLET_CHECKED
 #include "vm/host/host_calls.cpp"

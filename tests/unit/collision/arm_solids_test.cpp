@@ -38,7 +38,7 @@ VectorXd bent(const Robot& robot) {
 // body placed by a wrong frame shows as a hole in the arm.
 TEST_CASE("an arm has no holes, in whatever convention its table is") {
   for (const std::string_view name : catalog_names()) {
-    // Without a hand of its own it leaves room for one.
+    // Without a gripper of its own it leaves room for one.
     const auto robot =
         std::make_shared<const Robot>(make_robot(name)->with_tool(parallel_gripper(0.060, 0.150)));
     CAPTURE(name);

@@ -57,14 +57,15 @@ TEST_CASE("the depth along a normal frees the bodies, and less does not") {
     REQUIRE(depth >= 0.0);
     const Gap gap = gap_between(a, b);
     if (gap.distance > 0.0) {
-      // Apart: nothing to free along n, unless the way along it passes through the other one.
+      // Apart: nothing to free along n, unless moving along it passes through the other one.
       continue;
     }
     ++deep;
     CHECK(depth >= -gap.distance - 2e-7);
     const Vector3d p = a.T.translation();
     a.T.translation() = p + depth * n;
-    // Gaps are known to 1e-9 m, and overlaps are told too deep by up to 1e-7 m, and of their size.
+    // Gaps are known to 1e-9 m, and overlaps are reported too deep by up to 1e-7 m, and of their
+    // size.
     const double left = gap_between(a, b).distance;
     CHECK(left < 1e-8);
     CHECK(left > -3e-7);

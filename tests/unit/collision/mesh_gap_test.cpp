@@ -168,7 +168,7 @@ TEST_CASE("what lies inside without touching the surface overlaps") {
   // Out through the nearer face: 10 mm to it and the radius.
   CHECK(gap.distance == doctest::Approx(-0.014).epsilon(1e-9));
   CHECK_FALSE(is_farther(mesh, ball, 0.0));
-  ball.T.translation() += gap.distance * gap.away;  // the ball moves the other way
+  ball.T.translation() += gap.distance * gap.away;  // the ball moves in the opposite direction
   CHECK(std::abs(gap_between(mesh, ball).distance) < 1e-9);
 }
 

@@ -98,7 +98,7 @@ TEST_CASE("a wall of 1 mm is never passed: 10,000 moves against dense sampling")
     const Trajectory motion = move_between(robot, random_joints(robot, random),
                                            random_joints(robot, random), planners[round % 3]);
     const double reach = robot.reach();
-    // Near the way of the tool point.
+    // Near the path of the tool point.
     const double share = random.uniform();
     VectorXd q(robot.n());
     for (int i = 0; i < robot.n(); ++i) q[i] = motion.value(i, share * motion.duration());
@@ -132,7 +132,7 @@ TEST_CASE("a wall of 1 mm is never passed: 10,000 moves against dense sampling")
   CHECK(free > 1000);
 }
 
-// Two arms of one joint, 0.4 m long, that turn into each other like hands of clocks.
+// Two arms of one joint, 0.4 m long, that rotate into each other like the pointers of clocks.
 TEST_CASE("two arms that move at once are checked over time") {
   const std::shared_ptr<const Robot> model = make_robot("planar2");
   const Robot left = *model;
@@ -174,7 +174,8 @@ TEST_CASE("two arms that move at once are checked over time") {
   CHECK_FALSE(check(near, line(1.0, 0.0, 1.0), line(pi + 1.5, pi, 2.0), 9.0).meetings.empty());
 }
 
-// The tool of a SCARA goes down by `way`, with a body of 40 mm in its hand that stands on a table.
+// The tool of a SCARA goes down by `way`, with a body of 40 mm in its gripper that stands on a
+// table.
 MotionCheck slide_down(double way, double gap, bool leaving) {
   const std::shared_ptr<const Robot> robot = make_robot("scara");
   VectorXd q0 = robot->home();

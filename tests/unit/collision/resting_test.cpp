@@ -75,7 +75,7 @@ TEST_CASE("things rest on the triangles of a mesh: in its hollow, not on the box
   CHECK_FALSE(resting_height_of_shapes(body(Sphere{0.01}, {0.02, 0.02, 0.5}), angle));
   CHECK(z(resting_height_of_shapes(body(Sphere{0.005}, {0.02, -0.04, 0.5}), angle)) ==
         doctest::Approx(0.055).epsilon(1e-7));
-  // And the mesh on things, in the same way: with its hollow it passes a post.
+  // And the mesh on things, likewise: with its hollow it passes a post.
   const Object post = body(Cylinder{0.005, 0.02}, {0.02, 0.02, 0.0});
   CHECK_FALSE(resting_height_of_shapes(body(make_mesh(iron), {0.0, 0.0, 0.5}), post));
 }

@@ -68,6 +68,6 @@ TEST_CASE("where the stack is ample nothing is changed") {
   const void* inside = nullptr;
   on_ample_stack([&] { inside = __builtin_frame_address(0); });
   const auto distance = static_cast<const char*>(outside) - static_cast<const char*>(inside);
-  CHECK(distance >= 0);  // the work may stand in the place of its call
+  CHECK(distance >= 0);  // the work may be inlined
   CHECK(distance < 4096);
 }

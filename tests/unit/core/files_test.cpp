@@ -69,7 +69,7 @@ int files_in(const fs::path& folder) {
   return count;
 }
 
-// Ways in which a system writes.
+// Forms in which a system writes.
 long three_at_a_time(int file, const void* bytes, std::size_t count) {
   return ::write(file, bytes, std::min<std::size_t>(count, 3));
 }

@@ -131,8 +131,8 @@ TEST_CASE("dry friction of a joint along gravity is separated from its weight at
 }
 
 // 7 for a revolute joint and 4 for a prismatic one, less 3, less 1 if the first is revolute, less
-// 2 more if its axis is vertical; fewer where a link cannot turn in all directions. M. Gautier, W.
-// Khalil, Direct calculation of minimum set of inertial parameters of serial robots, IEEE
+// 2 more if its axis is vertical; fewer where a link cannot rotate in all directions. M. Gautier,
+// W. Khalil, Direct calculation of minimum set of inertial parameters of serial robots, IEEE
 // Transactions on Robotics and Automation 6(3), 1990.
 TEST_CASE("an arm has as many base parameters as the formula says, a special one fewer") {
   Random random(15);

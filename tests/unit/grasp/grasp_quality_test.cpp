@@ -102,8 +102,9 @@ TEST_CASE("the ball in a hull is that of all its planes tried one by one") {
 }
 
 // The hull of what k evenly placed contacts exert on a disc of radius 1 is a twisted prism: a ring
-// of k points with the moment m, turned by atan m from the inward normals, and one with -m, turned
-// the other way. Its top is m from the middle; the planes of its sides are worked out by hand.
+// of k points with the moment m, rotated by atan m from the inward normals, and one with -m
+// in the opposite direction. Its top is m from the middle; the planes of its sides are worked out
+// by hand.
 double disc_by_hand(int k, double m) {
   const double phi = std::atan(m), half = kPi / k, r = std::sqrt(1.0 + m * m);
   const double c = r * (std::cos(half) - std::cos(2.0 * phi - half)) / (2.0 * m);
@@ -122,7 +123,8 @@ TEST_CASE("two, three and four contacts on a disc hold as well as worked out by 
       CHECK(quality.epsilon == doctest::Approx(disc_by_hand(k, m)).epsilon(1e-6));
       CHECK(quality.force_closure);
       CHECK(quality.contacts == k);
-      // G G' = diag(k, k, k): half of each force acts along x and y, and friction alone turns.
+      // G G' = diag(k, k, k): half of each force acts along x and y, and friction alone has a
+      // moment.
       const double along = k == 2 ? std::sqrt(2.0) : std::sqrt(k);
       CHECK(quality.min_singular == doctest::Approx(along));
     }
@@ -147,7 +149,7 @@ TEST_CASE("singular values of grasps of a sphere are those of symmetry") {
   };
   const GraspQuality two = least({{0, 0, 1}, {0, 0, -1}}), three = least(around(3)),
                      four = least(kTetrahedron);
-  CHECK(two.min_singular == 0.0);  // nothing turns it about the line between both
+  CHECK(two.min_singular == 0.0);  // nothing rotates it about the line between both
   CHECK(two.epsilon == 0.0);
   CHECK_FALSE(two.force_closure);
   CHECK(three.min_singular == doctest::Approx(std::sqrt(1.5)));

@@ -251,7 +251,7 @@ TEST_CASE("a Vm that is busy refuses a second user, and stays as it was") {
   CHECK(*three() == 3);
 }
 
-// The thread that had all turns so far is in the middle of one, or of beginning one, when the
+// The thread that made all calls so far is in the middle of one, or of beginning one, when the
 // others come: two at once would lose a count.
 TEST_CASE("threads that call at once are refused or have their turn, never both at a time") {
   for (int round = 0; round < 50; ++round) {

@@ -129,7 +129,7 @@ TEST_CASE("files of other programs: palettes, opacity, 16 bits, interlacing, CMY
     for (std::size_t i = 0; i < wanted.size(); ++i)
       worst =
           std::max(worst, std::abs(int{read->bytes()[i]} - static_cast<std::uint8_t>(wanted[i])));
-    // Decoders of JPEG round coefficients in different ways; PNG is exact.
+    // Decoders of JPEG round coefficients differently; PNG is exact.
     CHECK(worst <= (name.find("JPEG") == std::string::npos ? 0 : 3));
   }
   CHECK(count >= 9);

@@ -12,7 +12,7 @@
 
 namespace armlet::lang {
 
-// A motion of the test vocabulary: it stops at once when it is told to.
+// A motion of the test vocabulary: it stops at once on request.
 class TestMotion final : public Waiting {
  public:
   TestMotion(Timeline& timeline, double seconds)

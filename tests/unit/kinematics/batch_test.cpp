@@ -102,7 +102,8 @@ double length_of_path(const Robot& robot, const Eigen::VectorXd& q) {
   return length;
 }
 
-// The largest difference from forward() and jacobian(), lengths in units of the way to the tool.
+// The largest difference from forward() and jacobian(), lengths in units of the distance to the
+// tool.
 double difference_from_single_calls(const Robot& robot, const std::vector<double>& q) {
   const std::size_t n = static_cast<std::size_t>(robot.n());
   const Results all(robot, q, best_instruction_set());

@@ -32,8 +32,8 @@ Mechanism random_tree(Random& random) {
                               1 + static_cast<int>(random.below(3)));
 }
 
-// A palletiser: joints turn the column, the rear arm and the fore arm, whose angles are those from
-// the horizontal, for after each a link turns back as far; the last joint turns the tool.
+// A palletiser: joints rotate the column, the rear arm and the fore arm, whose angles are those
+// from the horizontal, for after each a link turns back as far; the last joint rotates the tool.
 RobotSpec palletiser() {
   RobotSpec spec{.name = "palletiser", .convention = DhConvention::kModified};
   constexpr double kRight = std::numbers::pi / 2;
@@ -135,7 +135,7 @@ TEST_CASE("inverse kinematics brings an arm with copying joints back to a pose")
 
 TEST_CASE("a joint whose copy goes half as far is elsewhere after a revolution") {
   RobotSpec spec = palletiser();
-  // The last row turns with the first one, which has two revolutions.
+  // The last row rotates with the first one, which has two revolutions.
   spec.joints[5].drive = {.of = 0, .ratio = 1.0};
   for (const double ratio : {1.0, 0.5}) {
     spec.joints[5].drive.ratio = ratio;

@@ -89,7 +89,7 @@ TEST_CASE("in an aligned wrist joints 4 and 6 fight each other") {
   q[4] = 0.0;
   const Singularity aligned = singularity(*make_robot("puma560"), q);
   CHECK(aligned.sigma_min < 1e-15);
-  // Joints 4 and 6 turn against each other without moving the tool.
+  // Joints 4 and 6 rotate against each other without moving the tool.
   CHECK(std::abs(aligned.joints[3] + aligned.joints[5]) < 1e-9);
 }
 

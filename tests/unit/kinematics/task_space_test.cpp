@@ -140,7 +140,7 @@ TEST_CASE("a tool plane beside the axis is found by its distance") {
   for (int k = 0; k < 200; ++k) {
     const VectorXd q = random_joints(random, robot);
     const Isometry3d T = forward(robot, q);
-    // The plane turns with the first joint: reaching forwards along its x axis.
+    // The plane rotates with the first joint: reaching forwards along its x axis.
     const Vector3d out(std::cos(q[0]), std::sin(q[0]), 0.0);
     if (out.dot(T.translation()) < 0.0) continue;
     ++forwards;

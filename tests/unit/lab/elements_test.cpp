@@ -85,7 +85,7 @@ TEST_CASE("inputs at the end go on with the run; those before make another one")
   CHECK(lab.page.last("elements")["values"]["far"]["value"] == 0.5);
   const std::string hash = lab.page.last("run")["hash"];
 
-  // The same input at the same place is the same run, bit for bit.
+  // The same input at the same position is the same run, bit for bit.
   const TestJson again = lab.page.ask({{"type", "input"}, {"press", "go"}, {"t", 1.0}});
   CHECK(again["type"] == "taken");
   CHECK(again["run"] == 2);
@@ -410,7 +410,7 @@ TEST_CASE("what motors give is told along the run, and jumps where a load is tak
     while ((i + 1) * kColumns < told.size() && told[(i + 1) * kColumns] <= t) ++i;
     return std::span(told).subspan(i * kColumns, kColumns);
   };
-  // While it moves they are what the program reads; rows of motions are told every 10 ms.
+  // While it moves they are what the program reads; rows of motions are sent every 10 ms.
   int compared = 0;
   for (std::size_t i = 0; i < plot.size(); i += kColumns) {
     const std::span<const double> row = row_at(plot[i] + 1e-9);
@@ -424,7 +424,7 @@ TEST_CASE("what motors give is told along the run, and jumps where a load is tak
   CHECK(lever > 0.5);
   CHECK(row_at(5.01)[2] - row_at(4.99)[2] == doctest::Approx(2.0 * 9.81 * lever));
   CHECK(row_at(4.0)[2] == row_at(4.99)[2]);
-  // What is set when no time passes any more is told as well.
+  // What is set when no time passes any more is reported as well.
   CHECK(told[told.size() - kColumns] == doctest::Approx(6.0));
   CHECK(row_at(6.0)[2] > row_at(5.99)[2] + 1.0);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// A laboratory with a page, for tests: what the page has been told, as JSON.
+// A laboratory with a page, for tests: what the page has received, as JSON.
 
 #include <cstring>
 #include <map>
@@ -36,7 +36,7 @@ struct TestPicture {
   TestJson told;
 };
 
-// A page that keeps everything it is told.
+// A page that keeps everything it receives.
 class TestPage {
  public:
   explicit TestPage(Laboratory& laboratory) : laboratory_(laboratory), number(laboratory.join()) {}

@@ -14,7 +14,7 @@ using namespace armlet::lab;
 
 namespace {
 
-// A camera in the hand of an arm that goes over a card; its noise is other in each picture.
+// A camera on an arm that goes over a card; its noise is other in each picture.
 const std::string kEye = R"(robot arm = robots.scara()
 camera eye { on: arm; at: xyz(z: 20mm); size: [160, 120]; fov: 60deg; noise: 3.0; ground: false }
 object card { shape: box(80mm, 60mm, 5mm); at: xyz(450mm, 120mm, 2.5mm); color: "black"; fixed: true }

@@ -1,4 +1,4 @@
-// What tasks do, what signals are, what is pressed, and what only those who ask are told.
+// What tasks do, what signals are, what is pressed, and what only those who ask receive.
 
 #include <doctest/doctest.h>
 

@@ -42,7 +42,7 @@ std::string fault_of(const WorkerJson& laboratory) {
   return armlet_lab_fault();
 }
 
-// What the laboratory tells a page that says hello, of one type, last.
+// What the laboratory sends to a page that says hello, of one type, last.
 WorkerJson told_last(const std::string& type) {
   const std::string hello = R"({"type": "hello", "protocol": 1})";
   REQUIRE(armlet_lab_receive(hello.data(), static_cast<int>(hello.size())) == 0);

@@ -81,7 +81,7 @@ TEST_CASE("quick sines and cosines are within two units in the last place") {
     CHECK(errors.relative < 3.0);
     CHECK(errors.absolute < 0x1p-52);
   }
-  Errors errors;  // side by side over a whole turn
+  Errors errors;  // side by side over a whole revolution
   for (int k = 0; k < 50'000; ++k) {
     EightAngles x;
     for (std::size_t i = 0; i < 8; ++i) x[i] = (8.0 * k + static_cast<double>(i)) * 1.6e-5;

@@ -71,7 +71,7 @@ std::string why(const std::string& bytes) {
   return reason;
 }
 
-// With one text in the JSON part in the place of another of the same length.
+// With one text in the JSON part instead of another of the same length.
 std::string changed(std::string bytes, const std::string& from, std::string to) {
   const std::size_t at = bytes.find(from);
   REQUIRE(at != std::string::npos);
@@ -234,7 +234,7 @@ nlohmann::json description_of(const std::string& bytes) {
 // Something that begins as a PNG does.
 std::string picture(char with) { return "\x89PNG\r\n\x1a\n" + std::string(2000, with); }
 
-// Two boxes with a picture each, the second one turned, moved and below a node that is.
+// Two boxes with a picture each, the second one rotated, moved and below a node that is.
 std::string two_boxes() {
   GlbScene scene;
   scene.images = {{"first", picture('a')}, {"second", picture('b')}};

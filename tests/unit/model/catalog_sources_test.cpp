@@ -1,5 +1,5 @@
 // The arms of the catalogue that the reference files do not hold, against the frames that their
-// makers and their users publish, which are written in another way than DH rows.
+// makers and their users publish, which are written otherwise than DH rows.
 
 #include <doctest/doctest.h>
 

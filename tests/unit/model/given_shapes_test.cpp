@@ -79,7 +79,8 @@ TEST_CASE("the root and what is fixed to it are the base: masses, shapes and nam
   const Isometry3d T_world_plate = robot.T_world_base() * base.solids[0].T_link_solid;
   CHECK((T_world_plate.translation() - Vector3d(0.2, 0.0, 0.15)).norm() < 1e-12);
   CHECK(T_world_plate.linear().isIdentity(1e-12));
-  // The post has one shape for collisions, a quarter turn from its frame, and another for pictures.
+  // The post has one shape for collisions, a quarter revolution from its frame, and another for
+  // pictures.
   CHECK(base.solids[1].use == LinkSolidUse::kCollision);
   CHECK(base.solids[2].use == LinkSolidUse::kPicture);
   const Vector3d p_post = robot.T_world_base() * base.solids[1].T_link_solid.translation();

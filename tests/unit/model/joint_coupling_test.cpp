@@ -36,8 +36,8 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
   return text;
 }
 
-// A column whose second stage copies the first, and an arm whose wrist copies its elbow the other
-// way about.
+// A column whose second stage copies the first, and an arm whose wrist copies its elbow in the
+// opposite direction.
 constexpr const char* kColumn = R"(<robot name="column">
   <link name="base"/>
   <joint name="stage1" type="prismatic"><parent link="base"/><child link="a"/>
@@ -209,7 +209,7 @@ TEST_CASE("a chain whose leader is beside it moves by its own joint") {
   REQUIRE(spec.ok());
   const Robot robot(*spec);
   REQUIRE(robot.n() == 2);
-  CHECK(robot.lower()[1] == doctest::Approx(-1.5));  // of the wrist, which goes the other way
+  CHECK(robot.lower()[1] == doctest::Approx(-1.5));  // of the wrist, which is reversed
   CHECK(robot.upper()[1] == doctest::Approx(1.3));
   CHECK(robot.max_speed()[1] == doctest::Approx(2.0));
   CHECK(robot.joint(1).max_effort == doctest::Approx(40.0));

@@ -144,7 +144,7 @@ TEST_CASE("of two joints of a chain that move together the second copies the fir
   REQUIRE(arm->joints.size() == 2);
   CHECK(arm->joints[0].drive.of == -1);
   CHECK(arm->joints[1].drive.of == 0);
-  // So do a finger's: its distal joint goes a third of the way of the medial one.
+  // So do a finger's: its distal joint moves by a third of the medial one.
   const Result<RobotSpec> finger = serial_arm(make_barrett_hand(), "tip1");
   REQUIRE(finger.ok());
   CHECK(finger->joints.back().drive.ratio == doctest::Approx(1.0 / 3.0));

@@ -39,8 +39,9 @@ inline std::vector<fs::path> programs_below(const char* folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(ARMLET_ROOT) / folder)) {
     const bool is_module = entry.path().string().find("/modules/") != std::string::npos;
-    // They run some seventy times. One drives for three years, of which every 10 ms would be told;
-    // the others draw 100 pictures and more, as fig18d_7dof_ibvs.rbt does on a small scale.
+    // They run some seventy times. One drives for three years, of which every 10 ms would be
+    // reported; the others draw 100 pictures and more, as fig18d_7dof_ibvs.rbt does on a small
+    // scale.
     static constexpr std::string_view kLong[] = {"end_of_time.rbt", "07_visual_servo.rbt",
                                                  "fig16_ibvs.rbt", "24_camera_window.rbt",
                                                  "hand_eye.rbt"};

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// A planar arm of two links beside a ball that its straight way sweeps over.
+// A planar arm of two links beside a ball that its straight path sweeps over.
 struct Scene {
   std::shared_ptr<const Robot> robot = make_robot("planar2");
   Trajectory still = Trajectory::at_rest(VectorXd::Zero(2), 0.0);

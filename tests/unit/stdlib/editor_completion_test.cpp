@@ -71,11 +71,11 @@ struct HelpCount {
   }
 };
 
-// How often a name just before the cut means there what it means in the whole text: its place, its
-// type, and all places that name it. Types that the text says only behind the cut count apart: they
-// can be guessed at most. Neither is asked what only the next token says: a name in front of a
-// colon is that of a setting or a field and may be any value before; behind `for (` it may be one
-// that is there already.
+// How often a name just before the cut means there what it means in the whole text: its
+// declaration, its type, and all uses of it. Types that the text says only behind the cut count
+// apart: they can be guessed at most. Neither is asked what only the next token says: a name in
+// front of a colon is that of a setting or a field and may be any value before; behind `for (` it
+// may be one that is there already.
 struct MeaningCount {
   static constexpr std::size_t kLooksBack = 4;  // tokens
   int asked = 0;

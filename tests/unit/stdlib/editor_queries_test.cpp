@@ -316,7 +316,7 @@ TEST_CASE("types of variables are shown where none is written") {
   CHECK(hints[1].text == ": double[]");
 }
 
-// What stands at the first place of a name in a text that ends there.
+// What stands at the first letter of a name in a text that ends there.
 static std::string type_in(const std::string& text, const std::string& name) {
   const auto hover = analysis_of(text)->hover(static_cast<std::uint32_t>(text.find(name)));
   return hover ? hover->text : "";

@@ -332,7 +332,7 @@ TEST_CASE("sliders of a hand lead where they stand, or say why not") {
         q[j] = robot.lower()[j] + (robot.upper()[j] - robot.lower()[j]) * random.uniform();
       REQUIRE_FALSE(controls.move_joints("arm", q));
       const std::vector<double> here = *controls.hand("hand of arm");
-      // Where it stands it stays, and a place near by is reached to the micrometre.
+      // Where it stands it stays, and a position nearby is reached to the micrometre.
       REQUIRE_FALSE(controls.move_hand("hand of arm", here));
       CHECK((cell.robot(0).q - q).norm() < 1e-9);
       std::vector<double> near = here;

@@ -48,7 +48,7 @@ void check_least_time(const std::string& before, const std::string& motion) {
   CHECK(refusal(before, motion, 0.99 * least).find("TooFast") == 0);
 }
 
-// Places that the arm reaches: its hand is between 0.15 and 0.35 m above the floor.
+// Positions that the arm reaches: its tool is between 0.15 and 0.35 m above the floor.
 std::string point(Random& random) {
   return fmt::format("xyz({:.4f}m, {:.4f}m, {:.4f}m)", random.uniform(0.3, 0.4),
                      random.uniform(0.0, 0.2), random.uniform(0.16, 0.34));

@@ -1,5 +1,5 @@
 // Every function of the library, with large arguments: what it does counts as steps, it looks at
-// the wish to cancel while it works, and nothing is left behind when it is cancelled.
+// the stop request while it works, and nothing is left behind when it is cancelled.
 
 #include <doctest/doctest.h>
 

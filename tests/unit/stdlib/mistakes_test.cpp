@@ -259,7 +259,7 @@ std::vector<double> numbers_in(const std::string& text) {
 
 int fixes_tried = 0;
 
-// Applies every fix that a program gets: no error may be left at a place that it changes, and
+// Applies every fix that a program gets: no error may be left on a line that it changes, and
 // numbers that it writes anew keep their values.
 void every_fix_works(const std::string& text) {
   for (const Problem& problem : problems_of(text)) {

@@ -1,4 +1,4 @@
-// Figures of programs: their units, their files, and what backends are told.
+// Figures of programs: their units, their files, and what backends receive.
 
 #include <doctest/doctest.h>
 
@@ -35,7 +35,7 @@ bool is_same(const Figure& one, const Figure& other) {
          std::ranges::equal(one.panels, other.panels, each);
 }
 
-// What a listener was told of a figure: its index, its title and how many series it has.
+// What a listener received of a figure: its index, its title and how many series it has.
 using Told = std::tuple<int, std::string, std::size_t>;
 
 class Figures : public Backend {

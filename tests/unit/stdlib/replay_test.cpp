@@ -43,7 +43,7 @@ wait(1s)
 
 constexpr std::int64_t kReplayMs = 1'000'000;
 
-// A session, what it printed and the events that it told.
+// A session, what it printed and its events.
 struct ReplayedRun {
   explicit ReplayedRun(const std::function<void(SessionOptions&)>& change = {}) {
     SessionOptions options = at_the_table();
@@ -118,7 +118,7 @@ TEST_CASE("going back shows what was, and going on does what was done") {
   const auto events = run.tape.hashes();
   const std::string printed = run.printed;
   REQUIRE(run->go_to(200 * kReplayMs));
-  CHECK(run.printed == printed);  // unheard
+  CHECK(run.printed == printed);  // silently
   CHECK(run->vm()->global("speed").in("mm/s") == 10.0);
   REQUIRE(run->go_to(250 * kReplayMs));
   CHECK(run->vm()->global("speed").in("mm/s") == doctest::Approx(35.0));
@@ -429,7 +429,7 @@ TEST_CASE("another text goes on where its run is the same, and is told where it 
   CHECK(run.printed == "1\n2\ntrue\n");
   CHECK(run.tape.gaps() == 0);
 
-  // An earlier one is another one: it is told where, and the run is there all the same.
+  // A change of an earlier move makes another run: the answer says where, and the run is made.
   const TextChange parts =
       run->change(with("moveJ(h, time: 1s)", "moveJ(h, time: 1.5s)"), 2500 * kReplayMs);
   CHECK(parts.outcome == TextChange::Outcome::kParts);

@@ -32,7 +32,7 @@ moveJ(home() + [0.2, 0, 0, 0], time: 0.5s)
 moveJ(home(), time: 0.5s)
 )";
 
-// A session that keeps what it prints and tells.
+// A session that keeps what it prints and sends.
 struct Called {
   explicit Called(bool markers = false) : session(library_engine(), options(markers)) {}
   SessionOptions options(bool markers) {

@@ -139,7 +139,7 @@ TEST_CASE("undo and redo come to the same bits, also of a motion that holds an o
   CHECK(enter.state() == "nothing");
   CHECK(enter.session.redo(100) == kLesson.size() + 1);
   CHECK(enter.state() == states.back());
-  // A new entry takes the place of what was undone.
+  // A new entry replaces what was undone.
   enter.session.undo(2);
   CHECK(enter("let q = 5") == "5");
   CHECK(enter.session.redo(1) == 0);

@@ -309,7 +309,7 @@ TEST_CASE("a backend that throws fails the program, and leaves nothing that poin
 
 namespace {
 
-// Throws at events of one kind, and counts what it is told; `ended` is what it was told last.
+// Throws at events of one kind, and counts what it receives; `ended` is the last.
 class ThrowsAt : public Backend {
  public:
   explicit ThrowsAt(EventKinds kinds) : kinds_(kinds) {}
@@ -348,7 +348,7 @@ TEST_CASE("a backend that throws at the end leaves the result, and the others ar
     }
     CHECK(session.entries().size() == 1);
     const int told = after.told;
-    REQUIRE(session.compile("print(1)", "q.rbt"));  // nothing is told behind the end
+    REQUIRE(session.compile("print(1)", "q.rbt"));  // nothing is sent after the end
     CHECK(after.told == told);
   }
 }

@@ -319,8 +319,8 @@ TEST_CASE("the acceleration of the tool is that of its piece") {
   PathMove move{.q0 = kStart,
                 .points = {{.T_world_tool = shifted(T0, 0.1, 0.0, 0.0), .tool_accel = 0.1},
                            {.T_world_tool = shifted(T0, 0.0, 0.0, 0.0)}}};
-  // Half the way with 0.1 m/s^2 and half of it back: 2 sqrt(s / a). With limited jerk it takes the
-  // time longer that the acceleration takes to be there, some 5 ms, and what the search leaves.
+  // Half the distance with 0.1 m/s^2 and half of it back: 2 sqrt(s / a). With limited jerk it takes
+  // the time longer that the acceleration takes to be there, some 5 ms, and what the search leaves.
   for (const Jerk jerk : {Jerk::kFree, Jerk::kLimited}) {
     move.jerk = jerk;
     const PathPlan plan = plan_path(kArm, move);
@@ -344,7 +344,7 @@ TEST_CASE("tool speeds are kept to the ends, where the joints begin to move") {
     CHECK(tool_speed(kArm, *plan.motion.trajectory, T * k / 2000.0) < 0.1 * (1.0 + 5e-5));
 }
 
-// Between the corners; the joints are those that turn the tool least, which no formula gives.
+// Between the corners; the joints are those that rotate the tool least, which no formula gives.
 TEST_CASE("paths of places of arms with few joints are found, finely enough to be straight") {
   std::mt19937_64 generator(51);
   int made = 0;
@@ -370,7 +370,7 @@ TEST_CASE("paths of places of arms with few joints are found, finely enough to b
       const PathPlan plan = plan_path(robot, move);
       if (!plan.ok()) continue;
       ++made;
-      // Behind the first corner's curve the tool is on the line to the next place.
+      // Behind the first corner's curve the tool is on the line to the next position.
       const Trajectory& motion = *plan.motion.trajectory;
       const Eigen::Vector3d a = move.points[2].T_world_tool.translation();
       const Eigen::Vector3d b = move.points[3].T_world_tool.translation();

@@ -61,7 +61,7 @@ TEST_CASE("the tool passes every pose at its time without stopping, within all l
 }
 
 // Between the poses the tool, not the joints, runs on the spline: the fourth differences of its
-// place on one leg vanish for cubics.
+// position on one leg vanish for cubics.
 TEST_CASE("between two poses the place of the tool is the cubic of the spline") {
   const PathPlan plan = plan_cartesian_spline(kArm, through_four(SplineKind::kSpline3));
   REQUIRE(plan.ok());

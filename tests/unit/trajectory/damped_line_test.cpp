@@ -25,7 +25,7 @@ Eigen::VectorXd joints(std::initializer_list<double> values) {
   return q;
 }
 
-// The largest distance of the tool from the straight line between two places, over the motion.
+// The largest distance of the tool from the straight line between two positions, over the motion.
 double largest_deviation(const Trajectory& motion, const Eigen::Isometry3d& T_0,
                          const Eigen::Isometry3d& T_1) {
   double largest = 0.0;
@@ -77,7 +77,7 @@ TEST_CASE(
     "strays") {
   const Eigen::VectorXd q0 = joints({-0.6, -1.3, 1.9, -1.1, -0.35, 0.2});
   LineMove move{.q0 = q0, .T_world_goal = forward(kArm, q0)};
-  // A turn that takes the wrist close by its singularity.
+  // A rotation that takes the wrist close to its singularity.
   Eigen::VectorXd beyond = q0;
   beyond[4] = 0.35;
   beyond[3] += 0.1;

@@ -105,7 +105,7 @@ TEST_CASE("a start that hardly moves needs as long as one at rest") {
   for (int k = 0; k < 5000; ++k) {
     RandomMove move = random_move(generator, false);
     const double closed = fastest_jerk_limited(move.from, move.to, move.limits).duration();
-    move.from.v = 1e-14;  // takes the general way
+    move.from.v = 1e-14;  // takes the general branch
     const double general = fastest_jerk_limited(move.from, move.to, move.limits).duration();
     CHECK(general == doctest::Approx(closed).epsilon(1e-7));
   }

@@ -150,7 +150,7 @@ TEST_CASE("the tool keeps its speed along moves of the joints, and never stops o
   CHECK(fastest <= 0.1 * (1.0 + 1e-6));
   CHECK(fastest > 0.0999);
   CHECK(slowest > 0.08);
-  // As long as the way at this speed, and what it takes to get there and back to rest.
+  // As long as the path at this speed, and what it takes to get there and back to rest.
   CHECK(T > plan.length / 0.1);
   CHECK(T < plan.length / 0.1 + 1.0);
 }

@@ -237,7 +237,7 @@ TEST_CASE(
                 << " % in the mean, " << above << " above 5 %");
 }
 
-// A wider corner is a shorter way, and each half of it is run at the speed of its own move.
+// A wider corner is a shorter path, and each half of it is run at the speed of its own move.
 TEST_CASE("a path takes no longer with wider corners") {
   std::mt19937_64 generator(survey_seed(82));
   const int count = survey_count(6);

@@ -13,8 +13,8 @@ using namespace armlet;
 
 namespace {
 
-// Two to five places one behind the other, every other time turned too, from a position near home
-// or anywhere within the limits.
+// Two to five positions one behind the other, every other time rotated too, from a position near
+// home or anywhere within the limits.
 PathMove random_path_of(const Robot& robot, std::mt19937_64& generator) {
   PathMove move{.q0 = joints_near_home(robot, generator, 0.6),
                 .task = robot.n() < 6 ? IkTask::kPositionFirst : IkTask::kPose};

@@ -113,7 +113,7 @@ TEST_CASE("a quintic spline has the derivatives that an exact solution gives") {
   }
 }
 
-// In the same way: degrees 4, 3, 3 and 4, and derivatives 1 and 2 equal at the inner points.
+// Likewise: degrees 4, 3, 3 and 4, and derivatives 1 and 2 equal at the inner points.
 TEST_CASE("a spline with quartic ends has the derivatives that an exact solution gives") {
   const std::array t{0.0, 1.0, 2.5, 3.0, 4.2};
   const std::array q{0.0, 1.0, 0.5, 2.0, 1.0};

@@ -63,7 +63,7 @@ double load_along(const Trajectory& path, const std::vector<AxisLimits>& limits,
 }
 
 // The least duration by integration backwards and forwards over a very fine grid, with the limits
-// at each of its places alone: K. G. Shin, N. D. McKay, IEEE TAC 30(6), 1985.
+// at each of its positions alone: K. G. Shin, N. D. McKay, IEEE TAC 30(6), 1985.
 class FineGrid {
  public:
   FineGrid(const Trajectory& path, const std::vector<AxisLimits>& limits, int places)
@@ -160,7 +160,7 @@ TEST_CASE("Fastest takes 0.5 % more than it had to at most, through any number o
   MESSAGE("at most " << 100.0 * (worst - 1.0) << " % more");
 }
 
-// Of joints in proportion, the optimum is known: from one turning point to the next a trapezoid.
+// Of joints in proportion, the optimum is known: from one reversal to the next a trapezoid.
 TEST_CASE("points on one line are passed in the least time, with and without turning back") {
   std::mt19937_64 generator(survey_seed(53));
   const PlannerSet planners;
@@ -234,7 +234,7 @@ TEST_CASE("a circle keeps its limits between the places, the better the more the
     CHECK(worst <= allowed);
     CHECK(worst <= before);
     before = worst;
-    // The places where it goes are on the circle.
+    // The positions where it goes are on the circle.
     for (double t = 0.0; t <= motion.duration(); t += motion.duration() / 100.0) {
       CHECK(std::hypot(motion.value(0, t), motion.value(1, t)) ==
             doctest::Approx(1.0).epsilon(1e-7));
@@ -280,7 +280,7 @@ static void for_random_paths(const Check& check) {
 // joint is at a limit where it begins or where it ends, for the acceleration along the path does
 // not change in between. There the limits are met to rounding. In between they are met the less the
 // wider the interval: with 400 intervals one run in twenty-five has less than 98 % of every limit
-// for more than a twentieth of its time. Only where speeding up turns into slowing down an interval
+// for more than a twentieth of its time. Only where speeding up becomes slowing down an interval
 // may be at no limit at all, so two such intervals never follow each other.
 TEST_CASE("in every interval some joint is at a limit, or the next one slows down") {
   for_random_paths([](const Trajectory& path, const std::vector<AxisLimits>& limits) {

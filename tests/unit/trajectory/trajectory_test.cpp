@@ -136,7 +136,7 @@ TEST_CASE("knots list every piece of every joint once") {
 }
 
 TEST_CASE("peaks and ranges are those of dense sampling, and never smaller") {
-  // 3 t - 2 t^2 on [0, 1.2]: turns at t = 0.75, where it is 1.125.
+  // 3 t - 2 t^2 on [0, 1.2]: reverses at t = 0.75, where it is 1.125.
   const Segment hill{.start = 0.0, .duration = 1.2, .degree = 2, .c = {0.0, 3.0, -2.0}};
   const Trajectory parabola({{{hill}, hill.value(1.2)}}, 1.2);
   CHECK(parabola.range(0).upper == doctest::Approx(1.125).epsilon(1e-15));

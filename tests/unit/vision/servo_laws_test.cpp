@@ -48,7 +48,7 @@ Seen square_seen(const Isometry3d& T_world_camera) {
   return out;
 }
 
-// Looking at the square along -z of the world from a height, turned about the optical axis.
+// Looking at the square along -z of the world from a height, rotated about the optical axis.
 Isometry3d above(double height, double turn) {
   Isometry3d T = Isometry3d::Identity();
   T.linear() = rot_x(kPi) * rot_z(turn);
@@ -65,7 +65,7 @@ Vector6d image_twist(ImageLaw law, const ImageGoal& goal, double gain) {
   return servo_step(law_interaction(law, goal), image_error(goal), gain).motion;
 }
 
-// How a run from a turn about the optical axis goes: the heights that it passes, and its end.
+// How a run from a rotation about the optical axis goes: the heights that it passes, and its end.
 struct Run {
   double lowest = 0.5, highest = 0.5, error = 0.0;
   int steps = 0;
@@ -106,12 +106,12 @@ TEST_CASE("the interaction matrix is the derivative of the points") {
   }
 }
 
-// Closed forms of the twist for a turn about the optical axis over a symmetric target.
+// Closed forms of the twist for a rotation about the optical axis over a symmetric target.
 TEST_CASE("a turn about the optical axis has the known twist under each law") {
   const double gain = 0.7, Z = 0.5;
   for (const double turn : {0.1, 0.5, 1.0, 2.0, 2.8}) {
     CAPTURE(turn);
-    // The camera was turned by `turn`, so the wanted one is -turn away.
+    // The camera was rotated by `turn`, so the wanted one is `-turn` away.
     const ImageGoal goal = goal_of(above(Z, turn), above(Z, 0.0));
     const auto check = [&](ImageLaw law, double v_z, double w_z) {
       const Vector6d twist = image_twist(law, goal, gain);
@@ -214,7 +214,7 @@ TEST_CASE("the hybrid law takes its point straight through the image and the cam
       const PlanePoints one = point.transpose();
       const Eigen::Vector2d speed =
           point_interaction(one, Eigen::VectorXd::Constant(1, p.z())) * twist;
-      CHECK((speed + (point - end)).norm() < 1e-9);  // straight to its place
+      CHECK((speed + (point - end)).norm() < 1e-9);  // straight to its position
       T = moved(T, twist, 0.01);
     }
     CHECK((wanted.inverse() * T).translation().norm() < 1e-6);

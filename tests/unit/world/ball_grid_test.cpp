@@ -70,7 +70,7 @@ TEST_CASE("of balls with cores a grid leaves out those whose cores overlap that 
       return Vector3d(random.uniform(-most, most), random.uniform(-most, most),
                       random.uniform(-most, most));
     };
-    // Nearly in one place, in heaps of every width, and far apart.
+    // Nearly in one position, in heaps of every width, and far apart.
     const auto ball = [&] {
       Ball made{some(std::pow(10.0, random.uniform(-6, 0)))};
       made.radius = std::pow(10.0, random.uniform(-3, 0));

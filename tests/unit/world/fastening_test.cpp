@@ -135,7 +135,7 @@ TEST_CASE("bodies and frames on frames of a carrier, and what rests on them, tra
   CHECK(apart(world, "lamp", make_translation({0.5, 0.0, 0.7})) < 1e-15);
   CHECK(world.T_world_frame("tip")->translation().isApprox(Vector3d(0.0, 0.3, 0.1)));
   CHECK(world.mount_of_frame("tip").carrier == 2);
-  // A hand takes the cup from the tray; the tray goes on without it.
+  // A gripper takes the cup from the tray; the tray goes on without it.
   world.attach("cup", 2, frames[2]);
   CHECK(world.carried_by(2) == "cup");
   world.move_carried(2, std::vector<Isometry3d>(3, Isometry3d::Identity()));

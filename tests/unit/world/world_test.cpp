@@ -151,7 +151,7 @@ TEST_CASE("turned rectangles and discs overlap only where they really do") {
   Object turned = at("turned", kCube, 0.0, 0.0, 0.24);
   turned.T_world_obj.linear() = Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d::UnitZ()).matrix();
   world.insert(turned);
-  // The corner of the turned square reaches 28.28 mm along x, so squares overlap up to 48.28 mm.
+  // The corner of the rotated square reaches 28.28 mm along x, so squares overlap up to 48.28 mm.
   world.insert(at("touches", kCube, 0.0482, 0.0, 0.5));
   CHECK(world.drop("touches").support == "turned");
   world.remove("touches");
@@ -256,7 +256,7 @@ TEST_CASE("a stack travels with its lowest body and is let go with it") {
                       random.uniform(-0.02, 0.02), z + 0.5 * h));
       z += h;
     }
-    // A hand takes one of them: those above travel, those below stay.
+    // A gripper takes one of them: those above travel, those below stay.
     const auto taken = random.below(static_cast<std::uint64_t>(height));
     std::vector<Eigen::Isometry3d> before;
     for (const std::string& name : names) before.push_back(world.at(name).T_world_obj);
@@ -271,7 +271,7 @@ TEST_CASE("a stack travels with its lowest body and is let go with it") {
             1e-14);
       CHECK(world.attachment(names[i]).has_value() == (i >= taken));
     }
-    // Put back upright over the same place, it is let go and rests as it did.
+    // Put back upright over the same position, it is let go and rests as it did.
     world.move_carried(3, T_0);
     world.drop(names[taken]);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -329,7 +329,7 @@ TEST_CASE("a body put onto a carried one travels with it, taken from it it does 
   world.move_carried(0, make_translation({0.0, 0.0, 0.1}));
   CHECK(world.at("a").T_world_obj.translation().z() == doctest::Approx(0.63));
   CHECK(world.at("b").T_world_obj.translation().z() == doctest::Approx(0.63));
-  // Another hand takes one of them, which no longer follows the tray.
+  // Another gripper takes one of them, which no longer follows the tray.
   world.attach("a", 1, Eigen::Isometry3d::Identity());
   world.move_carried(0, make_translation({0.0, 0.0, 0.2}));
   CHECK(world.at("a").T_world_obj.translation().z() == doctest::Approx(0.63));

@@ -40,7 +40,7 @@ std::uint64_t mixed(std::uint64_t bits) {
 
 constexpr int kKeys = 2000;
 
-// Keys that begin at one place of an index for so many and go on by the same steps.
+// Keys that begin at one index for so many and go on by the same steps.
 std::vector<std::int64_t> keys_that_meet() {
   std::vector<std::int64_t> keys;
   constexpr std::uint64_t kBitsOfStep = 0x1FFE'0000U;  // but for its last one
@@ -97,7 +97,7 @@ TEST_CASE("keys that meet in the index are paid for in steps, those that people 
     CAPTURE(stride);
     CHECK(steps_with_keys(keys_of([&](std::int64_t i) { return i * stride; })) == usual);
   }
-  // Places of a plane, packed into one number.
+  // Positions of a plane, packed into one number.
   CHECK(steps_with_keys(keys_of([](std::int64_t i) { return (i / 40) << 32U | (i % 40); })) ==
         usual);
 }

@@ -1,4 +1,5 @@
-// Matrices without the library: literals, places and parts; and what native functions may ask for.
+// Matrices without the library: literals, elements and parts; and what native functions may ask
+// for.
 
 #include <doctest/doctest.h>
 

@@ -49,7 +49,7 @@ TEST_CASE("an operand that was just computed is taken from the processor") {
       instr(OpCode::MULR, kA, kX, kY),
       instr(OpCode::SUBR, kB, kA, kX),
       instr(OpCode::SUBR, kB, kX, kB),
-      instr(OpCode::ADDR, kA, kY, kB),  // the sides change places
+      instr(OpCode::ADDR, kA, kY, kB),  // the sides are swapped
       instr(OpCode::MADD, kA, kX, kY),
       instr(OpCode::MULADD, kB, kX, kY),
       instr(OpCode::WITH, kA),

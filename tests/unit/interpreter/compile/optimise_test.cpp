@@ -241,7 +241,7 @@ TEST_CASE("plain functions of the library are called directly, and still say why
 
 namespace {
 
-// The same trace both ways, and it contains `part`.
+// The same trace from both, and it contains `part`.
 void traces(const std::string& program, const std::string& part, const RunLimits& limits = {}) {
   const std::string trace = trace_script(program, true, limits);
   INFO(program);

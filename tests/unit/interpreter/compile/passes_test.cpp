@@ -50,7 +50,7 @@ TEST_CASE("a row that stays the same is looked up before the loop") {
   CHECK(count(code, "LDLD") == 0);
   const std::string rows = "let m = [[1.0, 2.0], [3.0, 4.0]]\n";
   outputs(kMultiply + rows + "print(cell(m, m, 1, 0, 2), cell([], [], 5, 0, 0))", "15.0 0.0\n");
-  // The first failure of the first pass, at its place and in its pass.
+  // The first failure of the first pass, on its line and in its pass.
   const std::string tried = "try { print(cell(m, m, 7, 9, 2)) } catch (e) { print(e.message) }\n";
   outputs(kMultiply + rows + tried, "list index 7 is outside 0 to 1\n");
   outputs(kMultiply + rows + "try { print(cell(m, m, 1, 9, 2)) } catch (e) { print(e.message) }",

@@ -51,7 +51,7 @@ Budget whole(const Vm&) { return {}; }
 Budget one_step(const Vm&) { return {.until_ns = {}, .steps = 1}; }
 Budget a_millisecond(Vm& vm) { return {.until_ns = vm.timeline().now_ns() + 1'000'000}; }
 
-// Programs in which something is under way wherever a slice ends.
+// Programs in which something is running wherever a slice ends.
 const std::vector<std::string> kPrograms = {
     // Sums that loops keep in the processor from pass to pass.
     R"(
@@ -87,7 +87,7 @@ fn sum(x: double) -> double {
     return s
 }
 for (i in range(3)) { print(map([1.0, 4.0, 9.0], sum)) })",
-    // Failures on their way.
+    // Failures being handled.
     R"(
 fn deep(n: int) -> int { if (n == 0) throw error("down")
     return deep(n - 1) }

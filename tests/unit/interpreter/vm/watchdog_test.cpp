@@ -48,7 +48,7 @@ using Seconds = std::chrono::duration<double>;
 // What this process has computed, whatever else the machine does.
 Seconds computed() { return Seconds(static_cast<double>(std::clock()) / CLOCKS_PER_SEC); }
 
-// A wish that comes from another thread when this process has computed for a while.
+// A stop request that comes from another thread when this process has computed for a while.
 class Wish {
  public:
   explicit Wish(Seconds after)

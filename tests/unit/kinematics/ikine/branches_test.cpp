@@ -118,8 +118,8 @@ TEST_CASE("next to singular positions the iterations find what the formula finds
   }
 }
 
-// Next to a singular wrist hardly anything is left of the goal while the last joint turns round,
-// and with the elbow next to stretched as well solutions lie close to each other on the way.
+// Next to a singular wrist hardly anything is left of the goal while the last joint rotates,
+// and with the elbow next to stretched as well solutions lie close to each other along the curve.
 TEST_CASE("with a wrist all but singular every solution is listed, and hardly anything else") {
   Random random(14);
   const Robot robot = *make_robot("ur5");

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// The arm with every revolute joint free to make a full turn.
+// The arm with every revolute joint free to make a full revolution.
 Robot without_stops(const Robot& robot) {
   RobotSpec spec = robot.spec();
   for (Joint& joint : spec.joints) {
@@ -119,8 +119,8 @@ TEST_CASE("of no arm does any configuration come nearer than the nearest place t
 TEST_CASE(
     "a pose beyond one joint's limit is refused with that joint and what it would have to be") {
   Random random(3);
-  // Joints whose turn no other branch of these arms can replace: the first and only prismatic
-  // joint, and the turn of an arm with no second way to face.
+  // Joints whose value no other branch of these arms can replace: the first and only prismatic
+  // joint, and joint 1 of an arm that can face in one direction only.
   const Robot scara = *make_robot("scara");
   for (int k = 0; k < 50; ++k) {
     VectorXd q = random_joints(scara, random);

@@ -394,8 +394,8 @@ TEST_CASE("a place keeps the orientation where the arm can") {
 TEST_CASE("a place turns the tool as little as possible where the arm must turn it") {
   const Robot scorbot = *make_robot("scorbot");
   const Isometry3d start = forward(scorbot, scorbot.home());
-  // A step sideways turns the tool with the base of the arm: by atan(50 / 180 mm) about z, of which
-  // the roll can take back only a part.
+  // A step sideways rotates the tool with the base of the arm: by atan(50 / 180 mm) about z, of
+  // which the roll can take back only a part.
   const Eigen::Vector3d p = start.translation() + Eigen::Vector3d(0, 0.05, 0);
   const double heading = std::atan2(p.y(), p.x());
   const IkResult ik = solve_ik(scorbot, make_translation(p), {.task = IkTask::kPositionFirst});
@@ -403,7 +403,7 @@ TEST_CASE("a place turns the tool as little as possible where the arm must turn 
   CHECK((forward(scorbot, ik.q).translation() - p).norm() < 1e-6);
   const double angle = angle_between(forward(scorbot, ik.q), start);
   CHECK(angle < heading);
-  // No neighbour at the same place turns it less.
+  // No neighbour at the same position rotates it less.
   for (double change = -0.2; change <= 0.2; change += 0.02) {
     const Eigen::Matrix3d R = rot_z(heading) * rot_y(change) * rot_z(-heading);
     const Isometry3d other = make_pose(R * forward(scorbot, ik.q).linear(), p);

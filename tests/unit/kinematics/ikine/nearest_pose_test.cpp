@@ -121,7 +121,7 @@ TEST_CASE("the nearest pose of a failure is the nearest in place of all branches
 }
 
 TEST_CASE("of the orientations at the nearest place the nearest is taken") {
-  // Beyond the reach of the arm only its wrist can turn: the goal's own orientation is left.
+  // Beyond the reach of the arm only its wrist can rotate: the goal's own orientation is left.
   const Robot robot = *make_robot("puma560");
   Random random(56);
   for (int k = 0; k < kGoals; ++k) {

@@ -61,7 +61,7 @@ inline double least_of(double from, double to, int steps, const Function& f) {
   return best;
 }
 
-// Joints a and b rotate about one line at q, the same way (sign 1) or against
+// Joints a and b rotate about one line at q, in one direction (sign 1) or against
 // each other.
 struct Pair {
   int a, b;

@@ -37,7 +37,7 @@ double off_singular(Random& random) {
   return (random.below(2) == 0 ? 1.0 : -1.0) * std::pow(10.0, -random.uniform(1.0, 9.0));
 }
 
-// The least change: that to the joint values from which the goal was made, to those that turning
+// The least change: that to the joint values from which the goal was made, to those that rotating
 // the free joint leads to where the goal leaves it free, and to what the closed form finds.
 double least_change(const Robot& robot, const VectorXd& q, const VectorXd& seed,
                     std::optional<int> free, IkMethod method) {

@@ -174,7 +174,7 @@ TEST_CASE("a goal one joint and 10 deg away is reached with a change of 10 deg")
 }
 
 // Found among other seeds: feasible only where two joints stand at their limits, a branch that
-// exists for a twentieth of a turn of the arm, and a change beyond half a revolution.
+// exists for a twentieth of a revolution of the arm, and a change beyond half a revolution.
 TEST_CASE("narrow intervals of the free joint are found") {
   const auto more = [](const char* name, int joint, IkMethod method, std::vector<double> at,
                        std::vector<double> from) {
@@ -278,7 +278,7 @@ TEST_CASE("a joint on its limit that was turned and turned back is not beyond it
 
 // Found among other seeds: next to a singular wrist rounding takes a stretched elbow 1e-5 rad
 // beyond its limit, and the copy a revolution away was the answer; two solutions of an arm of fewer
-// joints than rows, which the iterations did not tell apart.
+// joints than rows, which the iterations did not distinguish.
 TEST_CASE("limits next to singular positions are not taken for passed") {
   const auto farther = [](const char* name, IkMethod method, const std::vector<double>& at,
                           const std::vector<double>& from) {

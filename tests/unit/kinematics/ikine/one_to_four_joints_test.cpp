@@ -111,7 +111,7 @@ TEST_CASE("planar2 and arms of its kind: both elbows, and the reason when there 
 }
 
 TEST_CASE("a place is reached by four ways at most, and every one is listed") {
-  // Against a dense search: turns of joint 3 where the remaining equation changes its sign.
+  // Against a dense search: values of joint 3 where the remaining equation changes its sign.
   Random random(2);
   int most = 0;
   for (int k = 0; k < 300; ++k) {
@@ -181,7 +181,7 @@ TEST_CASE("a folded arm whose tool lies on its first axis keeps that joint where
   CHECK(solutions.free);
   CHECK(distance(q, solutions.at[0].joints()) < 1e-7);
   const IkResult ik = solve_ik(planar, forward(planar, q), {.seed = VectorXd::Zero(2)});
-  CHECK(ik.ok());  // the pose: its orientation tells joint 1
+  CHECK(ik.ok());  // the pose: its orientation determines joint 1
 }
 
 TEST_CASE("five joints with a wrist of two and six with one of three need no family") {

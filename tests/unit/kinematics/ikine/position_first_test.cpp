@@ -39,7 +39,7 @@ TEST_CASE("an arm that only reaches places gets there by formula, turning its to
       REQUIRE(ik.ok());
       CHECK(ik.branch >= 0);
       CHECK(missed_by(robot, ik.q, goal) < 1e-8);
-      // No way that the iterations find turns it less.
+      // No solution that the iterations find rotates it less.
       for (const VectorXd& other : solve_ik_all(robot, goal,
                                                 {.seed = seed,
                                                 .task = IkTask::kPosition,

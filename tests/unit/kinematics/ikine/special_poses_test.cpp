@@ -1,6 +1,6 @@
 // Poses at which formulas divide by zero: arms with equal links, right angles and no offsets, with
 // joints folded, stretched and at right angles, so that the target lies on an axis, several
-// solutions touch, or a joint may turn as it likes. Each pose is taken by the arm, so a solution
+// solutions touch, or a joint is free. Each pose is taken by the arm, so a solution
 // has to be found.
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-// Curves of numbers for joints, whose type has no unit: their units, and that what turns and what
-// slides never share an axis.
+// Curves of numbers for joints, whose type has no unit: their units, and that angles and
+// lengths never share an axis.
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// Moves with limited jerk that motors limit in the place of accelerations.
+// Moves with limited jerk that motors limit instead of accelerations.
 #include <doctest/doctest.h>
 
 #include <cmath>

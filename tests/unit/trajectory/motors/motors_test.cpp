@@ -74,7 +74,7 @@ TEST_CASE("a joint that nothing else loads is as fast as torque over inertia all
 }
 
 // Against dry and viscous friction a joint gains speed as v' = (3 - 0.5 - 0.8 v) / 2 and loses it
-// as v' = -(3 + 0.5 + 0.8 v) / 2; the switch is where both ways together are as long as the path.
+// as v' = -(3 + 0.5 + 0.8 v) / 2; the switch is where both parts together are as long as the path.
 TEST_CASE("friction slows the start and helps to stop") {
   RobotSpec spec = wheel();
   spec.links[0].friction = {.viscous = 0.8, .coulomb_plus = 0.5, .coulomb_minus = -0.5};

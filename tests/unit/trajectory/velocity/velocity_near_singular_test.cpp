@@ -62,7 +62,7 @@ Vector6d velocity_for(const Robot& robot, const Eigen::VectorXd& q, Kind kind, d
 }
 
 // By which part the tool exceeds the fastest velocity between two times: moving where moving is
-// asked for, turning where turning is.
+// asked for, rotating where rotating is.
 double excess(const Robot& robot, const Trajectory& motion, double begin, double end,
               const ToolSpeeds& fastest) {
   double most = 0.0;
@@ -232,8 +232,8 @@ double excess_of_command(const char* name, const VelocityStart& start, const Vec
 }  // namespace
 
 // Found among other seeds: the joints gain speed for another velocity when the command comes, and
-// the law that keeps the tool on the spot while it turns asks a little more of them than they have;
-// a joint has to go on through the position in which the elbow is stretched.
+// the law that keeps the tool on the spot while it rotates asks a little more of them than they
+// have; a joint has to go on through the position in which the elbow is stretched.
 TEST_CASE("the calmest law is taken where the strictest one asks too much of the joints") {
   using Joints6 = Eigen::Vector<double, 6>;
   using Joints7 = Eigen::Vector<double, 7>;
@@ -256,7 +256,7 @@ TEST_CASE("the calmest law is taken where the strictest one asks too much of the
 }
 
 // Found among other seeds: each joint comes to rest by itself, and the tool is calm, where it is
-// not with all of them together; and an acceleration is turned with nearly all of the jerk.
+// not with all of them together; and an acceleration is reversed with nearly all of the jerk.
 TEST_CASE("a stop that no usual law makes calm is made with all that the joints have") {
   using Joints6 = Eigen::Vector<double, 6>;
   VelocityStart alone{

@@ -19,7 +19,7 @@ using namespace armlet;
 using namespace armlet::velocity_cases;
 
 // A change of speed by v with acceleration a and jerk j takes v / a + a / j if a is reached, else
-// 2 sqrt(v / j); half of that times v is the way.
+// 2 sqrt(v / j); half of that times v is the distance.
 TEST_CASE("joint speeds are taken up as fast as accelerations and jerks allow and held") {
   const Robot robot = *make_robot("scara");
   const VelocityStart start{.q = robot.home(), .qd = Eigen::VectorXd::Zero(4), .during = 1.0};
