@@ -1,5 +1,5 @@
 #pragma once
-// The host of a robot program: one cell on a virtual clock, and what the vocabulary knows of it.
+// The host of a robot program: one cell on a virtual clock, and what the library knows about it.
 
 #include <Eigen/Geometry>
 #include <filesystem>
@@ -30,7 +30,7 @@ namespace armlet {
 
 class Journal;
 
-// One finished motion, for whoever shows progress.
+// A finished motion, for listeners that show progress.
 struct MoveReport {
   std::string robot;
   std::string function;   // as called: "moveJ"
@@ -48,16 +48,16 @@ struct PressReport {
   std::optional<Diagnostic> failure{};  // why it failed, or that it was cancelled
 };
 
-// One move of a motion that is made of several.
+// One move of a motion that consists of several moves.
 struct MotionPart {
   std::string what;     // "moveL to (300, 0, 150) mm"
-  double end = 0.0;     // s, from the start of the motion
-  double missed = 0.0;  // m, how far its target is passed by
+  double end = 0.0;     // s, its end from the start of the motion
+  double missed = 0.0;  // m, the distance by which it passes its target
 };
 
-// What there is to say about a motion beside itself.
+// Facts about a motion that the trajectory itself does not contain.
 //
-// deviation, turn  how far the tool leaves its way, m and rad.
+// deviation, turn  largest deviation of the tool from its path, m and rad.
 struct MotionNotes {
   std::vector<MotionPart> parts{};
   double deviation = 0.0;
@@ -71,14 +71,14 @@ struct LastMotion {
   MotionNotes notes{};
 };
 
-// The velocity of the tool that a motion was asked for, and how it takes it up.
+// The tool velocity that the program requested for a motion, and how the motion reaches it.
 struct LastVelocity {
   int motion = -1;
   Vector6d twist = Vector6d::Zero();
   ToolTakeUp take_up{};
 };
 
-// A velocity command behind which its robot comes to rest unless another one follows at once.
+// A velocity command. Its robot comes to rest at its end unless another command follows at once.
 struct LastRest {
   int motion = -1;
   Trajectory path;
@@ -86,9 +86,9 @@ struct LastRest {
   CallPlace place{};
 };
 
-// A goal of the tool that a robot could not reach, and what comes nearest.
+// A goal of the tool that a robot could not reach, and the nearest pose that it can reach.
 //
-// q_nearest  empty: nothing does.
+// q_nearest  joint values of that pose; empty: none was found.
 struct UnreachedGoal {
   std::int64_t t_ns = 0;
   int robot = -1;
@@ -99,7 +99,7 @@ struct UnreachedGoal {
   double angle = 0.0;     // rad
 };
 
-// A way around what stood in the way, as it was planned.
+// A path around obstacles, as it was planned.
 struct PlannedWay {
   std::int64_t t_ns = 0;
   int robot = 0;
@@ -115,26 +115,26 @@ struct NamedPlanner {
 };
 
 struct HostOptions {
-  std::shared_ptr<const Robot> robot;  // for programs that declare none; null: none
-  std::vector<NamedPlanner> planners;  // beside the built-in ones
+  std::shared_ptr<const Robot> robot;  // for programs that declare none; null: no robot
+  std::vector<NamedPlanner> planners;  // in addition to the built-in ones
   std::function<void(const MoveReport&)> on_move;
-  // Called before time passes to t; may sleep. False asks the program to stop. Null: time costs no
-  // time.
+  // Called before the clock advances to t; may sleep. False: the program must stop. Null: the clock
+  // advances at once.
   std::function<bool(std::int64_t t_ns)> pace;
   // The folder below which the program may write files; empty: none.
   std::filesystem::path folder{};
-  MeshConverter convert_mesh{};          // null: of meshes, only GLB is read
-  PackageFolders packages{};             // whose meshes descriptions may name
-  std::function<bool()> is_cancelled{};  // whether the program is to stop; null: never
-  HostFrames frames{};                   // pictures of cameras that the host gives
-  // Fills an empty world when a program names an object and nobody gave a world; null: there is
-  // none, and insertObj makes a stand-in. `skip` are names that the program declares itself.
+  MeshConverter convert_mesh{};          // null: of mesh formats, only GLB can be read
+  PackageFolders packages{};             // folders in which descriptions of robots may name meshes
+  std::function<bool()> is_cancelled{};  // returns whether the program must stop; null: never
+  HostFrames frames{};                   // camera pictures that the host supplies
+  // Fills an empty world when a program names an object and no world was given. Null: there is no
+  // default world, and insertObj makes a stand-in. `skip`: names that the program declares.
   std::function<void(class Host&, const std::vector<std::string>& skip)> default_world;
-  // Of the session that runs the program; null: what comes from outside is not kept.
+  // The journal of the session that runs the program; null: inputs from outside are not recorded.
   Journal* journal = nullptr;
 };
 
-// What a function of the language writes: "a table" in a file that ends in one of these.
+// A kind of file that a function of the language writes: "a table", with one of these extensions.
 struct FileKind {
   std::string_view what;
   std::span<const std::string_view> endings;
@@ -160,18 +160,18 @@ class Host : public Timeline {
 
   // ---- robots
   [[nodiscard]] Result<int> add_robot(std::shared_ptr<const Robot> robot);
-  // The host's own robot, put into the cell when it is first needed.
+  // The host's own robot; it is put into the cell when it is first needed.
   [[nodiscard]] Result<int> default_robot();
   [[nodiscard]] std::shared_ptr<const Robot> default_robot_model() const { return options_.robot; }
-  // The robot of the cell if there is exactly one (or none yet but the host's own); otherwise null.
+  // The only robot of the cell (or the host's own, if the cell has none); otherwise null.
   [[nodiscard]] const Robot* only_robot() const;
 
   // ---- the world
   void set_world_name(std::string name) { world_name_ = std::move(name); }
   [[nodiscard]] const std::string& world_name() const { return world_name_; }
   [[nodiscard]] bool has_world() const { return !world_name_.empty(); }
-  // While the world is filled: files are read from this folder, if it has a name, and each mesh
-  // once.
+  // Starts to fill the world: until it is full, files are read from this folder, if it has a name,
+  // and each mesh is read once.
   void begin_world(std::filesystem::path folder) {
     world_folder_ = std::move(folder);
     fills_world_ = true;
@@ -181,73 +181,74 @@ class Host : public Timeline {
     fills_world_ = false;
     world_meshes_.clear();
   }
-  // The program names an object: fetch the default world if nobody gave one.
+  // Called when the program names an object: adds the default world if no world was given.
   void want_world(const std::vector<std::string>& declared);
-  // While a default world is filled: whether this object gives way to one that the program declares
-  // itself.
+  // While a default world is filled: whether this object is left out because the program declares
+  // one of that name.
   [[nodiscard]] bool is_skipped(std::string_view name) const;
 
-  // What happened in the cell since the last call; whether this is the first contact pick that is
-  // told of.
+  // take_events: events of the cell since the last call. first_contact_pick: true only for the
+  // first pick by contact, the one that is reported.
   [[nodiscard]] std::vector<CellEvent> take_events();
   [[nodiscard]] bool first_contact_pick();
-  [[nodiscard]] bool first_fall();  // the same of objects that lost their support
-  // Whether these two bodies are reported for this call the first time; or were reported before.
+  [[nodiscard]] bool first_fall();  // the same for objects that lost their support
+  // first_collision: whether this call reports these two bodies for the first time;
+  // knows_collision: whether it has reported them before.
   [[nodiscard]] bool first_collision(const void* call, std::string pair);
   [[nodiscard]] bool knows_collision(const void* call, const std::string& pair) const;
 
-  // Writes a file of the program: `name` is relative to the folder that was granted and stays below
-  // it, has an ending of its kind and leads through no link. A file that cannot be written to its
-  // end leaves the one before as it was. Fails with the reason.
-  // What is saved in a run that nobody hears of is not written (replay/journal.hpp).
+  // Writes a file of the program. `name` is relative to the folder that the host allowed, stays
+  // below it, has an extension of its kind and follows no link. If the file cannot be written
+  // completely, the old one stays. Fails with the reason. A silent run writes nothing
+  // (replay/journal.hpp).
   [[nodiscard]] Result<std::filesystem::path> save_file(const FileKind& kind,
                                                         const std::string& name,
                                                         std::string_view content) const;
 
-  // The bytes of a mesh as GLB, found as has_mesh finds it; 128 MB at most.
-  // unit  m in one unit of it; 0: as its format says.
+  // The bytes of a mesh as GLB, from the file that has_mesh finds; at most 128 MB.
+  // unit  length of one unit of the file, m; 0: as its format says.
   [[nodiscard]] Result<std::string> load_mesh(const std::string& file, const std::string& mesh,
                                               double unit = 0.0) const;
-  // The same for a file of the program, as load_file finds it.
-  // unit  m in one unit of the file; 0: as its format says.
+  // The same for a mesh file of the program, from the file that load_file finds.
+  // unit  length of one unit of the file, m; 0: as its format says.
   [[nodiscard]] Result<std::string> load_shape(const std::string& name, double unit) const;
-  // The text of a file of the program, under the same rule. Fails with the reason.
+  // The text of a file of the program; the same rule for `name`. Fails with the reason.
   // most  bytes; a larger file is refused.
   [[nodiscard]] Result<std::string> load_file(const std::string& name,
                                               std::size_t most = 16 << 20) const;
-  // Whether a mesh exists that a file of the program names, the program itself if `file` is empty.
+  // Whether this mesh exists in a file that the program names; `file` empty: in the program itself.
   [[nodiscard]] bool has_mesh(const std::string& file, const std::string& mesh) const;
-  // HostFrames::take; nothing: pictures of this camera are drawn.
+  // A picture from HostFrames::take; nullopt: the pictures of this camera are rendered.
   [[nodiscard]] std::optional<Result<std::string>> host_frame(const FrameRequest& asked) const;
 
   // The figures of the program, in the order in which it began them.
   [[nodiscard]] std::vector<Figure>& figures() { return figures_; }
   [[nodiscard]] const std::vector<Figure>& figures() const { return figures_; }
-  Figure& begin_figure(Figure figure);  // it becomes the last one and gets the next index
-  void figure_changed();                // the last one has changed: tells who listens
+  Figure& begin_figure(Figure figure);  // it becomes the last figure and gets the next index
+  void figure_changed();                // reports to listeners that the last figure has changed
 
-  // What the `lab` block of the program says; null: it has come to none.
+  // The contents of the `lab` block of the program; null: no such block has been executed.
   void set_lab(LabRows lab) { lab_ = std::move(lab); }
   [[nodiscard]] const LabRows* lab() const { return lab_ ? &*lab_ : nullptr; }
 
   void remember_motion(int robot, LastMotion motion);
-  // Null if it has not moved.
+  // Null if the robot has not moved.
   [[nodiscard]] const LastMotion* last_motion(int robot) const;
 
   void remember_velocity(int robot, LastVelocity velocity);
-  // Null unless the robot still moves after it.
+  // Null unless the robot is still moving after a velocity command.
   [[nodiscard]] const LastVelocity* last_velocity(int robot) const;
 
   void remember_rest(int robot, LastRest rest);
-  [[nodiscard]] std::optional<LastRest> take_rest(int robot);  // of the last command, once
+  [[nodiscard]] std::optional<LastRest> take_rest(int robot);  // of the last command; given once
 
-  // The last goal that was out of reach, for whoever shows the run; null: all were reached.
+  // The last goal that was out of reach, for displays of the run; null: all goals were reached.
   void note_unreached(UnreachedGoal goal) { unreached_ = std::move(goal); }
   [[nodiscard]] const UnreachedGoal* unreached() const {
     return unreached_ ? &*unreached_ : nullptr;
   }
 
-  // The ways that were planned, for whoever shows the run: at most kMostWays, of more the first.
+  // The paths around obstacles that were planned, for displays of the run; the first kMostWays.
   static constexpr std::size_t kMostWays = 500;
   void note_way(PlannedWay way);
   [[nodiscard]] const std::vector<PlannedWay>& ways() const { return ways_; }
@@ -262,7 +263,7 @@ class Host : public Timeline {
 
  private:
   [[noreturn]] static void refuse_no_host();
-  // Nothing of `content` is written where the run keeps no files; the name is checked alike.
+  // Writes no content if the run writes no files; the name is checked in any case.
   [[nodiscard]] Result<std::filesystem::path> write(const FileKind& kind, const std::string& name,
                                                     std::string_view content) const;
   [[nodiscard]] Result<std::string> read(const std::string& name, std::size_t most) const;
@@ -286,7 +287,7 @@ class Host : public Timeline {
   std::string world_name_;
   std::filesystem::path world_folder_;
   bool fills_world_ = false;
-  mutable std::map<std::string, std::string> world_meshes_;  // read already, while it is filled
+  mutable std::map<std::string, std::string> world_meshes_;  // meshes read so far
   std::vector<Figure> figures_;
   std::optional<LabRows> lab_;
   std::vector<std::string> skipped_;

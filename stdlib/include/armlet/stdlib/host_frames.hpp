@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of cameras that a host gives, in the place of those that are drawn.
+// Camera pictures that a host supplies instead of rendered ones.
 
 #include <cstdint>
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace armlet {
 
-// Which picture is wanted: the one with this number, from 0, of those that the camera takes, now,
-// and its size in pixels.
+// Which picture is requested: its number, from 0, among the pictures that this camera takes, the
+// present time, and its size in pixels.
 struct FrameRequest {
   std::string_view camera;
   std::uint64_t number = 0;
@@ -21,10 +21,10 @@ struct FrameRequest {
   int height = 0;
 };
 
-// cameras  the names of those whose pictures the host gives.
-// take     the bytes of a PNG, JPEG, PGM or PPM file with an RGB picture of that size, which
-//          write_netpbm makes of pixels; or an error whose message goes on from "no picture:". The
-//          log of the session keeps these bytes. Null: of a session that is taken again from a log.
+// cameras  the names of the cameras whose pictures the host supplies.
+// take     returns the bytes of a PNG, JPEG, PGM or PPM file with an RGB picture of that size (from
+//          pixels, write_netpbm makes one), or an error whose message continues "no picture:". The
+//          log of the session records these bytes. Null: in a session that is replayed from a log.
 struct HostFrames {
   std::vector<std::string> cameras;
   std::function<Result<std::string>(const FrameRequest&)> take;

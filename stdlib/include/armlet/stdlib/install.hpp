@@ -1,5 +1,5 @@
 #pragma once
-// Adds the vocabulary of robot programs to an engine.
+// Adds the library of robot programs to an engine.
 
 #include <string>
 #include <string_view>
@@ -9,23 +9,23 @@
 
 namespace armlet {
 
-// Everything of the language reference, section 19, that exists so far. Programs compiled by this
-// engine need a Host as CompileOptions::host and VmOptions::host (see session.hpp, which does
+// Adds all of section 19 of the language reference that is implemented. Programs compiled by
+// this engine need a Host as CompileOptions::host and VmOptions::host (session.hpp provides
 // both).
 void install(Engine& engine);
 
-// An engine with this vocabulary, made at the first call and never changed: any thread may use it.
+// An engine with this library, made at the first call and then constant: any thread may use it.
 [[nodiscard]] const Engine& library_engine();
 
 // A chapter of the library, in the order of the reference.
 struct LibraryChapter {
   std::string_view title;
-  bool is_mathematics = false;  // docs/mathematics.md says what each of its functions is in C++
+  bool is_mathematics = false;  // its functions are in docs/mathematics.md
 };
 [[nodiscard]] std::vector<LibraryChapter> library_chapters();
 
-// What programs may say but is refused because nothing stands behind it yet (E0199), in the words
-// of that message and in the order of the tables that refuse it.
+// Features that programs may name but that are not implemented and are refused (E0199), in the
+// words of that message and in the order of the tables that refuse them.
 [[nodiscard]] std::vector<std::string> later_features();
 
 }  // namespace armlet

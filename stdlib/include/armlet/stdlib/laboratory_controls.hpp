@@ -1,5 +1,5 @@
 #pragma once
-// What people do at the page of a laboratory, done to a session.
+// Inputs that users make at the page of a laboratory, applied to a session.
 //
 //     SessionOptions options;
 //     options.laboratory = true;                // the run goes on after the end of the program
@@ -9,11 +9,11 @@
 //     LabControls controls(session);
 //     if (const auto why = controls.set_field("clearance", Value(80, "mm"))) show(why->message);
 //     if (const auto why = controls.press("pickIt")) show(why->message);
-//     session.run({.until_ns = t});             // the button's task runs
+//     session.run({.until_ns = t});             // runs the task of the button
 //
-// Every input takes effect where the run stands, also within the program (Session::go_to), and is
-// kept in its log, so that a run with inputs is taken again like any other. An input that is
-// refused changes nothing and says why.
+// Every input takes effect at the present instant of the run, also while the program is executed
+// (Session::go_to). The log of the session records it, so that a run with inputs can be replayed.
+// An input that is refused changes nothing; the error says why.
 
 #include <Eigen/Core>
 #include <array>
@@ -34,61 +34,62 @@ namespace armlet {
 // Points in a picture.
 //
 // what    "corner", "truth", "wanted" or "feature".
-// object  truth: whose corners they are; empty otherwise.
-// pixels  x first. Features stand in the order of the rows that the function gives.
+// object  for "truth": the object whose corners they are; otherwise empty.
+// pixels  x first. Features have the order of the rows that the function returns.
 struct LabMarks {
   std::string what;
   std::string object{};
   std::vector<std::array<double, 2>> pixels{};
 };
-// fault  why the function of a view gives no features; empty: it does, or there is none.
+// fault  why the function of a view returns no features; empty: it returns some, or there is none.
 struct LabPicture {
   Image image;
   std::vector<LabMarks> marks{};
   std::string fault{};
 };
 
-// Of a session with SessionOptions::laboratory, between two slices: its functions throw
-// ArgumentError while the session runs. The codes of errors are "no lab" (the program has not come
-// to a `lab` block), "unknown", "type", "range", "busy", "unreachable", "ended" and "failed".
+// Controls of a session with SessionOptions::laboratory, used between two slices: the functions
+// throw ArgumentError while the session runs. The codes of errors are "no lab" (no `lab` block has
+// been executed), "unknown", "type", "range", "busy", "unreachable", "ended" and "failed".
 class LabControls {
  public:
   explicit LabControls(Session& session) : session_(session) {}
 
-  // Of the `lab` block; null: the program has come to none. Sliders are then known by the names of
+  // The rows of the `lab` block; null: none has been executed. Sliders then have the names of
   // default_lab_rows.
   [[nodiscard]] const LabRows* rows() const;
 
-  // Sets a field: its unit and its range are checked.
+  // Sets a field; the unit and the range of the value are checked.
   [[nodiscard]] std::optional<Error> set_field(std::string_view field, const Value& value);
   [[nodiscard]] Result<Value> field(std::string_view field) const;
 
-  // Starts what a button does, as a task beside all others. It runs when the session runs; what
-  // becomes of it says SessionOptions::on_press.
+  // Starts the action of a button, as a task beside all others. It runs when the session runs; its
+  // result is reported by SessionOptions::on_press.
   [[nodiscard]] std::optional<Error> press(std::string_view button);
 
-  // Puts an idle robot into a position, rad or m, within the limits of its joints. A robot without
-  // a `lab` row can be moved too.
+  // Moves an idle robot at once to joint values, rad or m, within the limits of its joints. This
+  // also works for a robot without a `lab` row.
   [[nodiscard]] std::optional<Error> move_joints(std::string_view robot, const Eigen::VectorXd& q);
 
-  // The same by where the hand is, for a row `sliders hand(of: arm, as: "x y z roll")`: one value
-  // for each axis, m or rad in the world. The joints stay as near as possible to where they are.
+  // The same by the pose of the tool, for a row `sliders hand(of: arm, as: "x y z roll")`: one
+  // value for each axis, m or rad in the world. Takes the solution nearest to the present joint
+  // values.
   [[nodiscard]] std::optional<Error> move_hand(std::string_view sliders,
                                                const std::vector<double>& values);
-  // Where the sliders of the hand stand now.
+  // The present values of the sliders of the tool pose.
   [[nodiscard]] Result<std::vector<double>> hand(std::string_view sliders) const;
-  // The smallest and the largest value that each of them can have anywhere in the arm's reach.
+  // The smallest and the largest value of each of these sliders anywhere in the arm's reach.
   [[nodiscard]] Result<std::vector<std::array<double, 2>>> hand_ranges(
       std::string_view sliders) const;
-  // The joints that bring the hand there, without moving it; the reason is that of move_hand.
+  // The joint values for that tool pose, without moving the arm; errors are those of move_hand.
   [[nodiscard]] Result<Eigen::VectorXd> joints_for_hand(std::string_view sliders,
                                                         const std::vector<double>& values) const;
 
-  // What a plot, a table or a text shows now, or where the features of a view are. It leaves no
-  // trace in the run. Joint values and places are lists of numbers with their units; an error says
-  // why there is nothing to show.
+  // What a plot, a table or a text shows now, or the features of a view. The run does not change.
+  // Joint values and poses are lists of numbers with their units; an error says why there is
+  // nothing to show.
   [[nodiscard]] Result<Value> read(std::string_view row);
-  // The picture of an image that is computed, or of a view, with its marks. It leaves no trace,
+  // The picture of a computed image, or of a view, with its marks. The run does not change,
   // either.
   [[nodiscard]] Result<LabPicture> picture(std::string_view row);
 

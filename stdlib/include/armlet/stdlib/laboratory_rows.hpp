@@ -1,5 +1,5 @@
 #pragma once
-// What a `lab` block says: the page of a virtual laboratory as values, for whoever shows it.
+// The contents of a `lab` block: the page of a virtual laboratory as values, for any display.
 
 #include <array>
 #include <memory>
@@ -30,29 +30,29 @@ enum class LabRowKind {
   kView,
   kProgram,
 };
-// "sliders", "field", ...: the word of the row in programs.
+// "sliders", "field", ...: the word for this kind of row in programs.
 [[nodiscard]] std::string_view word_of(LabRowKind kind);
 
 enum class LabLayout { kColumns, kStack };
 
-// What the row of a camera marks in its picture: corners that are found there, the true corners of
-// objects that are in view, or only pixels that the program names.
+// What the row of a camera marks in its picture: corners that are detected there, the true corners
+// of objects in view, or only pixels that the program names.
 enum class LabOverlay { kNone, kCorners, kTruth, kWanted };
 
-// What a hand slider sets of the tool point in the world, m or rad.
+// What a slider of the tool pose sets, in the world, m or rad.
 //
-// kTurn  the turn about z, with the tilt of the tool as it is: "roll" without "pitch" and "yaw".
+// kTurn  rotation about z that keeps the tilt of the tool: "roll" without "pitch" and "yaw".
 enum class HandAxis { kX, kY, kZ, kRoll, kPitch, kYaw, kTurn };
 // "x", "y", "z", "roll", "pitch", "yaw", "roll".
 [[nodiscard]] std::string_view word_of(HandAxis axis);
 
 enum class LabFieldType { kNumber, kInt, kBool, kText };
 
-// The dimension of a number, or of those of the joints of a robot, which the run knows.
+// The dimension of a number, or of joint values of a robot whose joints the run knows.
 //
-// robot    its name in the cell; empty: `dim` holds. Otherwise `dim` is that of a joint that turns,
-//          `sliding` that of one that slides.
-// joint    of which one, from 0; -1: all of them, a number for each.
+// robot    name of the robot in the cell; empty: the number has the dimension `dim`. Otherwise
+//          `dim` is for revolute joints and `sliding` for prismatic ones.
+// joint    index of the joint, from 0; -1: all joints, one number for each.
 struct LabNumber {
   Dim dim{};
   std::string robot{};
@@ -60,27 +60,28 @@ struct LabNumber {
   int joint = -1;
 };
 
-// One element of the page. What a kind does not use stays empty.
+// One element of the page. Members that a kind does not use stay empty.
 //
-// name     by which programs and inputs call it; it is unique in the block.
-// label    what the page writes beside it; the name where the program gives none.
+// name     name in programs and inputs; unique in the block.
+// label    caption on the page; `name` where the program gives none.
 // robot    sliders, trail, torques: of the robot with this name.
-// axes     sliders: of the hand; empty: one slider for each joint.
-// type     field: what it holds. A number with a unit has `dim` and `unit`.
-// dim      of the value of a field.
-// unit     "mm", in which people read and write it; empty: a plain number, or no number.
-// value    field: what it holds at the start. text: Markdown with formulas, where it never changes.
+// axes     sliders: of the tool pose; empty: one slider for each joint.
+// type     field: type of its value. A number with a unit has `dim` and `unit`.
+// dim      field: dimension of its value.
+// unit     "mm", the unit that users read and write; empty: a plain number, or no number.
+// value    field: initial value. text: Markdown with formulas, if it never changes.
 // range    field: smallest and largest value, SI.
-// header   table: over its columns.
-// dims     plot, table: of the things in what is read, in their order, where their type has none,
-//          as speeds of joints in a double[]; empty: nothing is known of them.
-// picture  image: the bytes of its file, PNG or JPEG; null: LabControls::picture gives what it
-// shows. camera   view: by its name in the cell. overlay  view: what is marked beside the features
-// of its function. wanted   view: pixels at which features are to be, x first. is_read  plot,
-// table, and text that changes: LabControls::read gives what it shows now. image: it
-//          is computed. view: it has a function that gives features.
-// takes_picture  view: the function is given the picture.
-// at       where the program says so; empty: it does not.
+// header   table: headings of its columns.
+// dims     plot, table: dimensions of the numbers that are read, in their order, where their type
+//          has none, as speeds of joints in a double[]; empty: unknown.
+// picture  image: the bytes of its file, PNG or JPEG; null: LabControls::picture returns it.
+// camera   view: name of the camera in the cell.
+// overlay  view: what is marked in addition to the features of its function.
+// wanted   view: goal pixels of the features, x first.
+// is_read  plot, table, and text that changes: LabControls::read returns the present contents.
+//          image: it is computed. view: it has a function that returns features.
+// takes_picture  view: the function gets the picture as its argument.
+// at       position on the page; empty: the program does not give one.
 struct LabRow {
   LabRowKind kind = LabRowKind::kText;
   std::string name{};
@@ -103,23 +104,23 @@ struct LabRow {
   Span at{};
 };
 
-// A `lab` block that the program has come to.
+// A `lab` block that has been executed.
 //
-// name   of the block: a field `clearance` is the variable `name.clearance`.
-// title  the name of the block where the program gives none.
+// name   name of the block: a field `clearance` is the variable `name.clearance`.
+// title  the name of the block where the program gives no title.
 struct LabRows {
   std::string name;
   std::string title;
   LabLayout layout = LabLayout::kColumns;
   std::vector<LabRow> rows{};
 
-  // Null if there is none of this name.
+  // Null if no row has this name.
   [[nodiscard]] const LabRow* find(std::string_view row) const;
 };
 
-// The page of a program without a `lab` block: sliders for the joints and the hand of each robot of
-// a cell, and plots of its joints and their speeds. Such a plot has no lambda (is_read) but a
-// robot, and is named "q of arm" or "qd of arm".
+// The page of a program without a `lab` block: sliders for the joints and the tool pose of each
+// robot of a cell, and plots of its joint values and speeds. Such a plot has no lambda (is_read)
+// but a robot, and is named "q of arm" or "qd of arm".
 [[nodiscard]] LabRows default_lab_rows(const Cell& cell);
 
 }  // namespace armlet

@@ -1,4 +1,4 @@
-// What makes meshes readable.
+// The function that converts meshes to GLB.
 #pragma once
 
 #include <functional>
@@ -8,10 +8,10 @@
 
 namespace armlet {
 
-// Makes a GLB of a mesh in another format: the file `name` in a folder, which is what it may read,
-// with `unit` m in one unit of it, 0 if its format says so. It gives up when is_cancelled, asked
-// from time to time, says so; null: nobody cancels. An error with the code "converter" means that
-// this host has no means to.
+// Makes a GLB of a mesh in another format: of the file `name` in a folder (it may read only this
+// folder). `unit` is the length of one unit of the file, m; 0: as its format says. It stops when
+// is_cancelled, called from time to time, returns true; null: never. An error with the code
+// "converter" means that this host cannot convert meshes.
 using MeshConverter =
     std::function<Result<std::string>(const std::string& folder, const std::string& name,
                                       double unit, const std::function<bool()>& is_cancelled)>;

@@ -10,19 +10,19 @@ namespace armlet {
 
 class Host;
 
-// How the last move of a robot of the cell was planned: how long each joint turns or slides and how
-// fast, and what decides how fast it could be. Several lines without the last end of line.
+// How the last move of a robot of the cell was planned: duration and speed of each joint, and the
+// limit that decides the duration. Several lines without the last end of line.
 [[nodiscard]] std::string last_move_text(const Host& host, int robot);
 
-// The robot as a block of the language: `robot puma560 { joint revolute(...) ... }`. A program that
-// holds it makes the same robot: numbers that turn into the same bits, angles in degrees where they
-// are exact. A name that is none in the language is changed into one.
+// The robot as a block of the language: `robot puma560 { joint revolute(...) ... }`. A program with
+// this block makes the same robot: numbers are read back as the same bits, angles are in degrees if
+// that is exact. A name that the language does not allow is changed into an allowed one.
 [[nodiscard]] std::string robot_block(const Robot& robot);
 
-// The robot as people read it: its name in a line, and its table with one line per joint: kind,
+// The robot as a text for users: its name in a line, and a table with one line per joint: kind,
 // theta, d, a, alpha and the limits, in degrees to 4 decimals and millimetres to 3.
 //
-// name  by which it is called, if that is not its own.
+// name  name to print, if not the robot's own.
 [[nodiscard]] std::string robot_table(const Robot& robot, std::string_view name = {});
 
 }  // namespace armlet

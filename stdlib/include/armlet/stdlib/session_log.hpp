@@ -1,6 +1,6 @@
 #pragma once
-// What a session needs to run once more, anywhere: its texts, its options and all that came from
-// outside, with the places where it took effect. Everything else follows.
+// All that is needed to replay a session on any machine: its texts, its options and all inputs from
+// outside, with the instants at which they took effect. Everything else follows from these.
 
 #include <cstdint>
 #include <optional>
@@ -20,9 +20,9 @@ namespace armlet {
 
 // A program that declares objects and frames, such as worlds/table.rbt.
 //
-// folder  where the files lie that it names; empty: that of the program. It is no part of what the
-//         world is: what came out of the files is in the log.
-// notes   what it lacks of the file that it was made of, a sentence without an end each.
+// folder  folder of the files that it names; empty: that of the program. It is not part of the
+//         identity of the world: the contents of the files are in the log.
+// notes   what was left out of the file that it was made from; sentences without a full stop.
 struct WorldText {
   std::string name;
   std::string text;
@@ -31,7 +31,7 @@ struct WorldText {
   bool operator==(const WorldText& other) const { return name == other.name && text == other.text; }
 };
 
-// What the host did to a run.
+// Inputs of the host to a run.
 struct SetSignal {
   std::string name;
   SignalValue value;
@@ -47,9 +47,9 @@ struct CallFunction {
   std::vector<Value> arguments;
   bool operator==(const CallFunction&) const = default;
 };
-// What people do at the page of a laboratory (laboratory_controls.hpp).
+// Inputs of users at the page of a laboratory (laboratory_controls.hpp).
 struct PressButton {
-  std::string name;  // of the variable that holds what it does: "scaraLab.pickIt"
+  std::string name;  // the variable that holds its action: "scaraLab.pickIt"
   bool operator==(const PressButton&) const = default;
 };
 struct MoveJoints {
@@ -64,38 +64,39 @@ struct Input {
   bool operator==(const Input&) const = default;
 };
 
-// What the outside replied when the run asked, in the order of asking: contents of files, whether a
-// file could be written, output that nobody took.
+// Replies from outside to questions of the run, in the order of the questions: contents of files,
+// whether a file could be written, output that nobody received.
 //
-// question  "load points.csv"; what is saved is named by its hash.
+// question  "load points.csv"; for saved files, with the hash of their contents.
 struct Reply {
   std::string question;
   std::string text;
   std::optional<Error> error{};
 };
 
-// What `import "path"` in the file `from` gave.
+// The file that `import "path"` in the file `from` loaded.
 struct LoggedImport {
   std::string path;
   std::string from;
   ImportedText given;
 };
 
-// What a session was given to run, one thing after the other.
+// The kinds of entries that a session runs, one after the other.
 //
 // kProgram  a whole program, in a fresh cell: the first entry, if there is one.
 // kEntry    a text in the scope of the entries before it (Session::submit).
 // kCall     a function of the program, which runs as a program does (Session::begin_call).
 enum class EntryKind : std::uint8_t { kProgram, kEntry, kCall };
 
-// One of them, and its run. It begins where the one before has ended.
+// An entry and its run. It begins at the instant at which the one before has ended.
 //
 // name        of the text, or of the function.
 // arguments   of a call.
-// inputs      what the host did meanwhile, and between the end and the beginning of the next one.
-// cancelled   where the run noticed wishes to stop.
-// stopped_ns  where the host let time pass no further.
-// end         how far the run has come, or had when it was left; steps are those of the session.
+// inputs      inputs of the host during the entry, and between its end and the next one.
+// cancelled   the instants at which the run noticed stop requests.
+// stopped_ns  the time at which the host stopped the clock.
+// end         the instant that the run has reached, or had when it was left; steps are counted over
+//             the session.
 struct LoggedEntry {
   EntryKind kind = EntryKind::kProgram;
   std::string name;
@@ -110,7 +111,7 @@ struct LoggedEntry {
 };
 
 // robot   the name of the host's robot; empty: it has none. The same for its planners.
-// frames  names of the cameras whose pictures the host gave.
+// frames  names of the cameras whose pictures the host supplied.
 struct SessionLog {
   std::string robot;
   std::vector<std::string> planners;
@@ -121,16 +122,16 @@ struct SessionLog {
   bool open = false;
   bool laboratory = false;
   std::vector<LoggedEntry> entries;
-  std::vector<RunMark> marks;  // of RunMarks, if the host has put it among its backends
+  std::vector<RunMark> marks;  // from RunMarks, if it is a backend of the host
 };
 
 // The log as a file (docs/logs.md).
 //
-// returns  an error if it holds a value of a type of the host, which no file can hold.
+// returns  an error if it holds a value of a type of the host, which cannot be written to a file.
 [[nodiscard]] Result<std::string> write_log(const SessionLog& log);
-// returns  an error that says what was expected where, for everything that write_log of this
-// version
-//          has not written.
+// Reads a log that write_log of this version has written.
+//
+// returns  an error for anything else: which position expected what.
 [[nodiscard]] Result<SessionLog> read_log(std::string_view bytes);
 
 }  // namespace armlet

@@ -1,5 +1,5 @@
 #pragma once
-// What a session is made with.
+// The options of a session.
 
 #include <filesystem>
 #include <functional>
@@ -14,35 +14,35 @@
 
 namespace armlet {
 
-// What sessions that take the same runs share.
+// Data shared by sessions that replay the same runs.
 //
-// pictures  of cameras (Cameras::keep_pictures); null: each is drawn again.
+// pictures  of cameras (Cameras::keep_pictures); null: each picture is rendered again.
 struct SharedBySessions {
   std::shared_ptr<KeptPictures> pictures;
 };
 
-// Where meshes come from that programs name: see HostOptions.
+// How meshes that programs name are found and converted: see HostOptions.
 struct MeshSources {
   MeshConverter convert{};
   PackageFolders packages{};
 };
 
 struct SessionOptions : SharedBySessions {
-  std::shared_ptr<const Robot> robot;      // for programs that declare none; null: none
-  std::vector<NamedPlanner> planners;      // beside the built-in ones
+  std::shared_ptr<const Robot> robot;      // for programs that declare none; null: no robot
+  std::vector<NamedPlanner> planners;      // in addition to the built-in ones
   std::optional<WorldText> world;          // given by the user
   std::optional<WorldText> default_world;  // when a program names an object and none is given
-  std::filesystem::path folder;            // below which the program may write files; empty: none
+  std::filesystem::path folder;            // programs write files only below it; empty: never
   MeshSources meshes{};
-  HostFrames frames{};      // pictures of cameras that the host gives
-  bool keeps_files = true;  // otherwise what it saves can be loaded, and goes with the run
+  HostFrames frames{};      // camera pictures that the host supplies
+  bool keeps_files = true;  // false: saved files exist only in the run; it can load them
   ParseLimits parse_limits;
   bool open = false;     // see CompileOptions
   bool markers = false;  // see CompileOptions
   // After the end of the program the run waits for inputs (laboratory_controls.hpp).
   bool laboratory = false;
   std::function<void(const PressReport&)> on_press;
-  ModuleLoader load;  // files that the program imports; none without it
+  ModuleLoader load;  // loads files that the program imports; null: imports fail
   RunLimits limits;
   std::vector<Backend*> backends;               // must outlive the session
   std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
