@@ -24,7 +24,8 @@ TEST_CASE("names and codes of colours have the values of CSS") {
       {"#0072b2", {0, 114, 178}},
   });
   for (const auto& [name, rgb] : kRows) {
-    CAPTURE(name);
+    const std::string color(name);
+    CAPTURE(color);
     CHECK(color_named(name) == linear_rgb(rgb[0], rgb[1], rgb[2]));
   }
 }

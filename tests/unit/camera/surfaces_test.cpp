@@ -29,7 +29,8 @@ TEST_CASE("surfaces of shapes are closed, face outward and hold their volume") {
       {Cone{0.1, 0.3}, std::numbers::pi * 0.001}};
   for (const auto& [shape, volume] : shapes) {
     const Surface surface = surface_of(shape);
-    CAPTURE(shape_name(shape));
+    const std::string body(shape_name(shape));
+    CAPTURE(body);
     // Signed tetrahedra; a mesh would reverse itself.
     double sum = 0.0;
     const SurfaceParts& parts = surface.parts();

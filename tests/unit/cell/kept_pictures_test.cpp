@@ -120,7 +120,8 @@ TEST_CASE("whatever changes a picture makes it another one") {
        }},
   };
   for (const auto& [what, change] : changes) {
-    CAPTURE(what);
+    const std::string changed(what);
+    CAPTURE(changed);
     const auto kept = std::make_shared<KeptPictures>(std::size_t{4} << 20U);
     Sight sight(kept), plain(nullptr);
     static_cast<void>(sight.look());

@@ -290,7 +290,8 @@ TEST_CASE("an inertia that no body has is left out, and only forces miss it") {
        {std::array{R"(ixx="0.01")", R"(ixx="0.1")", "has principal moments"},
         std::array{R"(ixx="0.01")", R"(ixx="-0.1")", "has an inertia with the negative"},
         std::array{R"(<mass value="2"/>)", R"(<mass value="-2"/>)", "has mass = -2"}}) {
-    CAPTURE(std::string(to));
+    const std::string written(to);
+    CAPTURE(written);
     const Result<Mechanism> read = read_urdf(replaced(kArm, from, to));
     REQUIRE(read.ok());
     const Body& upper = read->bodies()[static_cast<std::size_t>(read->body("upper"))];

@@ -122,7 +122,8 @@ TEST_CASE("columns, slices and elements of numbers for joints keep their units")
       {"plot(run.t, run.qd, yUnit: \"steps\")", "steps:1234 | :"},
   };
   for (const auto& [call, sides] : kinds) {
-    CAPTURE(std::string(call));
+    const std::string statement(call);
+    CAPTURE(statement);
     const auto figures = curves_of(std::string(kScaraRecord) + call + "\n");
     REQUIRE(figures.size() == 1);
     CHECK(sides_of(figures[0]) == sides);
