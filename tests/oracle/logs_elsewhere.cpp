@@ -1,9 +1,7 @@
-// Runs of random programs, taken again from their logs by another process:
+// Runs of random programs, replayed from their logs by another process:
 //   logs_elsewhere write FILE COUNT    runs COUNT programs with tasks and a quarter as many with
-//   robots, with inputs of their host,
-//                                      and leaves their logs
-//   logs_elsewhere read FILE COUNT     takes each again and compares its events with those in the
-//   log
+//                                      robots, with inputs of their host, and writes their logs
+//   logs_elsewhere read FILE COUNT     replays each and compares its events with those in the log
 #include <fmt/format.h>
 
 #include <cstdlib>

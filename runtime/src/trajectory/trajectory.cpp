@@ -63,7 +63,7 @@ const Segment& piece_at(const JointPath& path, double t) {
 // Bernstein coefficients. Exact where it is of degree 1 at most.
 //
 // source  G. Farin, Curves and Surfaces for CAGD, 2002, chapter 5 (the convex hull, and other
-// bases).
+//         bases).
 struct Bounds {
   double lower, upper;
 };

@@ -23,8 +23,7 @@ struct OpencvResult {
 inline constexpr std::int64_t kMostDoorPixels = 4'194'304;
 
 // throws  ArgumentError for a picture that has more than `most` pixels, or is not of 8 bits; grey:
-// one that is
-//         not grey.
+//         one that is not grey.
 void check_door_picture(std::string_view function, const Image& image, bool grey,
                         std::int64_t most = kMostDoorPixels);
 

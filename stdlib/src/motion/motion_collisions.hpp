@@ -16,8 +16,7 @@ namespace armlet::bind {
 //
 // guarded  the move may be stopped before, and what the hand presses into is felt.
 // last     of another robot: the number of its last motion that this one was compared with;
-// nothing:
-//          the other one is no robot, or all of its motion is known.
+//          nothing: the other one is no robot, or all of its motion is known.
 struct PossibleCollision {
   CellCollision met;
   bool guarded = false;

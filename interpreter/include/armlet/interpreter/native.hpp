@@ -5,25 +5,37 @@
 //
 //     {"run", "(m: motor, to: point, time: time?, speed: speed?) -> Run", help, example, &run}
 //
-//   name: type            required;   name: type = literal   default;   name: type?   may be left
-//   out (absent) values: number...     any number of trailing numbers, handed over as one double[]
+//   name: type            required
+//   name: type = literal  default
+//   name: type?           may be left out (absent)
+//   values: number...     any number of trailing numbers, passed as one double[]
 //   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
 //   table                 any table, whatever its columns
-//   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U};  to: a point
-//   or a double[] may be declared as two overloads
+//   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U}
 //
-// Names with a meaning of their own: "point.x" is the field x of a point; "point[]" indexing,
-// "point.sharp[]" of one of the kind sharp, "point[:]" a part; "point.x=" and "point[]=" give the
-// value that `p.x = v` and `p[i] = v` store, from the old one;
-// "operator*" and its like operators between host types or lists; "motor{}" what a block
-// declaration of type motor calls, whose parameter `name` receives the declared name, and a
-// parameter `phase: phaseRow[]` the rows `phase wound(...)`, each made by "motor.phase.wound";
-// "motor.phase.NAME" makes rows that the program names, `phase u(...)`: it gets the name as `name`,
-// its `value`, or else its function, is the variable `m.u` that the host may set, and "motor{}"
-// gets all of them in order as `rows`; "motor()" gives the ambient motor of the host; "Math.sqrt"
-// is in a namespace; "with.speed" sets what `with (speed: x)` says, after "with{" has opened the
-// settings of the block and before "with}" restores those from before on every way out of it;
-// "path.blend", "path{", "path}" likewise for `path`, whose motions "path{move}" makes at its end.
+// A parameter that takes a point or a double[] may be declared as two overloads, "to: point" and
+// "to: double[]".
+//
+// Names with a meaning of their own:
+//
+//   "point.x"             the field x of a point
+//   "point[]"             indexing; "point.sharp[]" of one of the kind sharp; "point[:]" a part
+//   "point.x=", "point[]="
+//                         the value that `p.x = v` and `p[i] = v` store, made from the old one
+//   "operator*"           and its like: operators between host types or lists
+//   "motor{}"             what a block declaration of type motor calls. Its parameter `name` gets
+//                         the declared name, a parameter `phase: phaseRow[]` the rows
+//                         `phase wound(...)`, each made by "motor.phase.wound".
+//   "motor.phase.NAME"    makes rows that the program names, `phase u(...)`: it gets the name as
+//                         `name`; its `value`, or else its function, is the variable `m.u` that the
+//                         host may set. "motor{}" gets all of them in order as `rows`.
+//   "motor()"             gives the ambient motor of the host
+//   "Math.sqrt"           is in a namespace
+//   "with.speed"          sets what `with (speed: x)` says, after "with{" has opened the settings
+//                         of the block and before "with}" restores the former ones, however the
+//                         block is left
+//   "path.blend", "path{", "path}"
+//                         likewise for `path`, whose motions "path{move}" makes at its end
 
 #include <cstdint>
 #include <functional>

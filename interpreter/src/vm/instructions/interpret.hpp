@@ -25,7 +25,7 @@ struct Left {
 //
 // last    the double computed last, when the loop goes on after kSliced.
 // throws  what functions of the host and kernels throw; the task is as it was when they were
-// called.
+//         called.
 [[nodiscard]] Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc,
                              double last = 0.0);
 // The same from task.stack.top on; what is thrown becomes a failure of the program.

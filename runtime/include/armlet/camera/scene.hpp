@@ -76,10 +76,10 @@ struct SceneBody {
 // A surface of reflectance c looks c (ambient + key max(0, n . l)) where the light reaches it, and
 // c ambient in the shadow. Ambient light comes from a sky that is brighter above.
 //
-// towards          direction to the light, in the world; any length but zero.
-// key              of the directed light.
-// sky_up, sky_down ambient light of surfaces that face up or down, linear in between.
-// shadows          whether bodies throw shadows.
+// towards           direction to the light, in the world; any length but zero.
+// key               strength of the directed light.
+// sky_up, sky_down  ambient light of surfaces that face up or down, linear in between.
+// shadows           whether bodies cast shadows.
 struct Light {
   Eigen::Vector3d towards{-0.35, -0.95, 1.6};
   double key = 0.62;

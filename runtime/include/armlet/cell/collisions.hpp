@@ -68,8 +68,7 @@ struct MotionBeside {
 // robots, all where they are now, as the arm is; the palm; and the other fingers, as they move now.
 //
 // beside  of fingers: motions of others of the same hand that begin at the same instant. Two of
-// them
-//         are compared by the one with the lower number.
+//         them are compared by the one with the lower number.
 // throws  ArgumentError as check_motion.
 std::vector<CellCollision> find_collisions(const Cell& cell, int robot, const Trajectory& motion,
                                            std::span<const MotionBeside> beside = {});

@@ -86,8 +86,7 @@ struct MotionCheck {
 // motion.
 //
 // throws  ArgumentError for a motion that has not one path for each joint of its arm, and a pair
-// that
-//         names no body.
+//         that names no body.
 // source  F. Schwarzer, M. Saha, J.-C. Latombe, Adaptive dynamic collision checking for single and
 //         multiple articulated robots in complex environments, IEEE Transactions on Robotics 21,
 //         2005.

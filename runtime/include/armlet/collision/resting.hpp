@@ -13,9 +13,8 @@ namespace armlet {
 // side passes it. Right to 1e-8 m; the same bits on every machine.
 //
 // source  conservative advancement along one direction: B. Mirtich, Impulse-based dynamic
-// simulation
-//         of rigid body systems, 1996, chapter 2; between convex bodies each step goes to the plane
-//         that separates them.
+//         simulation of rigid body systems, 1996, chapter 2; between convex bodies each step goes
+//         to the plane that separates them.
 std::optional<double> resting_height_of_shapes(const Object& falling, const Object& below);
 
 }  // namespace armlet

@@ -16,8 +16,7 @@ namespace armlet {
 // core kMesh, which alone need not be convex, the set of all its triangles and what they enclose.
 //
 // half    half the sides of a box, and of the box around a mesh; (radius, radius, half height) of a
-// cylinder and a cone, whose tip
-//         is at +z; (0, 0, half length) of a segment. m
+//         cylinder and a cone, whose tip is at +z; (0, 0, half length) of a segment. m
 // margin  m, >= 0; none of meshes.
 // mesh    not owned; null unless the core is one of it.
 // T       its frame, in the frame that both bodies of a question share.

@@ -19,8 +19,7 @@ JointMatrix mass_matrix(const Robot& robot, JointsIn q);
 //
 // tau     n joint forces, N m or N.
 // throws  ArgumentError unless all have n finite elements and the result is finite, and if M(q) is
-// not
-//         positive definite: then it names the joint that no mass resists.
+//         not positive definite: then it names the joint that no mass resists.
 JointVector forward_dynamics(const Robot& robot, JointsIn q, JointsIn qd, JointsIn tau);
 
 // The same by the recursion for articulated bodies, whose work grows with n and not with its cube.

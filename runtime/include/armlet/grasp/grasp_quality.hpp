@@ -42,11 +42,10 @@ struct GraspQuality {
 // scale    length that moments are divided by, m, > 0: how far the surface is from there at most.
 // throws   ArgumentError for a scale, a friction, a point or a normal that is impossible.
 // source   C. Ferrari, J. Canny, Planning optimal grasps, IEEE Int. Conf. on Robotics and
-// Automation,
-//          1992 (the sum of the pressing forces is limited); Z. Li, S. S. Sastry, Task-oriented
-//          optimal grasping by multifingered robot hands, IEEE J. Robotics and Automation 4, 1988
-//          (singular values); A. T. Miller, P. K. Allen, Examples of 3D grasp quality computations,
-//          ICRA 1999 (moments divided by the largest radius).
+//          Automation, 1992 (the sum of the pressing forces is limited); Z. Li, S. S. Sastry,
+//          Task-oriented optimal grasping by multifingered robot hands, IEEE J. Robotics and
+//          Automation 4, 1988 (singular values); A. T. Miller, P. K. Allen, Examples of 3D grasp
+//          quality computations, ICRA 1999 (moments divided by the largest radius).
 GraspQuality grasp_quality(std::span<const GraspContact> contacts, const Eigen::Vector3d& center,
                            double scale);
 

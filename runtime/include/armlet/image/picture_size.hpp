@@ -29,7 +29,7 @@ struct PictureSize {
 // if it is neither, or not whole.
 //
 // source  W3C, Portable Network Graphics, 2003, chapters 5 and 11; ITU-T T.81 (JPEG), 1992, annex
-// B.
+//         B.
 std::optional<PictureSize> picture_size(std::string_view bytes);
 
 }  // namespace armlet

@@ -16,8 +16,7 @@ namespace armlet {
 // What the tool point must match of the goal.
 //
 // kPose           position and orientation. An arm with fewer than six joints reaches only the
-// poses
-//                 that it can; others are kOrientationUnreachable.
+//                 poses that it can; others are kOrientationUnreachable.
 // kPosition       the position; the orientation is free.
 // kPositionFirst  the position, keeping the orientation at the seed as far as the arm can: if that
 //                 orientation cannot be kept, the change of orientation is made as small as

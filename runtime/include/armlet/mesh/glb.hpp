@@ -82,9 +82,8 @@ struct GlbScene {
 // that turns z up into it.
 //
 // throws  ArgumentError for a parent that does not come before its node, a material or an image
-// that
-//         is not there, an image of another kind, parts whose arrays do not fit together, and a
-//         file of more than 4 GB.
+//         that is not there, an image of another kind, parts whose arrays do not fit together, and
+//         a file of more than 4 GB.
 // source  Khronos Group, glTF 2.0 specification, 2021, chapters 3 and 4.4 (GLB).
 std::string write_glb(const GlbScene& scene);
 

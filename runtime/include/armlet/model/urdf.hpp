@@ -51,9 +51,9 @@ struct UrdfPart {
 
 // A link of a fixed scene, the one before it first.
 //
-// parent    index of the link that it is fixed to; -1: none, or it is free to move.
-// T_world_link
-// link      mass, centre of mass and inertia, in the frame of the link.
+// parent        index of the link that it is fixed to; -1: none, or it is free to move.
+// T_world_link  pose of the link in the scene.
+// link          mass, centre of mass and inertia, in the frame of the link.
 struct UrdfLink {
   std::string name;
   int parent = -1;
@@ -82,7 +82,7 @@ std::string write_urdf(const Mechanism& mechanism);
 //
 // named    folders of packages by name.
 // folders  which hold packages as folders of their name, or are one, as ROS_PACKAGE_PATH lists
-// them.
+//          them.
 struct PackageFolders {
   std::map<std::string, std::string> named{};
   std::vector<std::string> folders{};

@@ -24,8 +24,7 @@ struct Series {
 // pictures choose deg, mm and so on themselves.
 //
 // read  the unit of values whose type has none, as the text of the program shows it; `unit` is
-// empty
-//       if numbers of which nothing is known are beside them.
+//       empty if numbers of which nothing is known are beside them.
 struct Axis {
   std::string label{};
   std::string unit{};

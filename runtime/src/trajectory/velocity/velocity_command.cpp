@@ -28,8 +28,7 @@ constexpr double kRankThreshold = 1e-9;    // of the largest pivot
 //         order 6 in seven stages.
 //
 // doubt  how much the speeds would change if the joints were where Simpson's rule has them, rad/s
-// or
-//        m/s.
+//        or m/s.
 struct Step {
   VectorXd q;
   ToolRates rates;

@@ -59,8 +59,7 @@ struct SeenValue {
 // called.
 //
 // returns  an error that says why there is no value: no expression stands there, a variable has
-// none
-//          yet, something would be changed, or computing it fails, with the message of that
+//          none yet, something would be changed, or computing it fails, with the message of that
 //          failure.
 // throws   ArgumentError as seen_variables.
 [[nodiscard]] Result<SeenValue> value_at(Vm& vm, std::uint32_t source, std::uint32_t byte);
