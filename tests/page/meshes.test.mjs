@@ -134,6 +134,27 @@ test("OBJ has its materials, its picture whatever its case, its normals and plac
   assert.ok(start > 0 && view.byteLength === PICTURE.length, "its bytes are those of the file");
 });
 
+test("faces above the first material of an OBJ have none, and parts of the file share their vertices", () => {
+  const glb = made("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no one\nf 1 2 3\nusemtl red\nf 2 4 3\no two\nf 1 3 4\nusemtl nobody\nf 1 4 2\n", { "a.mtl": "newmtl red\nKd 1 0 0\nTr 0.5\n" });
+  const { parts } = partsOfGlb(glb);
+  assert.deepEqual(parts.map(({ material, corners }) => [material?.name ?? null, corners.length]), [[null, 6], ["red", 6]]);
+  assert.deepEqual(parts[1].material.pbrMetallicRoughness.baseColorFactor, [1, 0, 0, 0.5]);
+});
+
+test("a PLY may have more than vertices and faces, in each of its forms", () => {
+  const head = (format) => `ply\nformat ${format} 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty float confidence\nproperty double z\nelement edge 1\nproperty int a\nproperty list uchar short b\nelement face 2\nproperty uchar red\nproperty list uint uint vertex_index\nend_header\n`;
+  const points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.5]];
+  const text = made("a.ply", `${head("ascii")}${points.map(([x, y, z]) => `${x} ${y} 0.9 ${z}\n`).join("")}7 2 1 -1\n255 3 0 1 2\n0 3 1 3 2\n`);
+  const bytes = [];
+  const put = (kind, size, ...values) => values.forEach((value) => { const at = Buffer.alloc(size); at[`write${kind}`](value); bytes.push(at); });
+  for (const [x, y, z] of points) put("DoubleLE", 8, x, y), put("FloatLE", 4, 0.9), put("DoubleLE", 8, z);
+  put("Int32LE", 4, 7), put("UInt8", 1, 2), put("Int16LE", 2, 1, -1);
+  for (const face of [[0, 1, 2], [1, 3, 2]]) put("UInt8", 1, 255), put("UInt32LE", 4, 3, ...face);
+  const binary = made("b.ply", Buffer.concat([Buffer.from(head("binary_little_endian")), ...bytes]));
+  assert.deepEqual(trianglesOfGlb(text), ["0 0 0, 1 0 0, 0 1 0", "0 1 0, 1 0 0, 1 1 0.5"]);
+  assert.deepEqual(trianglesOfGlb(binary), trianglesOfGlb(text));
+});
+
 test("what is missing beside a mesh is noted, and the mesh is there", () => {
   const { parts, notes } = partsOfGlb(made("a.obj", `mtllib a.mtl\nmtllib none.mtl\n${QUAD}usemtl sign\nf 1/1 2/2 3/3\n`, { "a.mtl": "newmtl sign\nmap_Kd nowhere.png\n" }));
   assert.equal(parts[0].corners.length, 3);
@@ -169,7 +190,7 @@ for (const [name, content, why] of [
   ["endless.obj", `${THREE.replace("v 1", "v 1e999")}f 1 2 3\n`, /^a coordinate of a vertex is no number$/],
   ["bytes.obj", "v 0 0 0\0", /^it is no text: it has a byte of 0$/],
   ["empty.obj", "", /^there are no triangles in it$/],
-  ["long.obj", "v 0 0 0 \\\n".repeat(200_000), /^the statement that ends in line \d+ has more than a million signs$/],
+  ["long.obj", "v 0 0 0 \\\n".repeat(200_000), /^there are no triangles in it$/],
   ["polygon.obj", `${THREE}f${" 1 2 3".repeat(11_000)}\n`, /^line 5 has a face of 33000 corners, but the limit is 32767$/],
   ["wide.obj", `mtllib w.mtl\nusemtl a\n${THREE}f 1 2 3\n`, /^the picture "w\.png" says it has 9000 x 1 pixels; expected 1 to 8192 in each direction$/],
   ["count.stl", counted, /^its header says 2147483647 triangles, but there are bytes for 1$/],
@@ -190,9 +211,10 @@ for (const [name, content, why] of [
   ["broken.ply", HEAD.replace("uchar", "float"), /^its header counts the elements of a list by broken numbers$/],
   ["index.ply", `${HEAD}0 0 0\n1 0 0\n0 1 0\n3 0 1 99\n`, /^element 0 "face" names vertex 99, but there are 3$/],
   ["half.ply", `${HEAD}0 0 0\n1 0 0\n0 1 0\n3 0 1 0.5\n`, /^element 0 "face" names vertex 0\.5, but there are 3$/],
+  ["order.ply", "ply\nformat ascii 1.0\nelement face 0\nproperty list uchar int vertex_indices\nelement vertex 0\nproperty float x\nend_header\n", /^it does not begin with its vertices, which have no lists$/],
   ["list.ply", `${HEAD}0 0 0\n1 0 0\n0 1 0\n40000 0 1 2\n`, /^element 0 "face" has a list of 40000; expected 0 to 32767$/],
-  ["line.ply", `${HEAD}0 0 0\n1 0\n0 1 0\n3 0 1 2\n`, /^it is cut off in element 1 "vertex"$/],
-  ["more.ply", `${HEAD}0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2\n`, /^element 0 "vertex" has 4 numbers; expected 3$/],
+  ["line.ply", `${HEAD}0 0 0\n1 0\n0 1 0\n3 0 1 2\n`, /^2 numbers stand behind its elements$/],
+  ["more.ply", `${HEAD}0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2\n`, /^4 numbers stand behind its elements$/],
   ["word.ply", `${HEAD}0 0 0\n1 0.0x 0\n0 1 0\n3 0 1 2\n`, /^element 1 "vertex" has "0\.0x" where a number should be$/],
   ["end.ply", `${HEAD}0 0 0\n1 0 0\n`, /^its header says 3 elements "vertex", but there are 2$/],
 ]) {
@@ -203,6 +225,16 @@ for (const [name, content, why] of [
     assert.throws(() => made(name, typeof content === "string" ? Buffer.from(content, "latin1") : content, { "w.mtl": "newmtl a\nmap_Kd w.png\n", "w.png": wide }), (error) => why.test(error.message) || assert.fail(error.stack));
   });
 }
+
+test("files that are made to hold up a reader are refused as soon as others", () => {
+  const many = 200_000;
+  assert.throws(() => made("a.stl", `solid\nfacet\n${"vertex 0 0 0\n".repeat(many)}`), /it is cut off: `endfacet` is missing$/);
+  assert.throws(() => made("a.stl", `solid\n${"x\n".repeat(many)}`), /there are no triangles in it$/);
+  assert.throws(() => made("a.stl", `solid\nfacet${" ".repeat(many)}vertex`), /it is cut off/);
+  assert.throws(() => made("a.ply", `ply\n${"comment\n".repeat(many)}`), /`end_header` is missing$/);
+  assert.throws(() => made("a.ply", `${HEAD.replace("vertex 3", "vertex 100000000")}0 0 0\n`), /its header says 100000000 elements "vertex", but there are 1$/);
+  assert.throws(() => made("a.ply", `${HEAD.replace("face 1", "face 100000000")}0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n`), /it is cut off in element 1 "face"$/);
+});
 
 test("more triangles than a program takes are refused", () => {
   const face = "f 1 2 3\n";

@@ -1,115 +1,140 @@
-// OBJ with its materials (MTL).
+// OBJ with its materials (MTL), read by three. Three passes over what it does not expect and cuts polygons as if they were convex, so
+// it gets statements that were checked, with polygons that were cut.
 //
 // source  Wavefront, Advanced Visualizer manual, appendix B1, as in P. Bourke, Object files (.obj).
+import { Color, SRGBColorSpace, type Mesh } from "three";
+import { MTLLoader, type MaterialInfo } from "three/examples/jsm/loaders/MTLLoader.js";
+import { OBJLoader } from "three/examples/jsm/loaders/OBJLoader.js";
 import { cutPolygon } from "./polygon.ts";
-import { companion, refuse, shown, type Corner, type Look, type Triangles } from "./triangles.ts";
-import { linesOf, numberOf } from "./words.ts";
+import { checkCount, companion, cornerOf, refuse, shown, type Corner, type Look, type Triangles } from "./triangles.ts";
+import { numberOf, textOf } from "./words.ts";
 
 const MOST_CORNERS = 32_767;
 
-// Lines whose last sign is \ go on in the next one.
-function statementsOf(bytes: Uint8Array<ArrayBuffer>, take: (words: string[], line: number) => void): void {
-  let begun = "";
-  linesOf(bytes, (line, number) => {
-    const text = begun + line.replace(/\r$/, "");
-    begun = text.endsWith("\\") ? `${text.slice(0, -1)} ` : "";
-    if (begun.length > 1e6) refuse(`the statement that ends in line ${number} has more than a million signs`);
-    if (!begun) take(text.replace(/#.*/, "").trim().split(/\s+/), number);
-  });
-}
-
-// Materials by their names.
-function readMaterials(bytes: Uint8Array<ArrayBuffer>, looks: Map<string, Look>): void {
-  let look: Look | null = null;
-  statementsOf(bytes, (words, line) => {
-    const [kind, ...rest] = words;
-    const number = (k: number) => numberOf(rest[k], `line ${line} of its materials`);
-    if (kind === "newmtl") looks.set(rest.join(" "), (look = { name: rest.join(" "), color: [0.6, 0.6, 0.6, 1], picture: "" }));
-    if (!look) return;
-    const [r, g, b, a] = look.color as [number, number, number, number];
-    if (kind === "Kd" && rest[0] !== "spectral" && rest[0] !== "xyz") look.color = [number(0), number(rest.length > 1 ? 1 : 0), number(rest.length > 2 ? 2 : 0), a];
-    if (kind === "d") look.color = [r, g, b, number(rest.length - 1)];
-    if (kind === "Tr") look.color = [r, g, b, 1 - number(0)];
-    if (kind === "map_Kd") look.picture = pictureName(rest);
-  });
-}
-
-// Options stand before the name, each with a number of values.
-const OPTIONS: Record<string, number> = { "-blendu": 1, "-blendv": 1, "-boost": 1, "-bm": 1, "-cc": 1, "-clamp": 1, "-imfchan": 1, "-mm": 2, "-texres": 1, "-type": 1 };
-function pictureName(words: readonly string[]): string {
-  let at = 0;
-  while (words[at]?.startsWith("-")) {
-    const option = words[at++]!;
-    if (option in OPTIONS) at += OPTIONS[option]!;
-    else while (at < words.length - 1 && !Number.isNaN(Number(words[at]))) at++; // -o, -s, -t: one to three numbers
+// Words of each statement, and the number of its last line: lines whose last sign is \ go on in the next one.
+function* statementsOf(bytes: Uint8Array<ArrayBuffer>): Generator<[string[], number]> {
+  const lines = textOf(bytes).split(/\r?\n/);
+  for (let i = 0; i < lines.length; i++) {
+    const parts: string[] = [];
+    while (lines[i]!.endsWith("\\") && i + 1 < lines.length) parts.push(lines[i++]!.slice(0, -1));
+    yield [[...parts, lines[i]!].join(" ").replace(/#.*/, "").trim().split(/\s+/), i + 1];
   }
-  return words.slice(at).join(" ");
+}
+
+// The materials of a library by their names.
+function materialsOf(bytes: Uint8Array<ArrayBuffer>): [string, Look][] {
+  const lines: string[] = [];
+  for (const [words, line] of statementsOf(bytes)) {
+    const isColor = /^kd$/i.test(words[0]!);
+    if (isColor && /^(spectral|xyz)$/.test(words[1] ?? "")) continue;
+    if (isColor && words.length === 2) words.push(words[1]!, words[1]!); // the same for red, green and blue
+    if (isColor) for (let k = 1; k <= 3; k++) numberOf(words[k], `line ${line} of its materials`);
+    if (/^(d|tr)$/i.test(words[0]!)) numberOf(words.at(-1), `line ${line} of its materials`);
+    lines.push(words.join(" "));
+  }
+  const infos = new MTLLoader().parse(lines.join("\n"), "").materialsInfo as Record<string, MaterialInfo>;
+  return Object.entries(infos).map(([name, info]) => [name, lookOf(name, info)]);
+}
+
+// A picture is shown as it is: what a colour beside it would do differs from program to program.
+function lookOf(name: string, { kd = [0.6, 0.6, 0.6], d, tr, map_kd: picture = "" }: MaterialInfo): Look {
+  const last = (value: unknown) => Number(String(value).split(" ").at(-1));
+  const opacity = d !== undefined ? last(d) : tr !== undefined ? 1 - last(tr) : 1;
+  const [r, g, b] = kd as [number, number, number];
+  return { name, color: [...(picture ? [1, 1, 1] : new Color().setRGB(r, g, b, SRGBColorSpace).toArray()), opacity], picture };
+}
+
+// An OBJ file while it is checked.
+class Statements {
+  readonly looks: (Look | null)[] = [null]; // those that faces name, by their numbers; null: the file says nothing of colours
+  private readonly into: Triangles;
+  private readonly materials = new Map<string, Look>();
+  private readonly points: number[][] = [];
+  private readonly colors: number[][] = []; // of points that have one
+  private readonly pictures: number[][] = [];
+  private readonly normals: number[][] = [];
+  private readonly faces = ["usemtl 0"];
+  private count = 0; // triangles
+
+  constructor(into: Triangles) {
+    this.into = into;
+  }
+
+  take([kind, ...rest]: string[], line: number): void {
+    const number = (k: number) => numberOf(rest[k], `line ${line}`);
+    if (kind === "v") {
+      // Behind x, y and z there may be w, or a colour.
+      this.points.push([0, 1, 2].map(number));
+      if (rest.length >= 6) this.colors.push([-3, -2, -1].map((k) => number(rest.length + k)));
+    } else if (kind === "vt") this.pictures.push([number(0), rest.length > 1 ? number(1) : 0]);
+    else if (kind === "vn") this.normals.push([0, 1, 2].map(number));
+    else if (kind === "mtllib") this.library(rest);
+    else if (kind === "usemtl") {
+      const look = this.materials.get(rest.join(" ")) ?? null;
+      if (!this.looks.includes(look)) this.looks.push(look);
+      this.faces.push(`usemtl ${this.looks.indexOf(look)}`);
+    } else if (kind === "f" || kind === "fo") {
+      if (rest.length > MOST_CORNERS) refuse(`line ${line} has a face of ${rest.length} corners, but the limit is ${MOST_CORNERS}`);
+      this.face(rest);
+    }
+  }
+
+  // One name, which may have blanks in it, or several.
+  private library(words: string[]): void {
+    for (const name of companion(this.into.files, words.join(" ")) ? [words.join(" ")] : words) {
+      const library = companion(this.into.files, name);
+      if (library) for (const [material, look] of materialsOf(library)) this.materials.set(material, look);
+      else this.into.note(`the file "${shown(name)}" cannot be read: there is no such file beside the mesh`);
+    }
+  }
+
+  private face(words: string[]): void {
+    const lists = [["v", this.points], ["vt", this.pictures], ["vn", this.normals]] as const;
+    const corners = words.map((word) => word.split("/").slice(0, 3).map((index, k) => (index || k === 0 ? named(lists[k]![0], lists[k]![1].length, index) : "")));
+    const points = corners.map(([at]) => this.points[Number(at) - 1]!);
+    const triangles = cutPolygon(points);
+    checkCount((this.count += triangles.length));
+    for (const three of triangles) this.faces.push(`f ${three.map((k) => corners[k]!.join("/")).join(" ")}`);
+  }
+
+  get hasNormals(): boolean {
+    return this.normals.length > 0;
+  }
+
+  // What three is to read: lists first, because faces name their elements from 1 on.
+  text(): string {
+    const hasColors = this.colors.length === this.points.length;
+    const points = this.points.map((point, i) => `v ${[...point, ...(hasColors ? this.colors[i]! : [])].join(" ")}`);
+    return [...points, ...this.pictures.map((at) => `vt ${at.join(" ")}`), ...this.normals.map((at) => `vn ${at.join(" ")}`), ...this.faces].join("\n");
+  }
+}
+
+// The number of the element that a corner names: from 1 on, or from -1 on backwards, of what stands above it.
+function named(kind: string, length: number, word: string): string {
+  const index = Number(word);
+  const at = index < 0 ? length + index + 1 : index;
+  if (!Number.isInteger(index) || !(at >= 1 && at <= length)) refuse(`a face names ${kind} ${shown(word)}, but there are ${length} above it`);
+  return String(at);
 }
 
 export function readObj(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
-  const vertices: number[][] = [];
-  const colors: number[][] = []; // of vertices; empty: none
-  const pictures: number[][] = [];
-  const normals: number[][] = [];
-  const looks = new Map<string, Look>();
-  let look = -1;
-  let paint: Look | undefined;
-  // The element that a corner names: from 1 on, or from -1 on backwards, of what stands above it.
-  const named = (list: number[][], kind: string, word: string | undefined): number => {
-    const index = Number(word);
-    const at = index < 0 ? list.length + index : index - 1;
-    if (!Number.isInteger(index) || !(at >= 0 && at < list.length)) refuse(`a face names ${kind} ${shown(word ?? "")}, but there are ${list.length} above it`);
-    return at;
-  };
-  const cornerOf = (word: string): Corner => {
-    const [v, vt, vn] = word.split("/");
-    const at = named(vertices, "v", v);
-    const color = colors[at]!;
-    return {
-      at: vertices[at]!,
-      picture: vt ? pictures[named(pictures, "vt", vt)] : undefined,
-      normal: vn ? normals[named(normals, "vn", vn)] : undefined,
-      color: color.length && !paint?.picture ? color : undefined,
-    };
-  };
-  statementsOf(bytes, (words, line) => {
-    const [kind, ...rest] = words;
-    const number = (k: number) => numberOf(rest[k], `line ${line}`);
-    switch (kind) {
-      case "v": {
-        // Behind x, y and z there may be w, or a colour.
-        vertices.push([number(0), number(1), number(2)]);
-        colors.push(rest.length >= 6 ? [number(rest.length - 3), number(rest.length - 2), number(rest.length - 1), 1] : []);
-        break;
-      }
-      case "vt":
-        pictures.push([number(0), rest.length > 1 ? number(1) : 0]);
-        break;
-      case "vn":
-        normals.push([number(0), number(1), number(2)]);
-        break;
-      case "mtllib": {
-        // One name, which may have blanks in it, or several.
-        for (const name of companion(into.files, rest.join(" ")) ? [rest.join(" ")] : rest) {
-          const library = companion(into.files, name);
-          if (library) readMaterials(library, looks);
-          else into.note(`the file "${shown(name)}" cannot be read: there is no such file beside the mesh`);
-        }
-        break;
-      }
-      case "usemtl":
-        paint = looks.get(rest.join(" "));
-        // A picture is shown as it is: what a colour beside it would do differs from program to program.
-        look = paint ? into.look(paint.picture ? { ...paint, color: [1, 1, 1, paint.color[3]!] } : paint) : -1;
-        break;
-      case "f": case "fo": {
-        if (rest.length > MOST_CORNERS) refuse(`line ${line} has a face of ${rest.length} corners, but the limit is ${MOST_CORNERS}`);
-        const corners = rest.map(cornerOf);
-        const isColored = corners.length > 0 && corners.every((corner) => corner.color);
-        const own = isColored ? into.look({ name: paint?.name ?? "", color: [1, 1, 1, paint?.color[3] ?? 1], picture: "" }) : look;
-        for (const [a, b, c] of cutPolygon(corners.map((corner) => corner.at))) into.add(own, [corners[a]!, corners[b]!, corners[c]!]);
-        break;
-      }
+  const statements = new Statements(into);
+  for (const [words, line] of statementsOf(bytes)) statements.take(words, line);
+  for (const mesh of new OBJLoader().parse(statements.text()).children as Mesh[]) {
+    if (!("isMesh" in mesh)) continue; // points without faces
+    const { geometry } = mesh;
+    if (!statements.hasNormals) geometry.deleteAttribute("normal"); // those of the triangles, from three
+    const materials = [mesh.material].flat();
+    const groups = geometry.groups.length ? geometry.groups : [{ start: 0, count: geometry.getAttribute("position").count, materialIndex: 0 }];
+    for (const { start, count, materialIndex = 0 } of groups) {
+      const look = statements.looks[Number(materials[materialIndex]!.name)] ?? null;
+      const isColored = geometry.hasAttribute("color") && !look?.picture;
+      const number = isColored ? into.look({ name: look?.name ?? "", color: [1, 1, 1, look?.color[3] ?? 1], picture: "" }) : look ? into.look(look) : -1;
+      const corner = (i: number): Corner => {
+        const { at, normal, picture, color } = cornerOf(geometry, i);
+        return { at, normal, picture: look?.picture ? picture : undefined, color: isColored ? color : undefined };
+      };
+      for (let i = start; i < start + count; i += 3) into.add(number, [corner(i), corner(i + 1), corner(i + 2)]);
     }
-  });
+  }
 }

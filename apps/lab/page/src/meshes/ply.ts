@@ -1,34 +1,38 @@
-// PLY, as text and in both binary forms.
+// PLY, as text and in both binary forms. Three reads the vertices; it leaves out faces of more than four corners, so faces are read
+// here, and what the header says is compared with what there is.
 //
 // source  G. Turk, The PLY polygon file format, 1994.
+import { Color, SRGBColorSpace, type BufferGeometry } from "three";
+import { PLYLoader } from "three/examples/jsm/loaders/PLYLoader.js";
 import { cutPolygon } from "./polygon.ts";
-import { refuse, shown, type Corner, type Triangles } from "./triangles.ts";
-import { linesOf, numberOf } from "./words.ts";
+import { cornerOf, refuse, shown, type Corner, type Triangles } from "./triangles.ts";
+import { numberOf, textOf } from "./words.ts";
 
 const MOST_OF_LIST = 32_767;
 const LONGEST_HEADER = 1 << 20; // bytes
 
-// A type of PLY: how a number is read, its bytes, and what stands for 1 where it is a part of a colour.
+// A type of PLY: its bytes, what stands for 1 where it is a part of a colour, and how a number is read.
 interface Type {
   size: number;
   one: number;
-  read(view: DataView, at: number, isLittle: boolean): number;
+  get: "getInt8" | "getUint8" | "getInt16" | "getUint16" | "getInt32" | "getUint32" | "getFloat32" | "getFloat64";
 }
-const TYPES: [string[], Type][] = [
-  [["char", "int8"], { size: 1, one: 127, read: (view, at) => view.getInt8(at) }],
-  [["uchar", "uint8"], { size: 1, one: 255, read: (view, at) => view.getUint8(at) }],
-  [["short", "int16"], { size: 2, one: 32_767, read: (view, at, little) => view.getInt16(at, little) }],
-  [["ushort", "uint16"], { size: 2, one: 65_535, read: (view, at, little) => view.getUint16(at, little) }],
-  [["int", "int32"], { size: 4, one: 2 ** 31 - 1, read: (view, at, little) => view.getInt32(at, little) }],
-  [["uint", "uint32"], { size: 4, one: 2 ** 32 - 1, read: (view, at, little) => view.getUint32(at, little) }],
-  [["float", "float32"], { size: 4, one: 1, read: (view, at, little) => view.getFloat32(at, little) }],
-  [["double", "float64"], { size: 8, one: 1, read: (view, at, little) => view.getFloat64(at, little) }],
+const TYPES: [string, Type][] = [
+  ["char int8", { size: 1, one: 127, get: "getInt8" }],
+  ["uchar uint8", { size: 1, one: 255, get: "getUint8" }],
+  ["short int16", { size: 2, one: 32_767, get: "getInt16" }],
+  ["ushort uint16", { size: 2, one: 65_535, get: "getUint16" }],
+  ["int int32", { size: 4, one: 2 ** 31 - 1, get: "getInt32" }],
+  ["uint uint32", { size: 4, one: 2 ** 32 - 1, get: "getUint32" }],
+  ["float float32", { size: 4, one: 1, get: "getFloat32" }],
+  ["double float64", { size: 8, one: 1, get: "getFloat64" }],
 ];
 function typeOf(name: string): Type {
-  return TYPES.find(([names]) => names.includes(name))?.[1] ?? refuse(`its header names the type "${shown(name)}", which PLY has not`);
+  return TYPES.find(([names]) => names.split(" ").includes(name))?.[1] ?? refuse(`its header names the type "${shown(name)}", which PLY has not`);
 }
 
 interface Property {
+  words: string; // of its line in the header
   name: string;
   type: Type;
   count: Type | null; // of a list
@@ -40,7 +44,7 @@ interface Element {
 }
 interface Header {
   elements: Element[];
-  format: "ascii" | "binary_little_endian" | "binary_big_endian";
+  format: string;
   picture: string;
   length: number; // bytes
 }
@@ -48,151 +52,126 @@ interface Header {
 function headerOf(bytes: Uint8Array<ArrayBuffer>): Header {
   const text = new TextDecoder("latin1").decode(bytes.subarray(0, LONGEST_HEADER));
   const header: Header = { elements: [], format: "ascii", picture: "", length: 0 };
-  let at = 0;
-  for (let isFirst = true; ; isFirst = false) {
-    const end = text.indexOf("\n", at);
-    const words = text.slice(at, end < 0 ? text.length : end).trim().split(/\s+/);
-    const [kind, ...rest] = words as [string, ...string[]];
-    if (isFirst && (kind !== "ply" || rest.length)) refuse("it is no PLY file: it does not begin with `ply`");
-    if (end < 0) refuse("it is cut off: `end_header` is missing");
-    at = end + 1;
-    if (kind === "end_header") return { ...header, length: at };
-    if (kind === "comment" && rest[0]?.toLowerCase() === "texturefile") header.picture = rest.slice(1).join(" ");
-    if (isFirst || ["comment", "obj_info", ""].includes(kind)) continue;
-    if (kind === "format") header.format = formatOf(rest[0] ?? "");
-    else if (kind === "element" && rest.length === 2) header.elements.push({ name: rest[0]!, count: countOf(rest[0]!, rest[1]!), properties: [] });
-    else if (kind === "property" && header.elements.length) header.elements.at(-1)!.properties.push(propertyOf(rest));
-    else refuse(`its header has a line that begins with "${shown(kind)}"`);
-  }
+  const end = /^end_header[ \t\r]*\n/m.exec(text);
+  const [first, ...lines] = text.slice(0, end?.index ?? text.lastIndexOf("\n") + 1).split("\n");
+  if (first!.trim() !== "ply") refuse("it is no PLY file: it does not begin with `ply`");
+  for (const line of lines) takeLine(header, line.trim().split(/\s+/));
+  if (!end) refuse("it is cut off: `end_header` is missing");
+  return { ...header, length: end.index + end[0].length };
 }
 
-function formatOf(word: string): Header["format"] {
-  if (word === "ascii" || word === "binary_little_endian" || word === "binary_big_endian") return word;
-  return refuse(`its format "${shown(word)}" is none of PLY`);
-}
-
-function countOf(name: string, word: string): number {
-  return /^\d{1,15}$/.test(word) ? Number(word) : refuse(`its header says ${shown(word)} elements "${shown(name)}"`);
+function takeLine(header: Header, [kind = "", ...rest]: string[]): void {
+  if (kind === "comment" && rest[0]?.toLowerCase() === "texturefile") header.picture = rest.slice(1).join(" ");
+  if (["comment", "obj_info", ""].includes(kind)) return;
+  if (kind === "format") header.format = /^(ascii|binary_(little|big)_endian)$/.exec(rest[0] ?? "")?.[0] ?? refuse(`its format "${shown(rest[0] ?? "")}" is none of PLY`);
+  else if (kind === "element" && rest.length === 2) {
+    if (!/^\d{1,15}$/.test(rest[1]!)) refuse(`its header says ${shown(rest[1]!)} elements "${shown(rest[0]!)}"`);
+    header.elements.push({ name: rest[0]!, count: Number(rest[1]), properties: [] });
+  } else if (kind === "property" && header.elements.length) header.elements.at(-1)!.properties.push(propertyOf(rest));
+  else refuse(`its header has a line that begins with "${shown(kind)}"`);
 }
 
 function propertyOf(words: readonly string[]): Property {
-  if (words.length === 4 && words[0] === "list") {
-    const count = typeOf(words[1]!);
-    if (count.one === 1) refuse("its header counts the elements of a list by broken numbers");
-    return { name: words[3]!, type: typeOf(words[2]!), count };
-  }
-  if (words.length !== 2) refuse("its header has a `property` that is none");
-  return { name: words[1]!, type: typeOf(words[0]!), count: null };
+  const isList = words.length === 4 && words[0] === "list";
+  if (!isList && words.length !== 2) refuse("its header has a `property` that is none");
+  const count = isList ? typeOf(words[1]!) : null;
+  if (count?.one === 1) refuse("its header counts the elements of a list by broken numbers");
+  return { words: words.join(" "), name: words.at(-1)!, type: typeOf(words.at(-2)!), count };
 }
 
-// The elements one after the other: what each property has, a number or a list.
-type Row = (number | number[])[];
-type Take = (element: Element, row: Row, index: number) => void;
-
-function checkedCount(count: number, element: Element, index: number): number {
-  if (Number.isInteger(count) && count >= 0 && count <= MOST_OF_LIST) return count;
-  return refuse(`element ${index} "${shown(element.name)}" has a list of ${count}; expected 0 to ${MOST_OF_LIST}`);
+// What is behind the header: the part that describes vertices, as three reads it, and the numbers behind it one after the other.
+interface Body {
+  vertices: ArrayBuffer | string;
+  next(type: Type, where: () => string): number;
+  left(): number; // numbers of a text that were not asked for
 }
 
-function rowOf(element: Element, index: number, next: (type: Type) => number): Row {
-  return element.properties.map(({ type, count }) => {
-    if (!count) return next(type);
-    const list: number[] = [];
-    for (let left = checkedCount(next(count), element, index); left > 0; left--) list.push(next(type));
-    return list;
-  });
-}
+const tooFew = (element: Element, there: number): never => refuse(`its header says ${element.count} elements "${shown(element.name)}", but there are ${Math.floor(there)}`);
 
-function eachBinary(header: Header, bytes: Uint8Array<ArrayBuffer>, take: Take): void {
+function binaryBody(bytes: Uint8Array<ArrayBuffer>, header: string, vertex: Element, isLittle: boolean): Body {
+  const length = vertex.count * vertex.properties.reduce((sum, { type }) => sum + type.size, 0);
+  if (length > bytes.length) tooFew(vertex, (vertex.count * bytes.length) / length);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const isLittle = header.format === "binary_little_endian";
-  let at = header.length;
-  for (const element of header.elements) {
-    for (let i = 0; i < element.count; i++) {
-      if (at >= bytes.length) refuse(`its header says ${element.count} elements "${shown(element.name)}", but there are ${i}`);
-      const row = rowOf(element, i, (type) => {
-        if (at + type.size > bytes.length) refuse(`it is cut off in element ${i} "${shown(element.name)}"`);
-        at += type.size;
-        return type.read(view, at - type.size, isLittle);
-      });
-      take(element, row, i);
-    }
-  }
-}
-
-function eachText(header: Header, bytes: Uint8Array<ArrayBuffer>, take: Take): void {
-  let [which, index] = [0, 0];
-  const now = () => {
-    while (header.elements[which] && index >= header.elements[which]!.count) [which, index] = [which + 1, 0];
-    return header.elements[which];
+  let at = length;
+  const head = new TextEncoder().encode(header);
+  const vertices = new Uint8Array(head.length + length);
+  vertices.set(head);
+  vertices.set(bytes.subarray(0, length), head.length);
+  return {
+    vertices: vertices.buffer,
+    next({ size, get }, where) {
+      if (at + size > bytes.length) refuse(`it is cut off in ${where()}`);
+      at += size;
+      return view[get](at - size, isLittle);
+    },
+    left: () => 0,
   };
-  linesOf(bytes.subarray(header.length), (line) => {
-    const words = line.trim().split(/\s+/);
-    const element = words[0] === "" ? undefined : now();
-    if (!element) return;
-    const where = `element ${index} "${shown(element.name)}"`;
-    let at = 0;
-    const row = rowOf(element, index, () => (at < words.length ? numberOf(words[at++], where) : refuse(`it is cut off in ${where}`)));
-    if (at !== words.length) refuse(`${where} has ${words.length} numbers; expected ${at}`);
-    take(element, row, index++);
+}
+
+function textBody(bytes: Uint8Array<ArrayBuffer>, header: string, vertex: Element): Body {
+  const words = textOf(bytes).trim().split(/\s+/).filter((word) => word !== "");
+  const width = vertex.properties.length;
+  let at = width * vertex.count;
+  if (at > words.length) tooFew(vertex, words.length / width);
+  for (let i = 0; i < vertex.count; i++) {
+    const where = `element ${i} "vertex"`;
+    for (let k = 0; k < width; k++) numberOf(words[i * width + k], where);
+  }
+  return {
+    vertices: header + words.slice(0, at).join(" "),
+    next: (_type, where) => (at < words.length ? numberOf(words[at++], where()) : refuse(`it is cut off in ${where()}`)),
+    left: () => words.length - at,
+  };
+}
+
+function vertexCorners(data: ArrayBuffer | string, vertex: Element, hasPicture: boolean): Corner[] {
+  const channels = (["red", "green", "blue", "alpha"] as const).map((name) => vertex.properties.find((each) => [name, name[0], `diffuse_${name}`].includes(each.name)));
+  const named = hasPicture || !channels.slice(0, 3).every(Boolean) ? [] : channels.filter((each) => each !== undefined);
+  const loader = new PLYLoader();
+  // By three's own names colours would be rounded to the type of the file once they are linear.
+  if (named.length) loader.setCustomPropertyNameMapping({ screen: named.map(({ name }) => name) });
+  const geometry: BufferGeometry = loader.parse(data);
+  if (geometry.getAttribute("position").count !== vertex.count) refuse("its vertices have no x, y and z");
+  const colors = named.length ? geometry.getAttribute("screen") : null;
+  const channel = (i: number, k: number) => colors!.getComponent(i, k) / named[k]!.type.one;
+  return Array.from({ length: vertex.count }, (_, i): Corner => {
+    const { at, normal, picture } = cornerOf(geometry, i);
+    const color = colors ? [...new Color().setRGB(channel(i, 0), channel(i, 1), channel(i, 2), SRGBColorSpace).toArray(), named[3] ? channel(i, 3) : 1] : undefined;
+    return { at, normal, picture: hasPicture ? picture : undefined, color };
   });
-  const missing = now();
-  if (missing) refuse(`its header says ${missing.count} elements "${shown(missing.name)}", but there are ${index}`);
 }
 
-// Where the properties of an element stand; null where one of them is missing.
-function placesOf({ properties }: Element, ...names: string[][]): number[] | null {
-  const places = names.map((each) => properties.findIndex((property) => !property.count && each.includes(property.name)));
-  return places.some((place) => place < 0) ? null : places;
-}
-
-class Vertices {
-  readonly all: Corner[] = [];
-  private readonly at: number[];
-  private readonly normal: number[] | null;
-  private readonly picture: number[] | null;
-  private readonly color: number[] | null;
-  private readonly ones: number[];
-
-  constructor(element: Element, hasPicture: boolean) {
-    this.at = placesOf(element, ["x"], ["y"], ["z"]) ?? refuse("its vertices have no x, y and z");
-    this.normal = placesOf(element, ["nx"], ["ny"], ["nz"]);
-    this.picture = hasPicture ? placesOf(element, ["s", "u", "texture_u"], ["t", "v", "texture_v"]) : null;
-    const names = [["red", "r", "diffuse_red"], ["green", "g", "diffuse_green"], ["blue", "b", "diffuse_blue"]];
-    this.color = hasPicture ? null : (placesOf(element, ...names, ["alpha", "a", "diffuse_alpha"]) ?? placesOf(element, ...names));
-    this.ones = element.properties.map((property) => property.type.one);
-  }
-
-  add(row: Row): void {
-    const of = (places: number[]) => places.map((place) => row[place] as number);
-    this.all.push({
-      at: of(this.at),
-      normal: this.normal ? of(this.normal) : undefined,
-      picture: this.picture ? of(this.picture) : undefined,
-      color: this.color ? this.color.map((place) => (row[place] as number) / this.ones[place]!) : undefined,
-    });
-  }
+// The numbers of an element: those of each list, of other properties one.
+function rowOf({ name, properties }: Element, index: number, next: Body["next"]): number[][] {
+  const where = () => `element ${index} "${shown(name)}"`;
+  return properties.map(({ type, count }) => {
+    const length = count ? next(count, where) : 1;
+    if (!(Number.isInteger(length) && length >= 0 && length <= MOST_OF_LIST)) refuse(`${where()} has a list of ${length}; expected 0 to ${MOST_OF_LIST}`);
+    return Array.from({ length }, () => next(type, where));
+  });
 }
 
 export function readPly(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
   const header = headerOf(bytes);
-  for (const { name, count, properties } of header.elements) {
-    // Without properties an element has no bytes, and any number of them is there.
-    if (count > 0 && properties.length === 0) refuse(`its elements "${shown(name)}" have no properties`);
-  }
-  const vertex = header.elements.find((element) => element.name === "vertex") ?? refuse("it has no vertices");
-  const face = header.elements.find((element) => element.name === "face") ?? refuse("it has no faces: clouds of points and strips are not read");
+  const [vertex, ...others] = header.elements;
+  const face = header.elements.find(({ name }) => name === "face");
+  for (const { name, count, properties } of header.elements) if (count > 0 && properties.length === 0) refuse(`its elements "${shown(name)}" have no properties`);
+  if (!face) refuse("it has no faces: clouds of points and strips are not read");
+  if (vertex?.name !== "vertex" || vertex.properties.some(({ count }) => count)) refuse("it does not begin with its vertices, which have no lists");
   const list = face.properties.findIndex(({ name, count }) => count && /^vertex_ind/.test(name));
   if (face.count > 0 && list < 0) refuse("its faces have no `vertex_indices`");
-  if (header.elements.indexOf(face) < header.elements.indexOf(vertex)) refuse("its faces stand before its vertices");
-  const vertices = new Vertices(vertex, header.picture !== "");
-  const sample = () => vertices.all[0];
-  let look: number | null = null;
-  (header.format === "ascii" ? eachText : eachBinary)(header, bytes, (element, row, index) => {
-    if (element === vertex) return vertices.add(row);
-    if (element !== face) return;
-    const corners = (row[list] as number[]).map((i) => vertices.all[i] ?? refuse(`element ${index} "face" names vertex ${i}, but there are ${vertex.count}`));
-    look ??= sample()?.picture || sample()?.color ? into.look({ name: "", color: [1, 1, 1, 1], picture: header.picture }) : -1;
-    for (const [a, b, c] of cutPolygon(corners.map((corner) => corner.at))) into.add(look, [corners[a]!, corners[b]!, corners[c]!]);
-  });
+  const described = `ply\nformat ${header.format} 1.0\nelement vertex ${vertex.count}\n${vertex.properties.map(({ words }) => `property ${words}\n`).join("")}end_header\n`;
+  const behind = bytes.subarray(header.length);
+  const body = header.format === "ascii" ? textBody(behind, described, vertex) : binaryBody(behind, described, vertex, header.format === "binary_little_endian");
+  const corners = vertexCorners(body.vertices, vertex, header.picture !== "");
+  const look = corners[0]?.picture || corners[0]?.color ? into.look({ name: "", color: [1, 1, 1, 1], picture: header.picture }) : -1;
+  for (const element of others) {
+    for (let i = 0; i < element.count; i++) {
+      const row = rowOf(element, i, body.next);
+      if (element !== face) continue;
+      const polygon = row[list]!.map((k) => corners[k] ?? refuse(`element ${i} "face" names vertex ${k}, but there are ${vertex.count}`));
+      for (const [a, b, c] of cutPolygon(polygon.map(({ at }) => at))) into.add(look, [polygon[a]!, polygon[b]!, polygon[c]!]);
+    }
+  }
+  if (body.left() > 0) refuse(`${body.left()} numbers stand behind its elements`);
 }

@@ -1,6 +1,8 @@
-// STL, as text and in binary form.
-import { refuse, shown, type Corner, type Triangles } from "./triangles.ts";
-import { linesOf, numberOf } from "./words.ts";
+// STL, as text and in binary form, read by three. Three passes over what it does not expect, so files are checked before.
+import type { BufferGeometry } from "three";
+import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
+import { cornerOf, refuse, shown, type Corner, type Triangles } from "./triangles.ts";
+import { NUMBER, textOf } from "./words.ts";
 
 const HEADER = 84;
 const TRIANGLE = 50;
@@ -14,140 +16,115 @@ export function readStl(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
   else readBinary(bytes, into);
 }
 
-// Words stand in any case, `end solid` may be two, names are the rest of their line, and lines that are unknown outside of facets
-// are passed over. Zeros and the sign by which DOS ends files may stand behind the text.
+// Triangles are flat, whatever normals the file gives. `alpha`: the opacity that Magics gives.
+function parsed(file: string | ArrayBuffer): BufferGeometry & { alpha?: number } {
+  return new STLLoader().parse(file).deleteAttribute("normal");
+}
+
+// Zeros and the sign by which DOS ends files may stand behind the text.
 function readText(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
-  let end = bytes.length;
-  while (end > 0 && (bytes[end - 1]! <= 0x20 && /[\0\x1a\s]/.test(String.fromCharCode(bytes[end - 1]!)))) end--;
-  const reader = new TextReader(into);
-  let number = 0;
-  linesOf(bytes.subarray(0, end), (line) => {
-    for (const each of line.replace(/\r$/, "").split("\r")) reader.line(each, ++number);
-  });
-  reader.finish();
+  const text = textOf(bytes.subarray(0, bytes.findLastIndex((byte) => byte > 0x20) + 1)).toLowerCase().replace(/\r\n?/g, "\n");
+  const facets = facetsOf(text, into);
+  if (!facets.length) return;
+  const geometry = parsed(`solid \n${facets.join("\n")}\nendsolid`);
+  for (let i = 0; i < geometry.getAttribute("position").count; i += 3) into.add(-1, cornersOf(geometry, i));
 }
 
-class TextReader {
-  private readonly into: Triangles;
-  private corners: Corner[] = [];
-  private numbers: number[] | null = null; // of the vertex that is being read
-  private normal = 0; // words of a normal that are still to come
-  private inFacet = false;
-  private isOpen = false;
-  private isEnd = false; // the last word was `end`
-  private unknown = ""; // why the last word is refused
+const VERTEX = `\\s+vertex${`\\s+${NUMBER.source}`.repeat(3)}`;
+const FACET = new RegExp(`facet(?:\\s+normal(?:\\s+\\S+){3})?(?:\\s+outer)?(?:\\s+loop)?(${VERTEX.repeat(3)})(?:\\s+end\\s*loop)?\\s+end\\s*facet(?!\\S)`, "iy");
 
-  constructor(into: Triangles) {
-    this.into = into;
+// The facets of a text as three reads them. Lines that are unknown outside of facets are passed over.
+function facetsOf(text: string, into: Triangles): string[] {
+  const facets: string[] = [];
+  const missing = () => into.note("`endsolid` is missing: it may be cut off");
+  const rest = /.*/y;
+  const lineAt = lines(text);
+  let isOpen = false;
+  for (let at = text.search(/\S/); at >= 0 && at < text.length; ) {
+    FACET.lastIndex = rest.lastIndex = at;
+    const facet = FACET.exec(text);
+    if (facet) facets.push(`facet normal 0 0 0 outer loop ${facet[1]} endloop endfacet`);
+    const words = facet ? "" : rest.exec(text)![0];
+    if (/^facet(\s|$)/.test(words)) refuse(faultOf(text.slice(at), lineAt(at)));
+    if (/^solid(\s|$)/.test(words)) {
+      if (isOpen) missing();
+      isOpen = true;
+    } else if (/^end\s*solid(\s|$)/.test(words)) isOpen = false;
+    else if (words) into.note(`line ${lineAt(at)} begins with "${shown(words.split(/\s/)[0]!)}", which is not read`);
+    const next = /\S/g;
+    next.lastIndex = facet ? FACET.lastIndex : rest.lastIndex;
+    at = next.exec(text)?.index ?? -1;
   }
-
-  line(line: string, number: number): void {
-    for (const word of line.replace(/^\ufeff/, "").split(/\s+/)) {
-      if (word && !(this.inFacet ? this.inside(word, number) : this.outside(word, number))) return;
-    }
-  }
-
-  finish(): void {
-    if (this.inFacet) refuse("it is cut off: `endfacet` is missing");
-    if (this.isOpen) this.noteMissingEnd();
-  }
-
-  private noteMissingEnd(): void {
-    this.into.note("`endsolid` is missing: it may be cut off");
-  }
-
-  private wordOf(word: string): string {
-    const full = (this.isEnd ? "end" : "") + word.toLowerCase();
-    this.isEnd = full === "end";
-    return full;
-  }
-
-  // False: the rest of the line is passed over.
-  private outside(word: string, number: number): boolean {
-    switch (this.wordOf(word)) {
-      case "end":
-        return true;
-      case "facet":
-        this.inFacet = true;
-        return true;
-      case "solid":
-        if (this.isOpen) this.noteMissingEnd();
-        this.isOpen = true;
-        return false;
-      case "endsolid":
-        this.isOpen = false;
-        return false;
-      default:
-        this.into.note(`line ${number} begins with "${shown(word)}", which is not read`);
-        return false;
-    }
-  }
-
-  private inside(word: string, number: number): boolean {
-    if (this.unknown) refuse(this.unknown);
-    if (this.numbers) {
-      this.numbers.push(numberOf(word, `line ${number}`));
-      if (this.numbers.length < 3) return true;
-      this.corners.push({ at: this.numbers });
-      this.numbers = null;
-      return true;
-    }
-    if (this.normal > 0) {
-      this.normal--;
-      return true;
-    }
-    switch (this.wordOf(word)) {
-      case "normal":
-        this.normal = 3;
-        break;
-      case "vertex":
-        this.numbers = [];
-        break;
-      case "endfacet":
-        this.endFacet(number);
-        break;
-      case "end": case "outer": case "loop": case "endloop":
-        break;
-      default:
-        this.unknown = `line ${number} has "${shown(word)}" in a facet`; // or the half of a word, if the text ends here
-    }
-    return true;
-  }
-
-  private endFacet(number: number): void {
-    if (this.corners.length !== 3) refuse(`the facet that ends in line ${number} has ${this.corners.length} corners; expected 3`);
-    this.into.add(-1, this.corners as [Corner, Corner, Corner]);
-    this.corners = [];
-    this.inFacet = false;
-  }
+  if (isOpen) missing();
+  return facets;
 }
+
+// Gives the line of a position, from 1 on; positions are asked for in rising order.
+function lines(text: string): (at: number) => number {
+  let [line, next] = [1, text.indexOf("\n")];
+  return (at) => {
+    for (; next >= 0 && next < at; next = text.indexOf("\n", next + 1)) line++;
+    return line;
+  };
+}
+
+// Why the facet with which the text begins is none.
+function faultOf(text: string, line: number): string {
+  const end = /(?<!\S)end\s*facet(?!\S)/.exec(text);
+  const facet = text.slice(0, end ? end.index + end[0].length : text.length);
+  const lineAt = lines(facet);
+  const words = [...facet.matchAll(/\S+/g)].map((found) => ({ word: found[0], line: line + lineAt(found.index) - 1 }));
+  const isNumber = new RegExp(`^${NUMBER.source}$`, "i");
+  const cut = end ? undefined : words.at(-1); // where the text ends there may be half a word
+  const known = /^(facet|normal|outer|loop|vertex|end|end(loop|facet))$/;
+  for (let i = 0; i < words.length; i++) {
+    const { word, line: here } = words[i]!;
+    if (word === "normal") i += 3;
+    else if (word === "vertex") {
+      const wrong = words.slice(i + 1, i + 4).find((each) => !isNumber.test(each.word));
+      if (wrong && wrong !== cut) return `line ${wrong.line} has "${shown(wrong.word)}" where a number should be`;
+      i += 3;
+    } else if (!known.test(word) && words[i] !== cut) return `line ${here} has "${shown(word)}" in a facet`;
+  }
+  if (!end) return "it is cut off: `endfacet` is missing";
+  return `the facet that ends in line ${words.at(-1)!.line} has ${words.filter(({ word }) => word === "vertex").length} corners; expected 3`;
+}
+
+const cornersOf = (geometry: BufferGeometry, first: number) => [first, first + 1, first + 2].map((i) => cornerOf(geometry, i)) as [Corner, Corner, Corner];
 
 // Two bytes behind each triangle may have its colour, five bits for each of three. Whether they do is said by a bit, which Magics,
-// whose files have a colour for the rest in the header, uses the other way round.
+// whose files have a colour for the rest in the header, uses the other way round. Three reads the form of Magics.
 //
 // source  A. Hiller, in Wikipedia, STL (file format), "Color"; Materialise, Magics.
 function readBinary(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
-  if (bytes.length < HEADER) refuse(`it is cut off: it has ${bytes.length} bytes`);
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const file = bytes.slice();
+  const view = new DataView(file.buffer);
+  checkLength(file, into);
+  const start = new TextDecoder("latin1").decode(file.subarray(0, 80));
+  const isMagics = start.slice(0, 76).includes("COLOR=");
   const count = view.getUint32(80, true);
-  const most = Math.floor((bytes.length - HEADER) / TRIANGLE);
+  const bits = Uint16Array.from({ length: count }, (_, i) => view.getUint16(HEADER + TRIANGLE * i + 48, true));
+  if (!isMagics) {
+    file.set(new TextEncoder().encode("COLOR="));
+    bits.forEach((word, i) => view.setUint16(HEADER + TRIANGLE * i + 48, ((word >> 10) & 31) | (word & 0x3e0) | ((word & 31) << 10), true));
+  }
+  const geometry = parsed(file.buffer.slice(0, HEADER + TRIANGLE * count));
+  const colored = into.look({ name: "", color: [1, 1, 1, 1], picture: "" });
+  bits.forEach((word, i) => {
+    const isMarked = (word & 0x8000) !== 0;
+    const corners = cornersOf(geometry, 3 * i);
+    for (const corner of corners) corner.color = isMagics || isMarked ? [...corner.color!.slice(0, 3), isMagics && isMarked ? geometry.alpha! : 1] : undefined;
+    into.add(isMagics || isMarked ? colored : -1, corners);
+  });
+}
+
+function checkLength(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
+  if (bytes.length < HEADER) refuse(`it is cut off: it has ${bytes.length} bytes`);
   const start = new TextDecoder("latin1").decode(bytes.subarray(0, HEADER));
   if (/^[\s -~]*$/.test(start)) refuse(`it is no STL file: it begins with "${shown(start.trim().split(/\s/)[0]!)}"`);
+  const count = new DataView(bytes.buffer).getUint32(80, true);
+  const most = Math.floor((bytes.length - HEADER) / TRIANGLE);
   if (count !== most) refuse(`its header says ${count} triangles, but there are bytes for ${most}`);
   const extra = bytes.length - HEADER - count * TRIANGLE;
   if (extra > 0) into.note(`${extra} ${extra === 1 ? "byte" : "bytes"} behind its ${count} triangles ${extra === 1 ? "is" : "are"} not read`);
-  const found = new TextDecoder("latin1").decode(bytes.subarray(0, 80)).indexOf("COLOR=");
-  const rest = found >= 0 && found + 10 <= 80 ? [...bytes.subarray(found + 6, found + 10)].map((x) => x / 255) : null;
-  const colorOf = (bits: number): number[] | undefined => {
-    const own = [0, 5, 10].map((shift) => ((bits >> shift) & 31) / 31);
-    if (rest) return bits & 0x8000 ? rest : [...own, 1];
-    return bits & 0x8000 ? [...own.reverse(), 1] : undefined;
-  };
-  const colored = into.look({ name: "", color: [1, 1, 1, 1], picture: "" });
-  for (let i = 0; i < count; i++) {
-    const begin = HEADER + TRIANGLE * i;
-    const color = colorOf(view.getUint16(begin + 48, true));
-    const corners = [12, 24, 36].map((first): Corner => ({ at: [0, 4, 8].map((k) => view.getFloat32(begin + first + k, true)), color }));
-    into.add(color ? colored : -1, corners as [Corner, Corner, Corner]);
-  }
 }

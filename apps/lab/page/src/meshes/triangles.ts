@@ -1,6 +1,8 @@
 // Triangles of any origin, each number checked, and as a GLB file: what the converter of the command makes of such files
 // (apps/mesh/converter/scene_builder.cpp), for pages that have no command behind them.
-import { glbOf, pictureOf } from "./glb.ts";
+import { Vector3, type BufferGeometry } from "three";
+import { glbOf } from "./glb_write.ts";
+import { pictureOf } from "./picture.ts";
 
 const MOST_TRIANGLES = 1_000_000;
 const FARTHEST = 1e4; // m
@@ -12,6 +14,9 @@ export class Unusable extends Error {}
 export function refuse(why: string): never {
   throw new Unusable(why);
 }
+export function checkCount(triangles: number): void {
+  if (triangles > MOST_TRIANGLES) refuse(`it has more than ${MOST_TRIANGLES} triangles`);
+}
 // A word of a file as messages show it.
 export const shown = (word: string): string => word.slice(0, 40).replace(/[^ -~\xa0-\u{10ffff}]/gu, "?");
 
@@ -20,12 +25,19 @@ export const shown = (word: string): string => word.slice(0, 40).replace(/[^ -~\
 // at       units of the file, z up.
 // normal   of any length; zero: follows from the triangle.
 // picture  0 to 1 from the lower left corner of the picture, v up.
-// color    red, green, blue, opacity as on a screen (sRGB).
+// color    red, green, blue, opacity; linear.
 export interface Corner {
   at: readonly number[];
   normal?: readonly number[] | undefined;
   picture?: readonly number[] | undefined;
   color?: readonly number[] | undefined;
+}
+
+// A corner of a geometry that three has read.
+export function cornerOf(geometry: BufferGeometry, index: number): Corner {
+  const { position, normal, uv, color } = geometry.attributes;
+  const of = (attribute: typeof position) => attribute && new Vector3().fromBufferAttribute(attribute, index).toArray();
+  return { at: of(position)!, normal: of(normal), picture: uv && [uv.getX(index), uv.getY(index)], color: of(color) };
 }
 
 export interface Look {
@@ -37,12 +49,8 @@ export interface Look {
 // Companions of a mesh: files that it names, by their own names.
 export type Files = ReadonlyMap<string, Uint8Array<ArrayBuffer>>;
 
-// source  IEC 61966-2-1:1999, as in the glTF 2.0 specification, 3.9.2.
-function linear(screen: number): number {
-  const x = Number.isFinite(screen) ? Math.min(1, Math.max(0, screen)) : 0;
-  return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
-}
-const opacity = (value: number | undefined) => (value !== undefined && Number.isFinite(value) ? Math.min(1, Math.max(0, value)) : 1);
+const clamped = (value: number | undefined, otherwise: number) => (value !== undefined && Number.isFinite(value) ? Math.min(1, Math.max(0, value)) : otherwise);
+const clampedColor = (color: readonly number[]) => [0, 1, 2, 3].map((k) => clamped(color[k], k < 3 ? 0 : 1));
 
 function direction(v: readonly number[] | undefined, otherwise: readonly number[]): readonly number[] {
   const length = v ? Math.hypot(v[0]!, v[1]!, v[2]!) : 0;
@@ -53,7 +61,7 @@ function direction(v: readonly number[] | undefined, otherwise: readonly number[
 export function companion(files: Files, name: string): Uint8Array<ArrayBuffer> | null {
   const last = (path: string) => path.split(/[\\/]/).at(-1)!.toLowerCase();
   for (const wanted of [last(name), last(decoded(name))]) {
-    for (const [known, bytes] of files) if (last(known) === wanted) return bytes;
+    for (const [known, bytes] of files) if (wanted === last(known) || wanted.endsWith(` ${last(known)}`)) return bytes; // options may stand before it
   }
   return null;
 }
@@ -164,7 +172,7 @@ export class Triangles {
   // The number of a material; the same one for the same values.
   look({ name, color, picture }: Look): number {
     const texture = picture ? this.picture(picture) : -1;
-    const factor = [...color.slice(0, 3).map(linear), opacity(color[3])];
+    const factor = clampedColor(color);
     const key = JSON.stringify([name, factor, texture]);
     let index = this.looks.get(key);
     if (index === undefined) {
@@ -195,7 +203,7 @@ export class Triangles {
 
   // look  -1: the file says nothing of its colour.
   add(look: number, corners: readonly [Corner, Corner, Corner]): void {
-    if (++this.count > MOST_TRIANGLES) refuse(`it has more than ${MOST_TRIANGLES} triangles`);
+    checkCount(++this.count);
     for (const { at } of corners) {
       for (const x of at) {
         if (!Number.isFinite(x)) refuse("a coordinate of a vertex is no number");
@@ -214,7 +222,7 @@ export class Triangles {
         if (!(Math.abs(u!) < 1e6 && Math.abs(v!) < 1e6)) refuse("a position on a picture is no number");
         numbers.push(u!, 1 - v!);
       }
-      if (colored) numbers.push(...corner.color!.slice(0, 3).map(linear), opacity(corner.color![3]));
+      if (colored) numbers.push(...clampedColor(corner.color!));
       part.add(numbers);
     }
   }
@@ -279,7 +287,7 @@ export class Triangles {
       binary.set(piece, at);
       at += piece.length;
     }
-    return glbOf({ json, binary }, this.notes);
+    return glbOf(json, binary, this.notes);
   }
 }
 

@@ -1,28 +1,18 @@
-// Lines and numbers of files that are texts.
+// Words and numbers of files that are texts.
 import { refuse, shown } from "./triangles.ts";
 
-const PIECE = 1 << 20; // bytes that are read at a time
+// A number as the formats write it.
+export const NUMBER = /[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/i;
+const WHOLE = new RegExp(`^${NUMBER.source}$`, "i");
 
-// Calls `take` with each line and its number, from 1 on.
-export function linesOf(bytes: Uint8Array<ArrayBuffer>, take: (line: string, number: number) => void): void {
+export function textOf(bytes: Uint8Array<ArrayBuffer>): string {
   if (bytes.includes(0)) refuse("it is no text: it has a byte of 0");
-  const decoder = new TextDecoder();
-  let number = 0;
-  let rest = "";
-  for (let at = 0; at < bytes.length; at += PIECE) {
-    const lines = (rest + decoder.decode(bytes.subarray(at, at + PIECE), { stream: true })).split("\n");
-    rest = lines.pop()!;
-    for (const line of lines) take(line, ++number);
-  }
-  rest += decoder.decode();
-  if (rest) take(rest, ++number);
+  return new TextDecoder().decode(bytes);
 }
 
-// where  told where the word is no number.
+// where  what the message names if the word is no number.
 export function numberOf(word: string | undefined, where: string): number {
   if (word === undefined) refuse(`${where} has fewer numbers than it should`);
-  const value = Number(word);
-  // Too large a number is infinite, and refused as a coordinate.
-  if (!/^[-+]?(\d|\.\d)/.test(word) || Number.isNaN(value)) refuse(`${where} has "${shown(word)}" where a number should be`);
-  return value;
+  if (!WHOLE.test(word)) refuse(`${where} has "${shown(word)}" where a number should be`);
+  return Number(word); // too large a number is infinite, and refused as a coordinate
 }

@@ -3,7 +3,8 @@ import {
   CanvasTexture, Group, LoadingManager, Mesh, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type BufferGeometry, type Material, type Object3D, type Texture,
 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import { decoded, safeGlb } from "../meshes/glb.ts";
+import { decoded } from "../meshes/picture.ts";
+import { onlyShapes } from "./safe_glb.ts";
 
 const KEPT = 32; // files that are kept although nothing shows them
 
@@ -28,10 +29,9 @@ function calm(material: Material, plain: boolean): Material {
 }
 
 export async function readModel(bytes: ArrayBuffer, plain: boolean): Promise<Model> {
-  const { file, hasMaterials } = await safeGlb(bytes);
   const manager = new LoadingManager();
   manager.setURLModifier((address) => (/^(blob|data):/.test(address) ? address : "data:,"));
-  const { scene } = await new GLTFLoader(manager).parseAsync(file, "");
+  const { scene, parser } = await new GLTFLoader(manager).register(onlyShapes).parseAsync(bytes, "");
   const group = new Group();
   group.rotation.x = Math.PI / 2; // y is up in the file
   group.add(scene);
@@ -56,7 +56,7 @@ export async function readModel(bytes: ArrayBuffer, plain: boolean): Promise<Mod
     mesh.userData = { shared: true };
   });
   for (const node of others) node.removeFromParent();
-  return { group, hasMaterials };
+  return { group, hasMaterials: Boolean(parser.json.materials?.length) };
 }
 
 export class MeshLibrary {
