@@ -136,8 +136,9 @@ export class ArmView {
     frames.forEach((frame, i) => this.links[i]?.matrix.fromArray(frame));
     this.group.updateMatrixWorld(true);
     const limits = jointsAtLimits(this.robot, q);
+    const rows = rowsOf(this.robot);
     for (const mark of this.marks) {
-      const near = limits[this.robot.rows?.[mark.link]?.joint ?? mark.link] ?? false;
+      const near = limits[rows[mark.link]?.joint ?? mark.link] ?? false;
       mark.material.color.set(near ? this.palette.warning : this.palette.accent);
       mark.material.emissive.set(near ? this.palette.warning : "#000000");
       mark.material.emissiveIntensity = near ? 0.35 : 0;

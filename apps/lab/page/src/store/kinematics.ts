@@ -51,7 +51,7 @@ export function rowsOf(robot: RobotInfo): readonly RowInfo[] {
 
 // The link that a joint moves itself, counted from 0; links that copy it follow.
 export function linkOfJoint(robot: RobotInfo, joint: number): number {
-  const own = robot.rows?.findIndex((row) => row.joint === joint && row.ratio === 1 && row.offset === 0) ?? joint;
+  const own = rowsOf(robot).findIndex((row) => row.joint === joint && row.ratio === 1 && row.offset === 0);
   return own < 0 ? joint : own;
 }
 
@@ -60,13 +60,11 @@ export function linkOfJoint(robot: RobotInfo, joint: number): number {
 export function shapeFrames(robot: RobotInfo, q: readonly number[], base: Matrix = robot.T_world_base): Matrix[] {
   const frames = [base];
   let link = base;
-  const place = (row: Pick<RowInfo, "unit" | "T_before_joint" | "T_joint_link">, value: number) => {
-    const turned = multiply(multiply(link, row.T_before_joint), jointMatrix(row.unit, value));
-    frames.push(turned);
-    link = multiply(turned, row.T_joint_link);
-  };
-  if (robot.rows) robot.rows.forEach((row) => place(row, row.ratio * (q[row.joint] ?? 0) + row.offset));
-  else robot.joints.forEach((joint, i) => place(joint, q[i] ?? 0));
+  for (const row of rowsOf(robot)) {
+    const moved = multiply(multiply(link, row.T_before_joint), jointMatrix(row.unit, row.ratio * (q[row.joint] ?? 0) + row.offset));
+    frames.push(moved);
+    link = multiply(moved, row.T_joint_link);
+  }
   frames.push(link);
   return frames;
 }
