@@ -192,8 +192,8 @@ class Host : public Timeline {
   [[nodiscard]] std::vector<CellEvent> take_events();
   [[nodiscard]] bool first_contact_pick();
   [[nodiscard]] bool first_fall();  // the same for objects that lost their support
-  // first_collision: whether this call reports these two bodies for the first time;
-  // knows_collision: whether it has reported them before.
+  // Whether this call reports these two bodies for the first time; whether it has reported
+  // them.
   [[nodiscard]] bool first_collision(const void* call, std::string pair);
   [[nodiscard]] bool knows_collision(const void* call, const std::string& pair) const;
 
