@@ -1,4 +1,4 @@
-// Laws of control, for simulate and torqueJ (language reference, ruling 65).
+// Control laws, for simulate and torqueJ (language reference, ruling 65).
 
 #include <fmt/format.h>
 
@@ -20,13 +20,13 @@ namespace {
 using Eigen::VectorXd;
 using Values = std::optional<JointList>;
 
-// Values of the joints, 0 where they are left out.
+// Values for the joints; 0 for each argument that was left out.
 Answer<VectorXd> joints_or_zero(Vm& vm, const Robot& robot, Values values, int parameter) {
   if (!values) return VectorXd(VectorXd::Zero(robot.n()));
   return joint_argument(vm, robot, *values, parameter);
 }
 
-// Values of the tool's six directions, 0 where they are left out.
+// Values for the six directions of the tool; 0 if they were left out.
 Answer<Vector6d> six_values(Vm& vm, Values values, std::string_view what, int parameter) {
   if (!values) return Vector6d(Vector6d::Zero());
   if (values->size() == 6) return Vector6d(Eigen::Map<const Vector6d>(values->data()));
@@ -36,7 +36,7 @@ Answer<Vector6d> six_values(Vm& vm, Values values, std::string_view what, int pa
       parameter);
 }
 
-// Gains: none below zero.
+// Checks gains: none may be below zero.
 template <class Gains>
 Answer<Gains> checked_gains(Vm& vm, Answer<Gains> gains, std::string_view what, int parameter) {
   if (!gains) return Failed{};
@@ -50,7 +50,7 @@ Answer<Gains> checked_gains(Vm& vm, Answer<Gains> gains, std::string_view what, 
 
 // ---- joint by joint
 
-// What a law of joints is given: parameters q, qd, to, kp, kd and rates, 1 to 6.
+// The arguments of a control law in joint space: parameters q, qd, to, kp, kd and rates, 1 to 6.
 struct JointTask {
   VectorXd q, qd, to, kp, kd, rates;
 
@@ -104,7 +104,7 @@ Answer<JointVector> computed_torques(Vm& vm, const RobotRef& r, JointList q, Joi
 
 // ---- of the tool
 
-// Where the tool is and how it misses its goal, in the world's axes.
+// The pose of the tool and its error relative to the goal, along the axes of the world.
 struct ToolTask {
   VectorXd q, qd;
   Jacobian J;
@@ -112,7 +112,7 @@ struct ToolTask {
   bool turns;  // the goal has an orientation
 };
 
-// Parameters q, qd, to and speed.
+// Reads the parameters q, qd, to and speed.
 Answer<ToolTask> tool_task(Vm& vm, const Robot& robot, JointList q, JointList qd, const PosC& to,
                            Values speed, int speed_parameter) {
   const auto at = joint_argument(vm, robot, q, 1);
@@ -145,7 +145,7 @@ Answer<JointVector> operational(Vm& vm, const RobotRef& r, JointList q, JointLis
   if (!(settle >= 0.0)) return domain_failure(vm, "settle", settle, "not be negative", {}, 8);
   const Vector6d a = *wanted + damp->cwiseProduct(task->rate_error) +
                      stiff->cwiseProduct(task->error) - jacobian_dot_qd(robot, task->q, task->qd);
-  // Directions without gains are left free.
+  // Directions without gains are not controlled.
   std::vector<int> rows;
   for (int i = 0; i < 6; ++i) {
     const bool is_known = i < 3 || task->turns;
@@ -184,7 +184,7 @@ Answer<JointVector> impedance(Vm& vm, const RobotRef& r, JointList q, JointList 
   });
 }
 
-// ---- a compliance
+// ---- compliance
 
 enum ComplianceField { kOffset, kRate };
 

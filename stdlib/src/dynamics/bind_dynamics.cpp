@@ -97,7 +97,7 @@ Answer<double> kinetic_of(Vm& vm, const RobotRef& r, Q values, JointList rates) 
   return of_motion<double>(vm, r, values, rates, kinetic_energy);
 }
 
-// ---- as the arm moves now
+// ---- for the present motion of the arm
 
 template <class Result, class Law>
 Answer<Result> now(Vm& vm, const RobotRef& r, const Law& law) {
@@ -121,7 +121,7 @@ Answer<JointVector> gravity_now(Vm& vm, const RobotRef& r) {
   });
 }
 
-// ---- what the arm carries
+// ---- the payload of the arm
 
 Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
   const CellRobot& state = state_of(vm, r);
@@ -133,7 +133,7 @@ Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
   });
 }
 
-// As exchange_model, also of an arm that moves under torques.
+// As exchange_model, but also for an arm that moves under torques.
 template <class Make>
 Answer<void> exchange_masses(Vm& vm, const RobotRef& r, const Make& make) {
   if (state_of(vm, r).forces.size() == 0) return exchange_model(vm, r, make);

@@ -1,4 +1,4 @@
-// Masses and friction of an arm from its motions and their forces.
+// Identifies masses and friction of an arm from its motions and their forces.
 
 #include "armlet/dynamics/identification.hpp"
 #include "armlet/stdlib/host.hpp"
@@ -27,7 +27,7 @@ Answer<Eigen::VectorXd> parameters_of_links(Vm& vm, const RobotRef& r) {
   return dynamic_parameters(loaded_of(vm, r));
 }
 
-// Of a link, an upper bound of the operations that the search for its parameters takes.
+// Upper bound of the number of operations per link that the search for its parameters takes.
 constexpr double kWork = 4e5;
 
 Answer<RecordObj*> base_of_links(Vm& vm, const RobotRef& r) try {

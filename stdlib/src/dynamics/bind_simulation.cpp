@@ -1,4 +1,4 @@
-// Robots under forces: without a clock, and on it (language reference, ruling 65).
+// Robots under forces: without the clock, and on it (language reference, ruling 65).
 
 #include <fmt/format.h>
 
@@ -16,11 +16,11 @@
 namespace armlet::bind {
 namespace {
 
-// ---- without a clock
+// ---- without the clock
 
 // A Simulation with room for its rows.
 struct Rows {
-  RecordObj* record = nullptr;  // null: it failed
+  RecordObj* record = nullptr;  // null: there was no memory for it
   ListObj* t = nullptr;
   MatrixObj *q = nullptr, *qd = nullptr, *tau = nullptr;
 
@@ -52,7 +52,7 @@ Rows new_rows(Vm& vm, std::uint32_t count, std::uint32_t joints) {
 
 Answer<std::uint32_t> holds_of(Vm& vm, const SimulationCall& call) {
   constexpr double kMost = 10'000'000;
-  constexpr double kRest = 1e-9;  // of a hold: a rest of rounding makes none of its own
+  constexpr double kRest = 1e-9;  // of a hold: a remainder due to rounding is not a hold of its own
   const double holds = std::max(1.0, std::ceil(call.during / call.every - kRest));
   if (holds <= kMost) return static_cast<std::uint32_t>(holds);
   return failure(vm, "R0613",
@@ -61,8 +61,8 @@ Answer<std::uint32_t> holds_of(Vm& vm, const SimulationCall& call) {
                  SimulationCall::kEvery, {}, "use a longer every");
 }
 
-// The start of hold k. A time that is a whole number of nanoseconds but for rounding is that
-// number, as on the clock, so that row 3 of holds of 200 us is at 0.6 ms.
+// The start of hold k, s. A time that differs from a whole number of nanoseconds only by rounding
+// becomes that number, as on the clock: row 3 of holds of 200 us is at 0.6 ms.
 double start_of(std::uint32_t k, double every) {
   constexpr double kRounding = 4e-16;  // relative, of the product
   const double ns = k * every * 1e9;
@@ -70,7 +70,7 @@ double start_of(std::uint32_t k, double every) {
   return std::abs(ns - whole) <= kRounding * ns ? whole / 1e9 : k * every;
 }
 
-// From tick to tick, the torques of each held until the next.
+// Simulates hold after hold; the torques of each are constant until the next.
 Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, MotorLimits& motors,
                  const SimulationCall& call, const SimulationOptions& options, std::uint32_t holds,
                  Rows& rows) {
@@ -92,7 +92,7 @@ Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, MotorLimits& motors
   }
 }
 
-// The joints where a simulation starts: where the robot is, or at rest in a position.
+// The joint values at which a simulation starts: the present ones, or given ones at rest.
 Answer<Eigen::VectorXd> start_position(Vm& vm, const CellRobot& state, JointList from,
                                        int parameter) {
   return joint_argument(vm, *state.model, from, parameter);
@@ -154,7 +154,7 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue function, d
 
 // ---- on the clock
 
-// The cubic between both states; shorter times than the clock's are left out.
+// Adds the cubic between each two states; intervals shorter than a nanosecond are left out.
 void add_pieces(const std::vector<SimulationNode>& nodes, double begin,
                 std::vector<JointPath>& joints) {
   for (std::size_t k = 1; k < nodes.size(); ++k) {
@@ -174,7 +174,7 @@ void add_pieces(const std::vector<SimulationNode>& nodes, double begin,
   }
 }
 
-// The motion of a hold. It goes on for as long again as it began, so that at its end it moves.
+// The motion during a hold. It is extended to twice its duration, so that it does not end at rest.
 Trajectory motion_of(const std::vector<SimulationNode>& nodes, double hold) {
   std::vector<JointPath> joints(static_cast<std::size_t>(nodes.front().q.size()));
   const double begin = nodes.front().t;
@@ -207,7 +207,7 @@ class TorqueWaiting : public Waiting {
         next_ns_(host_.now_ns()),
         arm_(state().loaded, state().q, state().qd, options) {}
 
-  // Asks for torques, and moves on until it asks again.
+  // Asks the law for torques and waits until the next time to ask.
   Answer<void> hold(Vm& vm) {
     arm_.set_robot(state().loaded);
     const auto asked = law_(arm_.robot(), to_seconds(next_ns_ - begin_ns_), arm_.q(), arm_.qd());

@@ -1,12 +1,12 @@
 #pragma once
-// What the functions of dynamics share.
+// Helpers shared by the functions of dynamics.
 
 #include "messages/library_messages.hpp"
 #include "motion/moves.hpp"
 
 namespace armlet::bind {
 
-// The arm with what its hand carries.
+// The model of the arm with its payload.
 inline const Robot& loaded_of(Vm& vm, const RobotRef& r) { return *state_of(vm, r).loaded; }
 
 // law() with its ArgumentError as R0640.

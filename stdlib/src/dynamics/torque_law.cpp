@@ -11,7 +11,7 @@
 namespace armlet::bind {
 namespace {
 
-// A parameter of the law's function, which is the first of all calls after the robot.
+// The parameter with the function of the law; in all calls it follows the robot.
 constexpr int kLaw = 1;
 
 std::string_view name_of(SimulationEventKind kind) {
@@ -37,7 +37,7 @@ TorqueLaw::~TorqueLaw() {
 
 ListObj* TorqueLaw::fill(Argument& argument, JointsIn values) {
   ListObj*& list = argument.list;
-  if (list == nullptr || list->refs != 1) {  // the program may have kept the last one
+  if (list == nullptr || list->refs != 1) {  // the program may have stored the last one
     if (list != nullptr) release(vm_, list);
     list = new_list(vm_, static_cast<std::uint32_t>(values.size()), false);
   }

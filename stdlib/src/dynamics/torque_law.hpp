@@ -1,5 +1,5 @@
 #pragma once
-// What a program says of the forces of its motors, and what came of it.
+// The torques that a program requests from its motors, the limits of these, and the options.
 
 #include <optional>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace armlet::bind {
 
-// A function of the program, fn(t, q, qd) -> double[], which it keeps.
+// A function of the program, fn(t, q, qd) -> double[], kept alive while the law is used.
 class TorqueLaw {
  public:
   TorqueLaw(Vm& vm, FunctionValue law);
@@ -21,8 +21,8 @@ class TorqueLaw {
   TorqueLaw& operator=(const TorqueLaw&) = delete;
   TorqueLaw& operator=(TorqueLaw&&) = delete;
 
-  // What the motors give in this state, t seconds after the start. Fails with the joint and the
-  // time if it is not one finite number for each joint.
+  // The torques requested in this state, t seconds after the start. Fails with the joint and the
+  // time unless the result is one finite number for each joint.
   Answer<JointVector> operator()(const Robot& robot, double t, JointsIn q, JointsIn qd);
 
  private:
@@ -36,20 +36,20 @@ class TorqueLaw {
   Argument q_, qd_;
 };
 
-// What motors can give. What a law asks for beyond it is cut off.
+// The limits of motors. Torques that a law requests beyond them are cut off.
 class MotorLimits {
  public:
-  // The arm's own largest forces, which may be infinite, and no limit on how fast they change.
+  // The arm's own force limits, which may be infinite, and no limit on the rate of change.
   explicit MotorLimits(const Robot& robot);
 
-  // Other limits instead, above zero, in N m and N, and per second: one value for each joint.
+  // Sets other limits, above zero, in N m or N, and rates of change per second: one for each joint.
   Answer<void> set_most(Vm& vm, std::span<const double> most, int parameter);
   Answer<void> set_rates(Vm& vm, std::span<const double> rates, int parameter);
 
-  // What the motors give for `hold` seconds, where the law asks for tau. The first forces may be
-  // any.
+  // The torques that motors deliver for `hold` seconds when the law requests tau. The first torques
+  // are not limited in rate.
   [[nodiscard]] JointVector given(const JointVector& tau, double hold);
-  // How long any motor gave less than it was asked for, s.
+  // The time during which any motor delivered less than requested, s.
   [[nodiscard]] double clipped() const { return clipped_; }
 
  private:
@@ -60,9 +60,9 @@ class MotorLimits {
   double clipped_ = 0.0;
 };
 
-// How a simulation is made, as the call says it.
+// The arguments of a call that simulates.
 //
-// extra  how many parameters of its own the call has between `every` and `method`.
+// extra  number of parameters that only this call has, between `every` and `method`.
 struct SimulationCall {
   std::string_view function;  // "simulate"
   double during, every;
@@ -72,7 +72,7 @@ struct SimulationCall {
   std::optional<std::span<const double>> most, rates;  // of the motors
   int extra = 0;
 
-  // Which parameter says what; the robot and the law come before.
+  // The indices of parameters; the robot and the law come first.
   static constexpr int kDuring = 2, kEvery = 3;
   [[nodiscard]] int method_parameter() const { return 4 + extra; }
   [[nodiscard]] int step_parameter() const { return 5 + extra; }
@@ -81,18 +81,18 @@ struct SimulationCall {
   [[nodiscard]] int rates_parameter() const { return 8 + extra; }
 };
 
-// Its options, checked, and what the motors can give.
+// The options of the call, checked, and the limits of the motors.
 Answer<SimulationOptions> simulation_options(Vm& vm, const SimulationCall& call);
 Answer<MotorLimits> motor_limits(Vm& vm, const SimulationCall& call, const Robot& robot);
 
-// What a simulation could not do, with the joint and the time.
+// The failure of a simulation, with the joint and the time.
 Failed cannot_simulate(Vm& vm, const ArmSimulation& arm, const SimulationOutcome& outcome,
                        const SimulationOptions& options);
 
-// Advice about joints that ran against their limits.
+// Advice about joints that reached their limits.
 void tell_of_stops(Vm& vm, const ArmSimulation& arm);
 
-// A list of JointEvent; null: the failure is set.
+// A list of JointEvent; null: it failed, and the failure is set.
 [[nodiscard]] ListObj* joint_events(Vm& vm, const ArmSimulation& arm);
 
 }  // namespace armlet::bind
