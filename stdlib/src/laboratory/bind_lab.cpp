@@ -1,7 +1,7 @@
 // Laboratories: the block `lab` and its rows (language reference, section 16).
 //
-// What a row says is checked here twice: before the run as far as the text shows it, and while the
-// block is made. What it holds, a value or a lambda, is a variable of the program.
+// A row is checked twice: before the run as far as its text shows its values, and when the block is
+// executed. The content of a row, a value or a lambda, is a variable of the program.
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Rows of a `lab` block with pictures: files, pictures that are computed, and what cameras see
+// Rows of a `lab` block with pictures: picture files, computed pictures, and views of cameras
 // (language reference, section 16).
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 using Text = std::string_view;
 using OptionalWord = std::optional<std::string_view>;
 
-// A picture beside the program.
+// A row with a picture from a file.
 Answer<LabRow> picture(Vm& vm, Text file, OptionalWord label, Text name) {
   constexpr std::size_t kMostBytes = 16 << 20;
   LabRow made = row_of(vm, LabRowKind::kImage, name, label);

@@ -19,7 +19,7 @@ namespace {
 
 Error no_lab() { return {"no lab", "The program has not come to a `lab` block."}; }
 
-// The rows of a kind by name: "`a`, `b`".
+// The names of the rows of one kind: "`a`, `b`".
 std::string names_of(const std::vector<LabRow>& rows, LabRowKind kind) {
   std::string names;
   for (const LabRow& row : rows)
@@ -43,7 +43,7 @@ Result<int> find_robot(const Cell& cell, std::string_view name) {
                                       known.empty() ? "none" : known)};
 }
 
-// A number for an int, and an int for a plain number, are what they say.
+// The number in a value for this field; an int is accepted for a plain number.
 std::optional<double> number_in(const Value& value, const LabRow& field) {
   if (const auto* whole = value.get_if<std::int64_t>())
     return field.dim.is_none() ? std::optional(static_cast<double>(*whole)) : std::nullopt;
@@ -61,7 +61,7 @@ Error wrong_type(const LabRow& field, const Value& value) {
           fmt::format("The field `{}` takes {}, not {}.", field.name, wanted, field_text(value))};
 }
 
-// The value as the variable of the field has it.
+// The value, converted to the type of the field's variable.
 Result<Value> fitting(const LabRow& field, const Value& value) {
   if (field.type == LabFieldType::kBool || field.type == LabFieldType::kText) {
     const bool fits = value.content().index() == field.value.content().index();
@@ -83,7 +83,7 @@ Result<Value> fitting(const LabRow& field, const Value& value) {
   return Value(Value::Number{*number, field.dim});
 }
 
-// Joint values and places as numbers with their units.
+// Joint values and poses as lists of numbers with their units.
 Value shown(Value value) {
   if (const auto* list = value.get_if<Value::List>()) {
     Value::List out;
@@ -101,8 +101,8 @@ Value shown(Value value) {
   return out;
 }
 
-// Units for the numbers of a value that have none, one for each thing in it; a matrix becomes a
-// list of its rows. False: it holds fewer or more things.
+// Gives units to the numbers of a value that have none, one dimension for each number; a matrix
+// becomes a list of its rows. False: the number of dimensions is not that of the numbers.
 bool give_units(Value& value, std::span<const Dim>& dims) {
   if (const auto* list = value.get_if<Value::List>()) {
     Value::List out = *list;

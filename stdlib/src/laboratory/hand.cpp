@@ -19,7 +19,7 @@ bool is_place(HandAxis axis) { return axis <= HandAxis::kZ; }
 int place_of(HandAxis axis) { return static_cast<int>(axis); }
 int angle_of(HandAxis axis) { return static_cast<int>(axis) - static_cast<int>(HandAxis::kRoll); }
 
-// Of the x axis of the tool, or of its y axis where x is vertical.
+// The horizontal direction of the x axis of the tool, or of its y axis if x is vertical.
 double heading(const Isometry3d& T) {
   const Eigen::Matrix3d& R = T.linear();
   const bool is_vertical = std::abs(R(2, 0)) > 1.0 - 1e-9;
@@ -27,7 +27,7 @@ double heading(const Isometry3d& T) {
   return det::atan2(axis.y(), axis.x());
 }
 
-// The pose that the values mean, beside what the arm has now.
+// The present pose of the tool with these coordinates replaced by the values.
 Isometry3d pose_of(const Isometry3d& T_now, std::span<const HandAxis> axes,
                    std::span<const double> values) {
   Isometry3d T = T_now;

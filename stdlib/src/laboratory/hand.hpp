@@ -1,5 +1,5 @@
 #pragma once
-// The hand of a robot by a few coordinates: what the sliders of a laboratory set.
+// The tool pose of a robot as a few coordinates: what the sliders of a laboratory set.
 
 #include <Eigen/Core>
 #include <array>
@@ -13,20 +13,21 @@
 
 namespace armlet {
 
-// Where the hand is now, by these coordinates, m or rad in the world.
+// The present tool pose in these coordinates, m or rad in the world.
 [[nodiscard]] std::vector<double> hand_now(const CellRobot& robot, std::span<const HandAxis> axes);
 
-// Joint values that bring the hand there, as near as possible to those of now; coordinates that are
-// not named stay as they are, an orientation of which none is named as far as the arm can keep it.
+// Joint values for these coordinates of the tool pose, nearest to the present ones. Coordinates
+// that are not named keep their values; if no angle is named, the orientation is kept as far as the
+// arm can.
 //
-// returns  an error "unreachable" that says why there are none; `unreached`, if it is given, is
-//          then what comes nearest, without time and robot.
+// returns  an error "unreachable" with the reason if there is no solution; `unreached`, if it is
+//          not null, then gets the nearest pose, without time and robot.
 [[nodiscard]] Result<Eigen::VectorXd> hand_joints(const CellRobot& robot,
                                                   std::span<const HandAxis> axes,
                                                   std::span<const double> values,
                                                   UnreachedGoal* unreached = nullptr);
 
-// The smallest and the largest value of each that the arm can have anywhere in its reach.
+// The smallest and the largest value of each coordinate anywhere in the arm's reach.
 [[nodiscard]] std::vector<std::array<double, 2>> hand_reach(const CellRobot& robot,
                                                             std::span<const HandAxis> axes);
 

@@ -1,4 +1,4 @@
-// What rows of cameras and of computed pictures show.
+// Pictures and marks of rows with cameras and with computed pictures.
 
 #include <fmt/format.h>
 
@@ -17,9 +17,9 @@
 namespace armlet {
 namespace {
 
-constexpr Eigen::Index kMostMarks = 2000;  // of a kind
+constexpr Eigen::Index kMostMarks = 2000;  // of one kind
 
-// While what a program would see is looked at, its next pictures stay what they would be.
+// While it lives, pictures taken for the page do not change the later pictures of the program.
 class Unnoticed {
  public:
   explicit Unnoticed(Cameras& cameras) : cameras_(cameras), taken_(cameras.taken()) {}
@@ -39,7 +39,7 @@ Value value_of(const Image& image) {
                                         bind::PictureValue{std::move(kept)})};
 }
 
-// Null: it is no picture.
+// The picture in a value; null: it holds none.
 const Image* picture_in(const Value& value) {
   const auto* host = value.get_if<Value::Host>();
   if (host == nullptr || host->type != &bind::kImage) return nullptr;
@@ -53,7 +53,7 @@ std::vector<std::array<double, 2>> pixels_in(const PlanePoints& points) {
   return pixels;
 }
 
-// The rows of a matrix that a program gave; the others are not in the picture.
+// The rows of a matrix of the program that are pixels of the picture; the others are left out.
 std::vector<std::array<double, 2>> pixels_in(const Value::Matrix& matrix) {
   std::vector<std::array<double, 2>> pixels;
   for (std::size_t i = 0; i + 1 < matrix.elements.size() && pixels.size() < kMostMarks; i += 2) {

@@ -80,7 +80,7 @@ bool is_numbers(const Type& type) {
   return type.is_number() || (type.is(Kind::kList) && type.element->is_number());
 }
 
-// What stands in a row of a table.
+// Whether a row of a table may hold values of this type.
 bool is_cell(const Type& type) {
   return type.is_number() || type.is(Kind::kBool) || type.is(Kind::kText) || type.is(Kind::kEnum);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What is right in a `lab` block, before the run and while it is made: E0530 and R0641.
+// Rules of a `lab` block, checked before the run and when it is executed: E0530 and R0641.
 
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ inline constexpr const char* kOverlays =
     "\"corners\", \"truth\", \"wanted\", or a function that gives pixels";
 inline constexpr const char* kWantedMissing = "its overlay \"wanted\" needs `wanted:`";
 
-// "x y z roll" as axes, or why it names none.
+// "x y z roll" as axes; an error if a word is no axis.
 [[nodiscard]] Result<std::vector<HandAxis>> hand_axes(std::string_view words);
 [[nodiscard]] std::optional<LabLayout> layout_named(std::string_view word);
 [[nodiscard]] std::string unknown_layout(std::string_view word);

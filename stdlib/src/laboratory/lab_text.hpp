@@ -1,5 +1,5 @@
 #pragma once
-// Values of fields as people read them.
+// Values of fields as texts for users.
 
 #include <string>
 
@@ -7,9 +7,9 @@
 
 namespace armlet {
 
-// A number of a field, SI, in the field's own unit: "80 mm".
+// A number of a field, given in SI, in the unit of the field: "80 mm".
 [[nodiscard]] std::string number_text(double si, const LabRow& field);
-// A value that somebody gives a field: "80 mm", "true", "a text".
+// A value given to a field: "80 mm", "true", "a text".
 [[nodiscard]] std::string field_text(const Value& value);
 
 }  // namespace armlet

@@ -6,7 +6,7 @@
 
 namespace armlet::bind {
 
-// The one `lab` block of a program, which its Host keeps.
+// A handle of the one `lab` block of a program, which its Host stores.
 struct LabRef {};
 
 inline const HostType kLab{.name = "lab",

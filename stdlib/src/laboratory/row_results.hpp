@@ -1,5 +1,5 @@
 #pragma once
-// What functions of rows of a `lab` block give.
+// The results of functions in rows of a `lab` block.
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-// What a `lab` block says, and what stands for it where there is none.
+// The contents of a `lab` block, and the default page of a program without one.
 
 #include <fmt/format.h>
 
