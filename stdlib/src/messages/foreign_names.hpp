@@ -1,5 +1,5 @@
 #pragma once
-// What users of robot languages, of MATLAB and of Python write for names of this library.
+// Names of other robot languages, of MATLAB and of Python, with the name that this library has.
 
 #include "armlet/interpreter/foreign_name.hpp"
 
@@ -63,7 +63,7 @@ inline constexpr ForeignName kForeignNames[] = {
     {"get_current_joint_values", "joints"},
     {"attach_object", "grasp"},
     {"detach_object", "release"},
-    // guesses
+    //     other likely names
     {"get_joints", "joints"},
     {"getTCP", "here"},
     {"getTcpPose", "here"},

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of the catalogue of messages that are about robots, worlds and linear algebra.
+// The messages about robots, worlds and linear algebra.
 
 #include <array>
 #include <string_view>
@@ -18,7 +18,7 @@ inline constexpr auto kLibraryMessages = std::to_array<CatalogEntry>({
 });
 #undef ARMLET_MESSAGE
 
-// The row of a code, for make_diagnostic and Headline.
+// The row of the catalogue with a code, for make_diagnostic and Headline.
 consteval const CatalogEntry& row(std::string_view code) {
   for (const CatalogEntry& entry : kLibraryMessages)
     if (entry.code == code) return entry;
