@@ -38,15 +38,15 @@ Failed fail_posc_count(Vm& vm, std::size_t count, const Robot* robot, TaskSpace 
       0, std::move(why), robot == nullptr ? "say which: posC(values, of: arm)" : "");
 }
 
-// posC(numbers): as many as the arm controls, in its own order; 3 = position only; 6 = place, roll,
-// pitch, yaw (section 8).
+// posC(numbers): as many numbers as the arm controls, in the arm's order; 3: a position only; 6:
+// position, roll, pitch, yaw (section 8).
 Answer<PosC> posc_from(Vm& vm, std::span<const double> v, const RobotRef* of) {
   for (const double x : v) {
     if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);
   }
   if (v.size() == 6) return PosC{pose_from_rpy({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), true};
   const Robot* robot = of != nullptr ? &model_of(vm, *of) : Host::of(vm).only_robot();
-  // Three numbers are something else only for an arm in a level plane, whose tool keeps its tilt.
+  // Only for an arm in a level plane, whose tool keeps its tilt, three numbers are not a position.
   const bool is_place = v.size() == 3 && (robot == nullptr || !fixed_tilt(*robot));
   const TaskSpace space = robot == nullptr || is_place ? TaskSpace::kOther : task_space(*robot);
   if (v.size() == 3 && space != TaskSpace::kPlane)
@@ -79,7 +79,7 @@ Started move_c(Vm& vm, const RobotRef& r, std::string_view planner, const PosC& 
   return move_to_position(vm, call, p, {}, std::string(planner), {.time = time});
 }
 
-// Calls that are only there to be explained before running.
+// A function that always fails before the run, with an explanation.
 constexpr NativeFunction refused(std::string_view signature, void (*check)(CheckCall& call)) {
   NativeFunction function = declare(signature, "", "", check);
   function.pauses = true;
@@ -90,8 +90,8 @@ constexpr double kStandInSize = 0.040;  // m
 
 using Eigen::Isometry3d;
 
-// In reach in front of the robot: straight below its tool at home if there is one, half its reach
-// along x otherwise.
+// A pose in reach, in front of the robot: straight below its tool at the middle of its joint ranges
+// if that is possible, otherwise at half its reach along x.
 Isometry3d stand_in_place(const Host& host) {
   const Robot* robot = host.only_robot();
   Isometry3d T = Isometry3d::Identity();

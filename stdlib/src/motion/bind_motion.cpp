@@ -57,12 +57,12 @@ Started follow(Vm& vm, const RobotRef& r, const PlannedMotion& plan) {
   return start_motion(vm, call, plan.motion, path_between_ends(vm, call, plan.motion));
 }
 
-// From where the robot stands through every point.
+// A motion from the present joint values through all points.
 Started through(Vm& vm, MoveCall call, std::vector<Eigen::VectorXd> points,
                 const std::string& planner, const MoveSettings& settings) {
   const Eigen::VectorXd& q = Host::of(vm).cell().robot(call.robot).q;
   call.fixed_time = settings.time.has_value();
-  // A point where the robot stands is not a leg of its own.
+  // A first point that equals the present joint values does not make a segment.
   if (points.empty() || (points.front() - q).cwiseAbs().maxCoeff() > 1e-9)
     points.insert(points.begin(), q);
   auto motion = plan_through(vm, call, points, planner, {.move = settings});

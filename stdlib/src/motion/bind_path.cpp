@@ -1,5 +1,5 @@
 // path (blend: 30mm) { ... } (language reference, 13.3). The checker calls "path{" before the
-// block, one function for each setting, "path{move}" at its end, and "path}" on every way out.
+// block, one function for each setting, "path{move}" at its end, and "path}" at every exit.
 
 #include <utility>
 
@@ -18,7 +18,7 @@ void enter(Vm& vm) {
   replace_settings(vm, std::move(settings));
 }
 
-// From here on moves are moves again, also those of watches that run meanwhile.
+// Ends the collection: from here on moves are executed again, also those of watches.
 Started make_moves(Vm& vm) {
   BlockSettings settings = settings_of(vm);
   const std::shared_ptr<CollectedPath> path = std::exchange(settings.path, nullptr);

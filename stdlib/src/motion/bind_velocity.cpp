@@ -22,9 +22,9 @@
 namespace armlet::bind {
 namespace {
 
-// From a velocity command until it no longer holds; the robot then slows down by itself unless the
-// task goes on with another one at that instant. A command that is stopped is over when the robot
-// stands.
+// Waits from a velocity command until it no longer holds; the robot then decelerates to rest unless
+// the task continues with another command at that instant. A command that is stopped has ended when
+// the robot is at rest.
 class VelocityWaiting : public Waiting {
  public:
   VelocityWaiting(Host& host, const MoveCall& call, int motion)
@@ -121,13 +121,13 @@ Failed fail_velocity(Vm& vm, const MoveCall& call, const VelocityPlan& plan) {
   return fail(vm, std::move(f));
 }
 
-// A robot that another command still moves takes no velocity.
+// Fails while the robot is moved by another command.
 Answer<void> check_drivable(Vm& vm, const MoveCall& call) {
   if (Host::of(vm).cell().can_drive(call.robot)) return {};
   return check_idle(vm, call.robot);
 }
 
-// `during` in whole nanoseconds, as the clock counts.
+// `during` in whole nanoseconds, the unit of the clock.
 Answer<std::int64_t> holding_time(Vm& vm, double seconds, int parameter) {
   if (!std::isfinite(seconds)) return not_finite(vm, "the time", seconds, parameter);
   if (!check_time_left(vm, "a velocity", seconds, parameter)) return Failed{};
@@ -173,7 +173,7 @@ Started speed_j(Vm& vm, const RobotRef& r, std::span<const double> values, doubl
   return drive(vm, call, plan_joint_velocity(robot, start_of(vm, call, *during), rates), *during);
 }
 
-// A velocity with its axes turned by R, for so long.
+// A velocity given in axes that are rotated by R, and its duration.
 struct Drift {
   std::span<const double> values;
   Eigen::Matrix3d R;
@@ -214,7 +214,7 @@ Started speed_c(Vm& vm, const RobotRef& r, const Drift& drift) {
   return started;
 }
 
-// Along the axes of the frame of the blocks around it, or of the world.
+// Along the axes of the frame of the blocks around the call, or of the world.
 Started speed_c_world(Vm& vm, const RobotRef& r, std::span<const double> v, double during) {
   const auto axes = in_world(vm, {.function = "speedC", .robot = r.id}, {}, PosC{});
   if (!axes) return Failed{};
@@ -237,8 +237,8 @@ Started speed_c_named(Vm& vm, const RobotRef& r, std::span<const double> v, cons
   return speed_c(vm, r, {v, now->T.linear(), during, 3});
 }
 
-// The velocity of a camera along its own axes, as that of the tool point of the arm that carries
-// it.
+// A camera velocity along the camera's axes, converted to the tool point of the arm that carries
+// the camera.
 Started speed_c_camera(Vm& vm, const RobotRef& r, std::span<const double> v,
                        const CameraRef& camera, double during) {
   const auto T_world_camera = pose_now(vm, camera);

@@ -17,8 +17,8 @@ std::string place_text(const Eigen::Vector3d& p) {
   return fmt::format("({:.0f}, {:.0f}, {:.0f}) mm", mm(p.x()), mm(p.y()), mm(p.z()));
 }
 
-// To the tenth of a millimetre that is not on the wrong side: above what is at most, below what is
-// at least.
+// The depth rounded to 0.1 mm in the safe direction: an upper bound up, a lower bound down. Never 0
+// for a lower bound.
 std::string depth_text(const CellCollision& met) {
   constexpr double kTenth = 1e-4, kSame = 0.02;
   const double tenths = met.depth / kTenth;
@@ -34,8 +34,8 @@ std::string circumstances(const CellCollision& met, double duration) {
                      depth_text(met), place_text(met.p_world));
 }
 
-// Passing higher helps what the hand has around the tool point; a link farther back moves
-// otherwise than the hand.
+// A higher path helps only for bodies near the tool point; links farther back move differently from
+// the tool.
 std::string remedy(const CellCollision& met) {
   const bool at_hand = !met.body.object.empty() || is_hand(met.body.role);
   const bool is_object = !met.other.object.empty() && met.other.robot < 0;
@@ -64,7 +64,7 @@ Failure failure_of_meeting(Vm& vm, const MoveCall& call, const CellCollision& me
   return f;
 }
 
-// What the hand, or what it carries, presses into an object is felt.
+// Whether the tool or its payload presses into an object, which causes a contact force.
 bool is_felt(const Cell& cell, const CellCollision& met) {
   return feels(cell, met.body) && !met.other.object.empty();
 }
@@ -78,7 +78,7 @@ void advise(Vm& vm, const MoveCall& call, const CellCollision& met, double durat
     vm.advise(failure_of_meeting(vm, call, met, false, duration));
 }
 
-// Whether a robot began a motion behind number `last` of all, at t_ns at the latest.
+// Whether a robot started a motion with a number above `last` at t_ns or before.
 bool has_started(const Cell& cell, int robot, int last, std::int64_t t_ns) {
   for (int motion = last + 1; motion <= cell.robot(robot).motion_id; ++motion) {
     const MotionReport& report = cell.report(motion);
@@ -87,7 +87,7 @@ bool has_started(const Cell& cell, int robot, int last, std::int64_t t_ns) {
   return false;
 }
 
-// Lines and curves are not planned around anything: their way is what was asked for.
+// Lines and curves have a prescribed path, so no path around obstacles is searched for them.
 bool has_a_way(const MoveCall& call) { return call.function != "moveJ"; }
 
 }  // namespace
@@ -110,7 +110,7 @@ Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& 
     return std::vector<PossibleCollision>{};
   Host& host = Host::of(vm);
   auto met = find_collisions(host.cell(), call.robot, motion, beside);
-  // Fingers that close are there to touch; what they press with is judged by its force (R0637).
+  // Closing fingers are meant to touch; their contact force is checked instead (R0637).
   if (call.function == kCloseHand)
     std::erase_if(met, [](const CellCollision& each) { return !each.other.object.empty(); });
   const bool guarded = is_guarded(vm);
@@ -139,7 +139,7 @@ Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& 
 
 void report_collisions(Vm& vm, const MoveCall& call, int motion,
                        const std::vector<PossibleCollision>& possible) {
-  constexpr double kPressed = 0.010;  // m: deeper than this is no touch
+  constexpr double kPressed = 0.010;  // m: a deeper contact is not a touch
   const Cell& cell = Host::of(vm).cell();
   const MotionReport& report = cell.report(motion);
   const double duration = to_seconds(report.end_ns - report.start_ns);

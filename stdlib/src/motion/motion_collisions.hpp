@@ -1,5 +1,5 @@
 #pragma once
-// What motions run into.
+// Collisions of motions.
 
 #include <optional>
 #include <span>
@@ -12,35 +12,36 @@
 
 namespace armlet::bind {
 
-// Whether this will be a collision shows when the move is over.
+// A collision that can be confirmed only when the move has ended.
 //
-// guarded  the move may be stopped before, and what the hand presses into is felt.
-// last     of another robot: the number of its last motion that this one was compared with;
-//          nothing: the other one is no robot, or all of its motion is known.
+// guarded  the move may be stopped before it, and contact of the tool causes a contact force.
+// last     the other body is a robot: number of its last motion that was included; nullopt: the
+//          other body is no robot, or its whole motion is known.
 struct PossibleCollision {
   CellCollision met;
   bool guarded = false;
   std::optional<int> last{};
 };
 
-// Fingers that close: objects are what they look for.
+// The function that closes fingers, which are meant to touch objects.
 inline constexpr std::string_view kCloseHand = "closeHand";
 
-// Says, as `with (collisions:)` wants it, what the robot of the call would meet on this motion: as
-// advice, one for each pair and place of the program, or as R0614; inside with (avoid: true) always
-// as the latter. Returns what cannot be known yet: a robot that stands may start
-// in the same instant, and a guard may stop the move before.
+// Reports, as `with (collisions:)` requests, the collisions of this motion of the robot of the
+// call: as advice, once for each pair of bodies and call of the program, or as R0614; inside with
+// (avoid: true) always as R0614. Returns collisions that are not certain yet: a robot at rest may
+// start at the same instant, and a guard may stop the move before.
 //
+// beside  as for find_collisions.
 // beside  as for find_collisions.
 Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& call,
                                                         const Trajectory& motion,
                                                         std::span<const MotionBeside> beside = {});
 
-// Says what has come true of them, when the motion of that number is over.
+// Reports those of them that have happened, when the motion with that number has ended.
 void report_collisions(Vm& vm, const MoveCall& call, int motion,
                        const std::vector<PossibleCollision>& possible);
 
-// R0614 for what a motion that takes so many seconds would meet.
+// R0614 for a collision of a motion with this duration.
 Failed fail_meeting(Vm& vm, const MoveCall& call, const CellCollision& met, double duration);
 
 }  // namespace armlet::bind

@@ -26,7 +26,7 @@ std::string peak_text(const Robot& robot, const Trajectory& motion, int joint, i
                      format_number(100.0 * peak / limits[order], 1));
 }
 
-// The peaks up to the first derivative that has none because the one below it jumps.
+// The peaks of the derivatives, up to the first one that does not exist since the one before jumps.
 std::string peaks_text(const Robot& robot, const Trajectory& motion, int joint,
                        Trajectory::Start start) {
   const int smooth = motion.continuity(joint, 1e-6, start);
@@ -47,7 +47,7 @@ std::string joint_line(const Robot& robot, const Trajectory& motion, int joint,
                      format_joint_value(kind, travel), peaks_text(robot, motion, joint, start));
 }
 
-// The largest share of its limit that any joint takes, and that joint.
+// The largest ratio to its limit that any joint reaches, and that joint.
 struct Share {
   double part = 0.0;
   int joint = 0;
@@ -80,7 +80,7 @@ std::string part_text(const Robot& robot, const Trajectory& part) {
                             share_text(largest_share(robot, part, 3), "jerk"));
 }
 
-// Pieces of a planner such as 434. Motions of many pieces are curves that were sampled.
+// The segments of a planner such as 434. Motions of many segments are sampled curves.
 std::vector<MotionPart> pieces_of(const Trajectory& motion) {
   constexpr std::size_t kMostPieces = 12;
   const std::vector<double> knots = motion.knots();
@@ -113,7 +113,7 @@ std::string deviation_text(const MotionNotes& notes) {
                      format_number(notes.deviation * 1000.0, 3), format_deg(notes.turn));
 }
 
-// Motions whose accelerations do not jump were planned with the limits on jerk.
+// Motions whose accelerations do not jump were planned with limits on jerk.
 Jerk jerk_of(const Trajectory& motion, Trajectory::Start start) {
   for (int i = 0; i < motion.n(); ++i) {
     if (motion.continuity(i, 1e-6, start) < 2) return Jerk::kFree;
@@ -150,7 +150,7 @@ std::string last_move_text(const Host& host, int robot) {
   const CellRobot& of = host.cell().robot(robot);
   const LastMotion* last = host.last_motion(robot);
   if (last == nullptr) return of.name + " has not moved";
-  bool moving = false;  // it took over from a velocity command
+  bool moving = false;  // it began with the speed of a velocity command
   for (int i = 0; i < last->motion.n(); ++i) moving |= last->motion.value(i, 0.0, 1) != 0.0;
   return bind::explain_motion(fmt::format("{} of {}", last->function, of.name), *of.loaded,
                               last->motion, last->notes,

@@ -1,5 +1,5 @@
 #pragma once
-// A motion in words: durations, the joint that decides, peaks.
+// A motion as text: durations, the joint that limits it, peaks.
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@
 namespace armlet::bind {
 
 // Several lines without the last end of line. `what`: "moveJ of scara". Without parts in the notes,
-// a motion of a few pieces is reported piece by piece.
+// a motion of a few segments is reported segment by segment.
 [[nodiscard]] std::string explain_motion(std::string_view what, const Robot& robot,
                                          const Trajectory& motion, const MotionNotes& notes = {},
                                          Trajectory::Start start = Trajectory::Start::kAtRest);

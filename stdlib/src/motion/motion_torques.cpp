@@ -15,21 +15,21 @@
 namespace armlet::bind {
 namespace {
 
-// What to do about a motion of so many seconds.
+// The fix for a motion of this duration.
 std::string remedy(const MotionForces& forces, double duration) {
   if (!std::isfinite(forces.slower)) return "carry less, or go where the arm holds it";
   const double milliseconds = std::ceil(1e3 * duration * forces.slower);
   return fmt::format("let it take {} s, or carry less", format_number(1e-3 * milliseconds, 3));
 }
 
-// Whether a motor would have to give more than it can.
+// Whether a motor would exceed its limit.
 bool is_beyond(const MotionForces& forces) {
   constexpr double kRounding = 1e-9;
   return forces.nearest >= 0 &&
          forces.peaks[static_cast<std::size_t>(forces.nearest)].share() > 1.0 + kRounding;
 }
 
-// Whether a command that follows at once on another one counts.
+// Whether a command that directly follows another one is checked.
 bool is_looked_at(const Host& host, int robot, std::int64_t during_ns) {
   constexpr std::int64_t kEvery = 5'000'000;  // ns
   const std::int64_t now = host.now_ns();
@@ -68,7 +68,7 @@ Failure too_strong(const MoveCall& call, const Robot& robot, const MotionForces&
   return f;
 }
 
-// Forces that no number can hold are more than any motor gives.
+// Forces beyond the range of doubles exceed the limit of any motor.
 Answer<double> beyond_numbers(Vm& vm, const MoveCall& call, TorqueCheck wanted,
                               const ArgumentError& error) {
   Failure f = about(call);

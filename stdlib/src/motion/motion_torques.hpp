@@ -1,5 +1,5 @@
 #pragma once
-// What motions ask of the motors, against what these give.
+// The torques that motions need, compared with the limits of the motors.
 
 #include <cstdint>
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace armlet::bind {
 
-// Says, as `with (torques:)` wants it, that a motor of the robot of the call cannot do this motion:
-// as advice, or as R0642. Gives by how much slower it has to be made, 1 if not at all.
+// Reports, as `with (torques:)` requests, that a motor of the robot cannot deliver the torques of
+// this motion: as advice, or as R0642. Returns the factor by which it has to be slower, >= 1.
 Answer<double> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion);
 
-// The same of a velocity command that holds for so long, which nothing makes slower: where moves
-// would be, it is refused. Of commands that go on with one another, those are looked at during
-// which the clock comes to a multiple of 5 ms, as densely as moves are, and the first.
+// The same for a velocity command of this duration. It cannot be made slower: it is refused where a
+// move would be slowed. Of commands that follow each other directly, those are checked during which
+// the clock reaches a multiple of 5 ms (the sampling of moves), and the first.
 Answer<void> check_velocity_torques(Vm& vm, const MoveCall& call, const Trajectory& motion,
                                     std::int64_t during_ns);
 
-// The way to rest behind a velocity command, which is taken unless another one follows at once:
-// kept when the command begins, and compared as far as it was taken when the robot is told to move
-// again, or when the program has ended. What motors cannot do then is advice.
+// The deceleration after a velocity command, executed unless another command follows at once. It is
+// stored when the command begins. Its executed part is checked when the robot gets its next
+// command, or when the program has ended. Torques beyond the limits are then advice.
 void remember_rest(Vm& vm, const MoveCall& call, Trajectory path, int motion);
 void report_rest(Vm& vm, int robot);
 void report_rests(Vm& vm);

@@ -23,7 +23,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-// The joints that reach the goal: as given first, then other solutions, nearest first.
+// The joint values that reach the goal: the given ones first, then other solutions, nearest first.
 std::vector<VectorXd> goals_of(const Robot& robot, const VectorXd& q0, const WayWanted& wanted) {
   constexpr double kSame = 1e-6;
   std::vector<VectorXd> goals = {wanted.goal};
@@ -36,7 +36,7 @@ std::vector<VectorXd> goals_of(const Robot& robot, const VectorXd& q0, const Way
   return goals;
 }
 
-// Two bodies by their names; several bodies of a link have one.
+// Two bodies by name; all bodies of a link have the same name.
 struct NamedPair {
   std::string first, second;
   double depth = 0.0;
@@ -72,7 +72,7 @@ Failure about(Vm& vm, const MoveCall& call) {
   return f;
 }
 
-// An end of the way collides: R0643.
+// R0643: the start or the goal of the path collides.
 Failed fail_end(Vm& vm, const MoveCall& call, const WayAround& around, std::size_t goals) {
   const Cell& cell = Host::of(vm).cell();
   const bool at_start = around.way.status == WayStatus::kStartCollides;
@@ -94,7 +94,7 @@ Failed fail_end(Vm& vm, const MoveCall& call, const WayAround& around, std::size
   return fail(vm, std::move(f));
 }
 
-// "link 3 of `arm` and "wall" (61 %), ...", of all times that something was in the way.
+// "link 3 of `arm` and "wall" (61 %), ...": shares of all collisions found during the path search.
 std::string most_in_the_way(const Cell& cell, const std::vector<BlockingBodies>& blocking) {
   constexpr std::size_t kMost = 3;
   constexpr double kSeldom = 0.005;
@@ -184,7 +184,7 @@ Answer<WayAround> way_around(Vm& vm, const MoveCall& call, const WayWanted& want
 
 Started start_avoiding(Vm& vm, const MoveCall& call, Trajectory straight, const WayWanted& wanted) {
   const Cell& cell = Host::of(vm).cell();
-  // Fingers go where they are bent: there is no way around for them, and what they meet is refused.
+  // Fingers have a prescribed path: no other path is searched, and a collision is refused.
   if (cell.robot(call.robot).on >= 0 || find_collisions(cell, call.robot, straight).empty()) {
     const double length = path_between_ends(vm, call, straight);
     return start_motion(vm, call, std::move(straight), length);

@@ -1,5 +1,5 @@
 #pragma once
-// Moves around what is in the way.
+// Moves around obstacles.
 
 #include <vector>
 
@@ -8,10 +8,10 @@
 
 namespace armlet::bind {
 
-// What is wanted of a way.
+// The goal of a path search.
 //
 // any_branch  the goal is a position in space, so that other solutions of its inverse kinematics
-//             will do.
+//             may be used.
 struct WayWanted {
   Eigen::VectorXd goal{};
   bool any_branch = false;
@@ -19,12 +19,12 @@ struct WayWanted {
   WayOptions search{};
 };
 
-// A motion around what stands in the way, from where the robot of the call is; or the failure that
-// tells why there is none. The call has its model.
+// A motion around obstacles from the present joint values of the robot of the call; or the failure
+// with the reason why none was found. The call has its model.
 Answer<WayAround> way_around(Vm& vm, const MoveCall& call, const WayWanted& wanted);
 
-// Starts this motion, as `with (avoid: true)` wants it: where it runs into something, one around
-// that instead.
+// Starts this motion, as `with (avoid: true)` requests: if it collides, a motion around the
+// obstacle is started instead.
 Started start_avoiding(Vm& vm, const MoveCall& call, Trajectory straight, const WayWanted& wanted);
 
 }  // namespace armlet::bind

@@ -29,7 +29,7 @@ double lean_of(const Vector3d& line) {
   return det::atan2(line.head<2>().norm(), std::abs(line.z()));
 }
 
-// With as many digits as show that it is not zero.
+// With enough digits to show that it is not zero.
 std::string lean_text(double angle) {
   const double degrees = angle * (180.0 / kPi);
   int digits = 1;
@@ -58,7 +58,7 @@ Failure start(Vm& vm, const MoveCall& call, int mark) {
 std::string millimetres(double length, int digits = 0) {
   return format_number(length * 1000.0, digits) + " mm";
 }
-// Two lengths with as many digits as tell them apart, nanometres at most.
+// Two lengths with enough digits to differ in print, down to nanometres.
 std::array<std::string, 2> distinguished(double a, double b) {
   std::array<std::string, 2> out;
   for (int digits = 0; digits <= 6 && out[0] == out[1]; ++digits) {
@@ -70,7 +70,7 @@ std::string up_to_tenth(double length) {
   return fmt::format("{} mm", format_number(std::ceil(length * 1e4 - 1e-6) / 10.0, 1));
 }
 
-// How far a point is from the axis about which the base turns.
+// The distance of a point from the axis of the first joint.
 double from_axis(const Robot& robot, const Vector3d& p) {
   const Vector3d local = robot.T_world_base().inverse() * p;
   return std::hypot(local.x(), local.y());
@@ -86,7 +86,7 @@ Vector3d nearest_to_axis(const Robot& robot, const Vector3d& from, const Vector3
   return from + s * (to - from);
 }
 
-// Whether a position is too close to that axis, however the joints are turned.
+// Whether a position is too close to that axis for any joint values.
 bool is_inside_fold(const Robot& robot, const Eigen::VectorXd& q, const Vector3d& place) {
   IkOptions options;
   options.seed = q;
@@ -120,7 +120,7 @@ void say_place(const Robot& robot, const Vector3d& goal, const IkDiagnosis& d, F
   }
 }
 
-// The joints that would be outside, and how near the hand gets with all of them inside.
+// Adds the joints that would exceed their limits, and how near the tool gets within the limits.
 void say_joints(const Robot& robot, const IkDiagnosis& d, Failure& f) {
   for (const LimitViolation& v : d.violations) {
     const JointKind kind = robot.joint(v.joint).kind;
@@ -138,7 +138,7 @@ void say_joints(const Robot& robot, const IkDiagnosis& d, Failure& f) {
   }
 }
 
-// The first significant digits of a number above 0, and the power of ten of the first of them.
+// The first significant digits of a number above 0, and its power of ten.
 struct Digits {
   long mantissa;
   int exponent;
@@ -151,8 +151,8 @@ Digits digits_of(double value, int count) {
   return {std::stol(mantissa), std::stoi(text.substr(e + 1))};
 }
 
-// The shortest time with so many significant digits that suffices where `least` is needed. Planners
-// allow for a rounding of 1e-9.
+// The shortest time with this number of significant digits that is enough when `least` is needed.
+// Planners allow for rounding by 1e-9.
 std::string rounded_up(double least, int count) {
   if (!std::isfinite(least) || !(least > 0.0)) return format_number(least);
   Digits digits = digits_of(least, count);
@@ -165,7 +165,7 @@ std::string rounded_up(double least, int count) {
 
 std::string at_least(double least) { return rounded_up(least, 3) + " s"; }
 
-// A time as it was given: with more digits than the least that it is compared with.
+// A time as the program gave it, with more digits than the shortest possible time beside it.
 std::string given_time(double s) {
   if (!std::isfinite(s) || !(s > 0.0)) return format_number(s) + " s";
   return format_number(s, std::max(5 - digits_of(s, 6).exponent, 0)) + " s";
@@ -220,7 +220,7 @@ Failed fail_unreachable(Vm& vm, const MoveCall& call, const Isometry3d& goal,
     default:
       f.headline = {row("R0601"), {"no joint values bring the hand there"}};
       say_place(robot, goal.translation(), d, f);
-      // Where it is the tool point itself, this has been said.
+      // For the tool point itself, the message already says this.
       if (d.gap.exists() && d.gap.point != GapPoint::kToolPoint)
         f.why += fmt::format("; {}", describe(d.gap));
   }

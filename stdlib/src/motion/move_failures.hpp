@@ -1,5 +1,5 @@
 #pragma once
-// Why a move cannot be made, as messages with numbers, marks and a way out.
+// The reasons why a move is impossible, as messages with numbers, marks and a fix.
 
 #include <string>
 
@@ -8,26 +8,26 @@
 
 namespace armlet::bind {
 
-// A robot that cannot tilt its tool is asked to.
+// The target tilts the tool, which this robot cannot do.
 Failed fail_tilted(Vm& vm, const MoveCall& call, const PosC& target);
-// The same in half a sentence.
+// The same as half a sentence.
 std::string tilt_reason(const Robot& robot);
-// `start` are the joints at the beginning of the line.
+// `start`: joint values at the beginning of the line.
 Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start, const PosC& target,
                  const LineFault& fault);
 Failed fail_joint_count(Vm& vm, const MoveCall& call, int count);
-// A point of several is outside the limits: "2nd".
+// One of several points is outside the limits: "2nd".
 Failed fail_outside_at(Vm& vm, const MoveCall& call, const std::string& which,
                        const LimitViolation& outside);
 // The points are inside the limits, but the curve between them is not.
 Failed fail_swings_outside(Vm& vm, const MoveCall& call, const LimitViolation& outside);
-// A trajectory starts where the robot does not stand.
+// A trajectory does not start at the present joint values of the robot.
 Failed fail_elsewhere(Vm& vm, const MoveCall& call, int joint, double starts, double stands);
 Failed fail_planner(Vm& vm, const MoveCall& call, std::string_view planner);
-// The planner gives the joints a speed from one moment to the next.
+// The planner makes joint speeds jump.
 Failed fail_no_ramps(Vm& vm, const MoveCall& call, std::string_view planner);
 Failed fail_no_time(Vm& vm, const MoveCall& call, double distance);
-// W0707: classic moves are planned all the same.
+// W0707: classic moves are planned although they exceed limits.
 void advise_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
 
 }  // namespace armlet::bind

@@ -76,7 +76,7 @@ class MoveWaiting : public Waiting {
     return fail(vm, std::move(f));
   }
 
-  // Contact picking says once that it happened.
+  // A pick by contact is reported once.
   void report_events(Vm& vm) {
     for (const CellEvent& event : host_.take_events()) {
       if (event.kind == CellEventKind::kSlipped) advise_slip(vm, event);
@@ -114,7 +114,7 @@ class NoMove : public Waiting {
   [[nodiscard]] std::string what() const override { return "move"; }
 };
 
-// Until a robot stands that was reported to halt.
+// Waits until a robot that was halted is at rest.
 class HaltWaiting : public Waiting {
  public:
   HaltWaiting(Cell& cell, int robot)

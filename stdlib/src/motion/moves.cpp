@@ -53,7 +53,7 @@ void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double a
 }
 
 Answer<void> check_fraction(Vm& vm, const char* what, double value, int parameter) {
-  constexpr double kLeast = 1e-9;  // a turn would take years
+  constexpr double kLeast = 1e-9;  // a revolution would take years
   if (value >= kLeast && value <= 1.0) return {};
   const char* range = value > 0.0 && value < kLeast ? "from 1e-9 to 1" : "above 0 and not above 1";
   return failure(
@@ -91,7 +91,7 @@ Answer<void> check_arm(Vm& vm, int id) {
 
 namespace {
 
-// The robot itself, or what of the same hand moves already; its index.
+// The robot itself, or a moving part of the same hand with fingers; its index.
 int moving_part(const Cell& cell, int id) {
   const CellRobot& robot = cell.robot(id);
   if (robot.hand >= 0 && cell.is_moving(robot.hand)) return robot.hand;
@@ -167,7 +167,7 @@ bool starts_and_stops(const Trajectory& motion) {
 
 namespace {
 
-// The part of a move of the joints that is the same for positions and places. The call has its
+// The part of a joint move that is the same for joint values and poses. The call has its
 // model.
 Started move_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
                     const MoveSettings& settings) {
@@ -211,7 +211,7 @@ Started move_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string
   return start_motion(vm, call, *std::move(plan.trajectory), (to - from).norm());
 }
 
-// What can be refused before anything is solved.
+// Checks that need no inverse kinematics.
 Answer<void> prepare_joints(Vm& vm, MoveCall& call, std::string_view planner,
                             const MoveSettings& settings) {
   if (!takes_over(vm, call, planner, settings) && !check_idle(vm, call.robot)) return Failed{};
@@ -252,7 +252,7 @@ Started move_to_position(Vm& vm, MoveCall call, const PosC& target, const Eigen:
 
 namespace {
 
-// The line as the limits around the call let it be made.
+// Plans the line, slower or within the limits if the blocks around the call say so.
 TrackedLine plan_within_policy(Vm& vm, MoveCall& call, LineMove move,
                                const std::optional<Eigen::Vector3d>& p_world_via,
                                bool only_position) {
@@ -275,7 +275,7 @@ TrackedLine plan_within_policy(Vm& vm, MoveCall& call, LineMove move,
   return line;
 }
 
-// Straight, or over a position on an arc.
+// A straight line, or an arc over a position.
 Started move_tool(Vm& vm, MoveCall call, const PosC& written, const MoveSettings& settings,
                   const std::optional<Eigen::Vector3d>& p_world_via) try {
   const CellRobot& state = Host::of(vm).cell().robot(call.robot);

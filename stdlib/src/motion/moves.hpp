@@ -1,5 +1,5 @@
 #pragma once
-// Starting motions from native calls, and turning what planning says into messages.
+// Starting motions from native calls, and converting results of planning to messages.
 
 #include <memory>
 #include <optional>
@@ -14,25 +14,25 @@
 
 namespace armlet::bind {
 
-// The robot that a value of a program is, in the cell.
+// The robot of the cell that a value of a program refers to.
 inline const CellRobot& state_of(Vm& vm, const RobotRef& r) {
   return Host::of(vm).cell().robot(r.id);
 }
 inline const Robot& model_of(Vm& vm, const RobotRef& r) { return *state_of(vm, r).model; }
 
-// A motion on its way, or what stands for one. When it is over it gives a Move, where it gives
+// A running motion, or a substitute for one. When it has ended, it returns a Move, if it returns
 // anything.
 using Started = Answer<std::unique_ptr<Waiting>>;
 
 inline constexpr std::string_view kStraightLine = "straight line";
 
-// The joint that is farthest beyond its limit, from 0, and by how much, rad or m. -1: none is.
+// The joint that exceeds its limit most, from 0, and by how much, rad or m. -1: no joint does.
 struct LimitExcess {
   int joint = -1;
   double by = 0.0;
 };
 
-// Which parameters of a call hold what, for marks; -1: there is none.
+// The parameters of a call by meaning, for marks in messages; -1: the call has no such parameter.
 struct MoveCall {
   std::string_view function;  // "moveJ"
   int robot = 0;              // in the cell
@@ -41,23 +41,23 @@ struct MoveCall {
   int speed = 3;
   int accel = 4;
   int planner = 5;
-  bool classic = false;                  // too fast is advice, not an error
+  bool classic = false;                  // exceeding speed limits is advice, not an error
   bool fixed_time = false;               // the motion must not be made slower
   bool any_branch = false;               // other solutions for a position in space will do
-  bool moves = true;                     // false: it only asks where a move would lead
-  CallPlace place{};                     // of a call that is over; none: the running one
-  int element = -1;                      // of the targets, if there are several: the one that fails
-  std::string_view way = kStraightLine;  // that the hand follows
-  // The robot with the tool point and the limits of this move; null: as it is in the cell.
+  bool moves = true;                     // false: the call only asks where a move would lead
+  CallPlace place{};                     // of a call that has ended; none: the running one
+  int element = -1;                      // of several targets: the index of the one that fails
+  std::string_view way = kStraightLine;  // kind of path of the tool
+  // The robot with the tool point and the limits of this move; null: the one in the cell.
   std::shared_ptr<const Robot> model{};
   LimitExcess excess{};  // of a target that was clamped
 };
 
-// How a move is to be made, as the call says it.
+// How a move is to be executed, as the call says.
 //
-// speed, accel  fractions of the joint limits for moves of the joints, m/s and m/s^2 of the tool
-//               point for moves along a line.
-// blend         in a path: how far from the target its corner may begin, m.
+// speed, accel  fractions of the joint limits for joint moves, m/s and m/s^2 of the tool point for
+//               moves along a line.
+// blend         in a path: largest distance from the target at which its corner begins, m.
 struct MoveSettings {
   std::optional<double> time{};
   std::optional<double> speed{};
@@ -70,16 +70,16 @@ struct MoveSettings {
 // The robot that a call plans with.
 [[nodiscard]] const Robot& model_of(Vm& vm, const MoveCall& call);
 
-// What of a target counts for this arm (rulings 14 and 54). Empty if its orientation cannot agree
-// with the arm at all.
+// The components of a target that count for this arm (rulings 14 and 54). Empty if the arm cannot
+// have its orientation for any joint values.
 [[nodiscard]] std::optional<IkTask> task_of(const Robot& robot, const PosC& target);
 
 // Joint values for a target in the world, near `seed`.
 Answer<Eigen::VectorXd> solve_target(Vm& vm, const MoveCall& call, const PosC& target,
                                      const Eigen::VectorXd& seed);
 
-// Plans and starts. Targets are read in the frame of the call or of the blocks around it; `near`
-// chooses among joint values, empty: the present ones.
+// Plans and starts a move. Targets are in the frame of the call or of the blocks around it; `near`
+// selects a solution; empty: the one nearest to the present joint values.
 Started move_to_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
                        const MoveSettings& settings);
 Started move_to_position(Vm& vm, MoveCall call, const PosC& target, const Eigen::VectorXd& near,
@@ -89,7 +89,7 @@ Started move_on_line(Vm& vm, MoveCall call, const PosC& target, const MoveSettin
 Started move_on_arc(Vm& vm, MoveCall call, const PosC& via, const PosC& target,
                     const MoveSettings& settings);
 
-// The target as the world sees it: read in the frame of the call, or of the blocks around it.
+// The target in the world: converted from the frame of the call, or of the blocks around it.
 Answer<PosC> in_world(Vm& vm, const MoveCall& call, const MoveSettings& settings,
                       const PosC& target);
 
@@ -104,17 +104,17 @@ Answer<void> check_tool_rates(Vm& vm, const MoveCall& call, const MoveSettings& 
 // Checks a fraction of the joint limits.
 Answer<void> check_fraction(Vm& vm, const char* what, double value, int parameter);
 
-// Whether every joint speeds up from rest and slows down to rest, without a step in its speed.
+// Whether every joint starts from rest and ends at rest, without a jump in its speed.
 [[nodiscard]] bool starts_and_stops(const Trajectory& motion);
 
-// Stops the robot under control; the move that it makes fails with R0618. Over when it stands.
+// Stops the robot under control; its present move fails with R0618. Ends when the robot is at rest.
 std::unique_ptr<Waiting> halt_robot(Vm& vm, int robot);
 
-// R0651: what needs the tool point of an arm is asked of a hand with fingers.
+// R0651: a hand with fingers has no tool point, which this function needs.
 Answer<void> check_arm(Vm& vm, int robot);
 
-// A robot that another task is moving takes no commands, nor does a hand whose fingers move, or a
-// finger whose hand does.
+// Fails if another task moves the robot, if the robot is a hand whose fingers move, or if it is a
+// finger whose hand moves.
 Answer<void> check_idle(Vm& vm, int robot);
 
 // Failures as messages.
@@ -124,7 +124,7 @@ Failed fail_outside(Vm& vm, const MoveCall& call, const Eigen::VectorXd& q,
                     const LimitViolation& outside);
 Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
 
-// The arm whose motors limit moves in the blocks around the call; null: those do not say so.
+// The arm whose motors limit moves in the blocks around the call; null: no block says so.
 [[nodiscard]] const Robot* limiting_motors(Vm& vm, const MoveCall& call);
 
 // Checks a duration: finite and not negative.

@@ -33,7 +33,7 @@ Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
   return fail(vm, std::move(f));
 }
 
-// The positions of a path one after another, each with the joints at which its move begins.
+// The positions of a path one after another, each with the joint values at which its move begins.
 class Corners {
  public:
   Corners(Vm& vm, const CollectedPath& path, std::shared_ptr<const Robot> model, const VectorXd& q0)
@@ -61,14 +61,14 @@ class Corners {
   [[nodiscard]] const VectorXd& start(int move) const {
     return starts_[static_cast<std::size_t>(move)];
   }
-  // Whether no place says how the hand is turned.
+  // Whether no target has an orientation.
   [[nodiscard]] bool only_positions() const {
     return std::ranges::none_of(
         path_.moves, [](const CollectedMove& m) { return m.target.has_orientation && !m.joints; });
   }
 
  private:
-  // Where a move of the joints ends.
+  // The goal of a joint move.
   Answer<Goal> joint_goal(const MoveCall& call, const CollectedMove& move) {
     const VectorXd& near = move.joints->near.size() > 0 ? move.joints->near : at_.q;
     auto q = move.joints->q ? Answer<VectorXd>(*move.joints->q)
@@ -88,14 +88,14 @@ class Corners {
   std::vector<VectorXd> starts_;
 };
 
-// What is said about the time of the path.
+// The call that messages about the time of the path refer to.
 MoveCall timed_call(const CollectedPath& path, MoveCall whole) {
   whole.time = 0;
   whole.place = path.time_place;
   return whole;
 }
 
-// What went wrong, said of the move that it is about.
+// The failure, marked at the move that caused it.
 Failed fail_path(Vm& vm, const CollectedPath& path, const MoveCall& whole, const Corners& corners,
                  const PathPlan& plan) {
   if (plan.fault) {
@@ -121,7 +121,7 @@ MotionNotes notes_of(const CollectedPath& path, const Corners& corners, const Pa
   return notes;
 }
 
-// What a path takes of no move.
+// Fails for settings that a move in a path cannot have.
 Answer<void> check_belongs(Vm& vm, const MoveCall& call, const MoveSettings& settings) {
   const CollectedPath& path = *settings_of(vm).path;
   const Cell& cell = Host::of(vm).cell();
@@ -210,7 +210,7 @@ Started make_path(Vm& vm, const CollectedPath& path) try {
   if (!move.time) move.speed = block.speed;
   if (block.track == Track::kSlow) move.jerk = Jerk::kFree;
   if (move.jerk == Jerk::kLimited) move.motors = limiting_motors(vm, whole);
-  double slowest = 0.0;  // what the moves with speeds of their own take together
+  double slowest = 0.0;  // total time of the moves with speeds of their own
   Eigen::Vector3d from = forward(*model, state.q).translation();
   for (const auto& point : move.points) {
     const Eigen::Vector3d to = point.T_world_tool.translation();
@@ -221,7 +221,7 @@ Started make_path(Vm& vm, const CollectedPath& path) try {
   const auto plan_it = [&] { return plan_path(model_of(vm, whole), move); };
   PathPlan plan = plan_it();
   if (plan.fault && corners.only_positions()) {
-    // The orientation cannot be kept all the way: the tool may rotate as little as it must.
+    // The orientation cannot be kept everywhere: the tool rotates as little as necessary.
     move.task = IkTask::kPositionFirst;
     plan = plan_it();
   }

@@ -1,5 +1,5 @@
 #pragma once
-// The moves of a `path`: collected where they are called, made as one motion at its end (language
+// The moves of a `path`: collected when they are called, planned as one motion at its end (language
 // reference, 13.3).
 
 #include <optional>
@@ -9,29 +9,29 @@
 
 namespace armlet::bind {
 
-// The planner whose way is a straight line of the joints.
+// The planner whose path is a straight line in joint space.
 inline constexpr std::string_view kPathPlanner = "Syn";
 
-// What a move of the joints in a path leads to: joint values, or a position to be solved near some.
+// The target of a joint move in a path: joint values, or a position with a seed for its solution.
 struct JointGoal {
   std::optional<Eigen::VectorXd> q{};
-  Eigen::VectorXd near{};  // empty: where the move before ends
+  Eigen::VectorXd near{};  // empty: the end of the move before
   std::string planner{};
 };
 
-// A move as it was called; its target and the position on the way are in the world.
+// A move as it was called; its target and the position `via` are in the world.
 struct CollectedMove {
   MoveCall call;
-  PosC target;                        // of joint values, where they have the hand
-  std::optional<JointGoal> joints{};  // of a move of the joints
+  PosC target;                        // of joint values: the pose of the tool there
+  std::optional<JointGoal> joints{};  // of a joint move
   std::optional<Eigen::Vector3d> p_world_via{};
   std::optional<double> blend{};
   std::optional<double> speed{};  // m/s
   std::optional<double> accel{};  // m/s^2
 };
 
-// blend, speed  of moves that have none of their own.
-// time          of the whole path, and the call that said so.
+// blend, speed  for moves without values of their own.
+// time          of the whole path, and the call that gave it.
 struct CollectedPath {
   double blend = 0.0;
   std::optional<double> speed{};
@@ -40,15 +40,15 @@ struct CollectedPath {
   std::vector<CollectedMove> moves{};
 };
 
-// Adds a move to the path around it; its result is a move that was not made.
+// Adds a move to the path around it; the result is a move that was not executed.
 Started collect(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings,
                 std::optional<Eigen::Vector3d> p_world_via = {});
 
-// The same for a move of the joints; of the target only a position counts.
+// The same for a joint move; the target is used only for a position.
 Started collect_joints(Vm& vm, MoveCall call, const PosC& target, JointGoal goal,
                        const MoveSettings& settings);
 
-// Checks how far from their places corners may begin, m.
+// Checks a blend length: the largest distance from its target at which a corner begins, m.
 Answer<void> check_blend_length(Vm& vm, double blend, int parameter);
 
 // Plans and starts the whole path.

@@ -13,7 +13,7 @@ TrackedLine exactly(LinePlan plan) {
   return {.motion = std::move(plan.motion), .fault = std::move(plan.fault), .length = plan.length};
 }
 
-// The way as a path of one move, which slows down only where a limit needs it.
+// The same path as a path of one move, which slows down only where a limit requires it.
 TrackedLine slowly(const Robot& robot, const LineMove& move,
                    const std::optional<Eigen::Vector3d>& p_world_via, bool only_position) {
   PathMove path{.q0 = move.q0,
@@ -34,7 +34,7 @@ TrackedLine slowly(const Robot& robot, const LineMove& move,
 
 TrackedLine damped(const Robot& robot, LineMove move,
                    const std::optional<Eigen::Vector3d>& p_world_via, bool only_position) {
-  // Arms that cannot turn their tool at will follow the position alone.
+  // Arms that cannot rotate their tool freely follow only the position.
   move.task = only_position && robot.n() < 6 ? IkTask::kPositionFirst : IkTask::kPose;
   const std::optional<DampedLine> plan =
       p_world_via ? plan_damped_arc(robot, *p_world_via, move) : plan_damped_line(robot, move);

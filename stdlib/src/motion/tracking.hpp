@@ -1,5 +1,5 @@
 #pragma once
-// How lines and arcs are followed where joints would have to be fast (`with (track: ...)`).
+// How lines and arcs are tracked where joint speeds would be high (`with (track: ...)`).
 
 #include <optional>
 
@@ -10,7 +10,7 @@ namespace armlet::bind {
 
 // A path of the tool as it was planned.
 //
-// deviation, turn  how far the tool leaves it, m and rad.
+// deviation, turn  largest deviation of the tool from it, m and rad.
 struct TrackedLine {
   MotionPlan motion{};
   std::optional<LineFault> fault{};
@@ -19,8 +19,8 @@ struct TrackedLine {
   double turn = 0.0;
 };
 
-// The way to move.T_world_goal, straight or over a position on an arc. For kSlow and kDamped the
-// goal is a whole pose that can be reached; `only_position`: its orientation is not asked for.
+// The path to move.T_world_goal, straight or on an arc over a position. For kSlow and kDamped the
+// goal is a whole pose that can be reached; `only_position`: the target has no orientation.
 [[nodiscard]] TrackedLine plan_tracked(const Robot& robot, const LineMove& move,
                                        const std::optional<Eigen::Vector3d>& p_world_via,
                                        Track track, bool only_position);

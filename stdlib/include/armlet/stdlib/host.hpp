@@ -192,8 +192,7 @@ class Host : public Timeline {
   [[nodiscard]] std::vector<CellEvent> take_events();
   [[nodiscard]] bool first_contact_pick();
   [[nodiscard]] bool first_fall();  // the same for objects that lost their support
-  // Whether this call reports these two bodies for the first time; whether it has reported
-  // them.
+  // Whether this call reports these two bodies for the first time; whether it reported them before.
   [[nodiscard]] bool first_collision(const void* call, std::string pair);
   [[nodiscard]] bool knows_collision(const void* call, const std::string& pair) const;
 
