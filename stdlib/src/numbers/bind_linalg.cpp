@@ -35,9 +35,9 @@ Obj* to_list(Vm& vm, const VectorXd& v) {
   return new_reals(vm, {v.data(), static_cast<std::size_t>(v.size())});
 }
 
-// ---- before and after --------------------------------------------------------------------------
+// ---- checks and results ------------------------------------------------------------------------
 
-// What a function asks of its matrix, and what it costs for n^3 operations and in copies.
+// What a function requires of its matrix, and its cost in units of n^3 operations and in copies.
 struct Task {
   std::string_view name;
   bool square = false;
@@ -69,7 +69,7 @@ Answer<void> make_ready(Vm& vm, const MatrixObj& A, const Task& task) {
   return {};
 }
 
-// f(matrix), an Answer, after all that can be wrong with it was looked at.
+// The Answer of f(matrix), after the checks of the task.
 template <class F>
 auto on_matrix(Vm& vm, const MatrixObj& A, const Task& task, F f) -> decltype(f(MatrixXd())) {
   if (!make_ready(vm, A, task)) return Failed{};
@@ -79,7 +79,7 @@ auto on_matrix(Vm& vm, const MatrixObj& A, const Task& task, F f) -> decltype(f(
   return f(to_eigen(A));
 }
 
-// Why there is no answer, in the words of the catalogue.
+// The failure for a problem without an answer, in the words of the catalogue.
 Failed no_answer(Vm& vm, std::string_view name, const Error& error) {
   if (error.code == "singular") {
     Failure f;
@@ -108,7 +108,7 @@ Answer<Obj*> matrix_or_why(Vm& vm, std::string_view name, const Result<MatrixXd>
   return to_matrix(vm, *result);
 }
 
-// A record of the library from its parts; a part that could not be made has failed already.
+// A record of the library from its parts; null if a part could not be made (its failure is set).
 template <std::size_t kParts>
 Answer<Obj*> record_of(Vm& vm, std::string_view type, const std::array<Obj*, kParts>& parts) {
   bool whole = true;
@@ -160,7 +160,7 @@ Answer<Obj*> inverse_of(Vm& vm, const MatrixObj& M) {
                    [&](const MatrixXd& A) { return matrix_or_why(vm, "inv", inverse(A)); });
 }
 
-// A matrix whose numbers are all finite.
+// Makes a matrix; fails unless all its numbers are finite.
 Answer<Obj*> finite_matrix(Vm& vm, std::string_view name, const MatrixXd& A) {
   if (A.allFinite()) return to_matrix(vm, A);
   return no_answer(vm, name, {"overflow", "the numbers of the result are too large for a double"});
@@ -229,8 +229,8 @@ Answer<Obj*> svd_of(Vm& vm, const MatrixObj& M) {
   });
 }
 
-// A record of what `decompose` finds, its two fields made by `fields`; a failure if it finds
-// nothing.
+// A record of the result of `decompose`, its two fields made by `fields`; a failure if the
+// decomposition does not exist.
 template <class Decompose, class Fields>
 auto into_record(Vm& vm, const Task& task, std::string_view record, const Decompose& decompose,
                  const Fields& fields) {
@@ -265,7 +265,7 @@ Answer<Obj*> exponential_of(Vm& vm, const MatrixObj& M) {
                    [&](const MatrixXd& A) { return matrix_or_why(vm, "expm", exponential(A)); });
 }
 
-// By squaring. n: not negative.
+// The power by repeated squaring. n: not negative.
 bool raise(Vm& vm, RowMatrix A, std::uint64_t n, RowMatrix& power) {
   const auto size = static_cast<std::size_t>(A.rows());
   RowMatrix product(A.rows(), A.cols());

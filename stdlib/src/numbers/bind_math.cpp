@@ -1,4 +1,4 @@
-// Mathematics (language reference, section 19). The same functions are found under Math.
+// Mathematics (language reference, section 19). The same functions have a second name in Math.
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ bool fits_int(double x) {
   return x >= -kLimit && x < kLimit;
 }
 
-// A function that is defined everywhere, except that an infinite angle has no sine.
+// A function that is defined everywhere, except that the sine of an infinite angle does not exist.
 template <Real1 kFunction>
 Answer<double> real1(Vm& vm, double x) {
   const double y = kFunction(x);
@@ -31,7 +31,7 @@ Answer<double> real1(Vm& vm, double x) {
   return y;
 }
 
-// One function on every element of a list.
+// One function applied to every element of a list.
 template <Real1 kFunction>
 ListObj* each(Vm& vm, std::span<const double> xs) {
   const auto compute = [&](Slot& to, std::size_t i) -> Answer<void> {
@@ -45,7 +45,7 @@ ListObj* each(Vm& vm, std::span<const double> xs) {
   return checked_items(vm, xs.size(), kFunctionCost, compute);
 }
 
-// The same with whole numbers as the result.
+// The same with whole numbers as results.
 template <Real1 kRound>
 ListObj* each_to_int(Vm& vm, std::span<const double> xs) {
   const auto compute = [&](Slot& to, std::size_t i) -> Answer<void> {
@@ -142,17 +142,17 @@ Answer<std::int64_t> to_int(Vm& vm, double given_x) {
     return failure(vm, "R0610", fmt::format("{:.15g} is too large for an int", x), 0);
   return static_cast<std::int64_t>(x);
 }
-// Java's rule: halves go up.
+// Rounds as Java does: halves go up.
 double half_up(double x) {
   const double down = std::floor(x);
   return x - down >= 0.5 ? down + 1.0 : down;
 }
 double toward_zero(double x) { return std::trunc(x); }
 
-// The remainder with the sign of b: what `%` gives has the sign of a.
+// The remainder with the sign of b; the result of `%` has the sign of a.
 Answer<std::int64_t> modulus_int(Vm& vm, std::int64_t a, std::int64_t b) {
   if (b == 0) return failure(vm, "R0611", "mod divides by zero", 1);
-  if (b == -1) return 0;  // the least int divided by it would overflow
+  if (b == -1) return 0;  // the smallest int divided by -1 would overflow
   const std::int64_t rest = a % b;
   return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
 }
@@ -165,11 +165,11 @@ Answer<double> modulus(Vm& vm, double a, double b) {
   return (rest < 0.0) != (b < 0.0) ? rest + b : rest;
 }
 
-// Digits that a double has at most, and more than the powers of ten that are exact need.
+// The most digits to round to: a double has no more, and powers of ten up to there are exact.
 constexpr std::int64_t kMostDigits = 15;
 
-// The double nearest to x rounded in decimal; halves that x is exactly go up, as those of whole
-// numbers do.
+// The double nearest to x rounded in decimal; if x is exactly a half, it goes up, as for whole
+// numbers.
 double rounded(double x, int digits) {
   const double power = std::pow(10.0, std::abs(digits));  // exact up to 10^22
   if (digits < 0) return half_up(x / power) * power;
@@ -198,7 +198,7 @@ std::int64_t min_int(std::int64_t a, std::int64_t b) { return std::min(a, b); }
 std::int64_t max_int(std::int64_t a, std::int64_t b) { return std::max(a, b); }
 double smaller(double a, double b) { return std::isnan(a) || a < b ? a : b; }
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
-// One of the two is not a number, or the direct call would have done it.
+// One of the two arguments is not a number; otherwise the direct call would have been used.
 template <Real2 kFunction>
 Answer<double> extreme_of_two(Vm& vm, double a, double b) {
   if (std::isnan(a)) return not_finite(vm, "the first value", a, 0);
@@ -265,7 +265,7 @@ Answer<bool> near_list(Vm& vm, std::span<const double> a, std::span<const double
   return is_near;
 }
 
-// ---- chance: seeded generators, one for the program and one for each branch of a parallel
+// ---- random numbers: seeded generators, one for the program and one for each branch of a parallel
 
 double random_unit(Vm& vm) { return vm.random().uniform(); }
 Answer<double> random_between(Vm& vm, double lo, double hi) {
@@ -286,8 +286,8 @@ Answer<std::int64_t> random_int(Vm& vm, std::int64_t n) {
                    0);
   return static_cast<std::int64_t>(vm.random().below(static_cast<std::uint64_t>(n)));
 }
-// Marsaglia's polar method; one value of the pair is used, so that the state is only the
-// generator's.
+// Marsaglia's polar method; only one value of the pair is used, so that the generator has no
+// further state.
 double normal(Random& random, double mean, double sd) {
   double u = 0.0;
   double s = 0.0;

@@ -1,4 +1,4 @@
-// Matrices: making them, and arithmetic (language reference, sections 8 and 19).
+// Matrices: construction and arithmetic (language reference, sections 8 and 19).
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@
 namespace armlet::bind {
 namespace {
 
-// The new matrix A after fill(i, first, last) for the columns of every row, which may be long or
-// many. Null, of A or as the result: it failed.
+// The new matrix A after fill(i, first, last) for parts of each row; rows may be long or many.
+// Null, as A or as the result: it failed.
 template <class F>
 MatrixObj* with_rows(Vm& vm, MatrixObj* A, F fill) {
   if (A == nullptr) return nullptr;
@@ -38,7 +38,7 @@ MatrixObj* with_rows(Vm& vm, MatrixObj* A, F fill) {
   return nullptr;
 }
 
-// ---- making ------------------------------------------------------------------------------------
+// ---- construction ------------------------------------------------------------------------------
 
 Answer<void> same_lengths(Vm& vm, std::span<const Slot> rows, std::size_t cols) {
   std::size_t odd = rows.size();
@@ -87,7 +87,7 @@ Answer<MatrixObj*> identity(Vm& vm, std::int64_t size) {
   if (!possible_size(vm, size, size, 0)) return Failed{};
   const auto n = static_cast<std::uint32_t>(size);
   MatrixObj* A = new_matrix(vm, n, n);
-  // Each touches a page of its own, which is fetched then.
+  // Each row touches a memory page of its own, which is loaded then.
   return with_rows(vm, A,
                    [A, n](std::size_t i, std::size_t, std::size_t) { A->data()[i * n + i] = 1.0; });
 }
@@ -188,7 +188,7 @@ MatrixObj* negated(Vm& vm, const MatrixObj& A) {
   return map_elements(vm, A, [](double a) { return -a; });
 }
 
-// A negative number with a fraction above it has no power.
+// A negative number has no power with a fractional exponent.
 template <class Exponent>
 Answer<MatrixObj*> raise_elements(Vm& vm, const MatrixObj& A, Exponent exponent) {
   MatrixObj* C = new_matrix_unset(vm, A.rows, A.cols);
@@ -219,7 +219,7 @@ Answer<MatrixObj*> power_of_elements(Vm& vm, const MatrixObj& A, double k) {
 
 // ---- products ----------------------------------------------------------------------------------
 
-// A band of rows at a time, so that a long product can be cancelled.
+// Multiplies a band of rows at a time, so that a long product can be cancelled.
 bool multiply_charged(Vm& vm, const MatrixObj& A, const MatrixObj& B, MatrixObj& C) {
   constexpr std::uint64_t kBand = 4'000'000;
   const std::uint64_t per_row = std::uint64_t{A.cols} * B.cols;
@@ -265,7 +265,7 @@ Answer<ListObj*> product_with_joints(Vm& vm, const MatrixObj& A, const PosJ& q) 
   return product_with(vm, A, {q.q.data(), q.n});
 }
 
-// ---- comparing ---------------------------------------------------------------------------------
+// ---- comparison --------------------------------------------------------------------------------
 
 Answer<bool> near(Vm& vm, const MatrixObj& A, const MatrixObj& B, double tol) {
   if (A.rows != B.rows || A.cols != B.cols) return false;

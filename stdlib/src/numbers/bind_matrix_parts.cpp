@@ -1,5 +1,5 @@
-// Matrices put together, summed up, and taken element by element; and the matrices of a posC
-// (language reference, sections 8 and 19).
+// Matrices joined, reduced to one number, and computed element by element; and the matrices of a
+// posC (language reference, sections 8 and 19).
 
 #include <fmt/format.h>
 
@@ -20,9 +20,9 @@
 namespace armlet::bind {
 namespace {
 
-// ---- side by side ------------------------------------------------------------------------------
+// ---- joining -----------------------------------------------------------------------------------
 
-// A matrix, or a list as a column or a row.
+// A part to join: a matrix, or a list as a column or a row.
 struct Block {
   std::size_t rows = 0;
   std::size_t cols = 0;
@@ -122,7 +122,7 @@ Answer<MatrixObj*> join_all(Vm& vm, std::span<const Slot> items) {
   return kJoin(vm, blocks);
 }
 
-// ---- one number --------------------------------------------------------------------------------
+// ---- reductions --------------------------------------------------------------------------------
 
 Answer<double> frobenius(Vm& vm, const MatrixObj& A) {
   double length = 0.0;
@@ -198,8 +198,8 @@ double round_up(double x) { return std::ceil(x); }
 Eigen::Matrix3d posc_rotation(const PosC& p) { return p.T.linear(); }
 Eigen::Matrix4d posc_transform(const PosC& p) { return p.T.matrix(); }
 
-// The rotation that a matrix holds; numbers that were written with few digits are turned into an
-// exact one; failures mark argument `argument`.
+// The rotation in a matrix; a matrix written with few digits is replaced by the nearest exact
+// rotation; failures mark argument `argument`.
 Answer<Eigen::Matrix3d> rotation_of(Vm& vm, const MatrixObj& given, int argument) {
   constexpr double kNearly = 1e-3;
   if (given.rows != 3 || given.cols != 3)

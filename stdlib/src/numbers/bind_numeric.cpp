@@ -1,4 +1,4 @@
-// Fits, roots, equations and their relatives (language reference, section 19).
+// Polynomials, interpolation, roots and minima (language reference, section 19).
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ Answer<Obj*> polyfit(Vm& vm, std::span<const double> x, std::span<const double> 
   if (!require_finite(vm, x, "x", 0) || !require_finite(vm, y, "y", 1)) return Failed{};
   if (degree < 0 || degree > 50)
     return failure(vm, "R0609", fmt::format("polyfit of degree {}: it must be 0 to 50", degree), 2);
-  // The points and their x in order.
+  // Counts memory for the points and for their x in ascending order.
   const Scratch scratch(vm, x.size() * 3 * sizeof(double));
   if (!scratch.granted()) return Failed{};
   try {
@@ -62,7 +62,7 @@ double horner(std::span<const double> c, double x, double value = 0.0) {
   for (const double coefficient : c) value = value * x + coefficient;
   return value;
 }
-// The same for any number of coefficients.
+// Horner's scheme for any number of coefficients.
 Answer<double> long_horner(Vm& vm, std::span<const double> c, double x) {
   double value = 0.0;
   const auto add = [&](std::size_t begin, std::size_t end) {
@@ -100,7 +100,7 @@ Answer<ListObj*> polyval_list(Vm& vm, std::span<const double> c, std::span<const
 }
 
 Answer<Obj*> roots(Vm& vm, std::span<const double> c) {
-  constexpr std::size_t kMost = 100'000;  // coefficients, zeros in front included
+  constexpr std::size_t kMost = 100'000;  // coefficients, including leading zeros
   if (c.size() > kMost) {
     return failure(
         vm, "R0609",
@@ -114,7 +114,7 @@ Answer<Obj*> roots(Vm& vm, std::span<const double> c) {
   }
 }
 
-// ---- between points -------------------------------------------------------------------------
+// ---- interpolation --------------------------------------------------------------------------
 
 Answer<double> interpolate(Vm& vm, std::span<const double> x, std::span<const double> y,
                            double at) {
@@ -149,7 +149,7 @@ Answer<double> interpolate(Vm& vm, std::span<const double> x, std::span<const do
                                "points",
                                gap));
   }
-  // Only the neighbours are left to look at.
+  // Only the two neighbours remain to be found.
   const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
   const std::size_t first = above < 2 ? 0 : above - 2;
   const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(4, x.size() - first));
@@ -159,7 +159,7 @@ Answer<double> interpolate(Vm& vm, std::span<const double> x, std::span<const do
 
 // ---- functions of the program ---------------------------------------------------------------
 
-// A list handed to a function of the program again and again: new only if the program kept it.
+// A list passed to a function of the program repeatedly: a new list only if the program kept it.
 class ListArgument {
  public:
   explicit ListArgument(Vm& vm) : vm_(vm) {}
@@ -167,7 +167,7 @@ class ListArgument {
   ListArgument(const ListArgument&) = delete;
   ListArgument& operator=(const ListArgument&) = delete;
 
-  // Null: the failure is set.
+  // Null: it failed, and the failure is set.
   ListObj* with(std::span<const double> values) {
     if (list_ == nullptr || list_->refs != 1) {
       release(vm_, list_);
@@ -186,7 +186,7 @@ class ListArgument {
 };
 
 Failed cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
-  // What is left of halving around zero says nothing.
+  // A value this close to zero is the rounding of the bisection.
   const double x = std::abs(found.x) < 1e-15 * std::abs(hi - lo) ? 0.0 : found.x;
   switch (found.status) {
     case RootSearch::Status::kSameSign:
@@ -237,7 +237,7 @@ Failed cannot_minimise(Vm& vm, const Minimum& found) {
 Answer<Obj*> minimum(Vm& vm, FunctionValue f, std::span<const double> start) {
   if (start.empty()) return failure(vm, "R0613", "minimise needs a start of at least one value", 1);
   if (!require_finite(vm, start, "the start", 1)) return Failed{};
-  // The corners of the simplex, one more than there are variables.
+  // The vertices of the simplex, one more than there are variables.
   const std::uint64_t n = start.size();
   const Scratch scratch(vm, (n + 5) * n * sizeof(double));
   if (!scratch.granted()) return Failed{};

@@ -21,7 +21,7 @@
 namespace armlet::bind {
 namespace {
 
-// The parameters that failures mark, by their place in the signature that was called.
+// The parameters that failures mark, by their index in the signature that was called.
 constexpr int kRateAt = 0, kStartAt = 1;
 struct Marks {
   int from, to, step, method, tolerance, knots, when;
@@ -30,9 +30,9 @@ constexpr Marks kFromTo{2, 3, 4, 5, 6, 7, 8};  // ode(f, y0, t0, t1, step, ...)
 constexpr Marks kDuring{2, 2, 3, 4, 5, 6, 7};  // ode(f, y0, during, step, ...)
 
 constexpr double kMostSteps = 10'000'000;
-constexpr double kUsualSteps = 100.0;  // where none is asked for
+constexpr double kUsualSteps = 100.0;  // if the call gives no step
 
-// The stretch of time and its steps.
+// The interval of integration and its steps.
 struct Stretch {
   double t0 = 0.0;
   double t1 = 0.0;
@@ -41,7 +41,7 @@ struct Stretch {
   Marks marks = kFromTo;
 };
 
-// Whether the stretch and the step make sense.
+// Checks the interval and the step.
 Answer<void> check_times(Vm& vm, const Stretch& stretch) {
   const Marks& marks = stretch.marks;
   const std::pair<double, int> times[] = {
@@ -99,7 +99,7 @@ Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std
   }
 }
 
-// Times in ascending order.
+// The knots in ascending order.
 Answer<std::vector<double>> sorted_knots(Vm& vm, std::span<const double> knots, int parameter) {
   constexpr std::size_t kMostKnots = 1'000'000;
   if (knots.size() > kMostKnots) {
@@ -117,7 +117,7 @@ Answer<std::vector<double>> sorted_knots(Vm& vm, std::span<const double> knots, 
   return sorted;
 }
 
-// The instants from step to step, and those among them that no step goes across.
+// The times of the rows, and those of them at which a step has to end.
 struct Instants {
   std::vector<double> times, knots;
 };
@@ -143,19 +143,19 @@ Answer<Instants> instants_of(Vm& vm, const Stretch& stretch) {
   return Instants{std::move(times), std::move(knots)};
 }
 
-// An integration from instant to instant.
+// An integration from row to row.
 class Integration {
  public:
   Integration(Vm& vm, OdeRate rate, const Instants& instants, OdeIntegrator& integrator)
       : vm_(vm), rate_(std::move(rate)), instants_(instants), integrator_(integrator) {}
 
-  // Looks for what a program waits for, too.
+  // Also detects the events of the program.
   void wait_for(const WitnessesOfProgram& witnesses, OdeEvents& events) {
     witnesses_ = &witnesses;
     events_ = &events;
   }
 
-  // The state at every instant, a row each, up to an event that stops.
+  // The state at every time, one row each, until an event stops the integration.
   Answer<RecordObj*> run(std::span<const double> start, double tolerance) {
     const auto rows = static_cast<std::uint32_t>(instants_.times.size());
     RecordObj* solution = new_solution(vm_, rows, static_cast<std::uint32_t>(start.size()));
@@ -171,7 +171,7 @@ class Integration {
   }
 
  private:
-  // How many rows there are then.
+  // Returns the number of rows.
   Answer<std::uint32_t> fill(RecordObj& solution, std::span<const double> start, double tolerance) {
     const auto rows = static_cast<std::uint32_t>(instants_.times.size());
     std::vector<double> y(start.begin(), start.end()), before;
@@ -206,7 +206,7 @@ class Integration {
     return witnesses_->cannot_look(outcome);
   }
 
-  // Whether one of them stops the integration; those behind it do not happen.
+  // Whether an event stops the integration; events after it do not happen.
   bool take_crossings() {
     for (const OdeCrossing& crossing : events_->found()) {
       crossings_.push_back(crossing);
@@ -242,13 +242,13 @@ Answer<void> check_start(Vm& vm, std::span<const double> start) {
   return not_finite(vm, fmt::format("element {} of the start", bad), start[bad], kStartAt);
 }
 
-// How a call wants it.
+// The settings of a call.
 struct OdeSettings {
   Stretch stretch{};
   std::string_view method{};
   double tolerance = 0.0;
   std::span<const Slot> when{};
-  const Type* record = nullptr;  // the struct that states are; null: lists
+  const Type* record = nullptr;  // the struct of the states; null: lists
 };
 
 Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> start,
@@ -269,7 +269,7 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
   if (!check_times(vm, settings.stretch)) return Failed{};
   const auto instants = instants_of(vm, settings.stretch);
   if (!instants) return Failed{};
-  constexpr std::uint64_t kStages = 18;  // of the state, and copies of it
+  constexpr std::uint64_t kStages = 18;  // stages of a method, each the size of the state
   const Scratch scratch(vm, kStages * start.size() * sizeof(double));
   if (!scratch.granted()) return Failed{};
   const int size = static_cast<int>(start.size());
@@ -304,9 +304,9 @@ Answer<RecordObj*> ode(Vm& vm, FunctionValue f, std::span<const double> start, d
                       .when = when.value_or(std::span<const Slot>())});
 }
 
-// The state is a struct of quantities; so is what the function gives, the rates of its fields.
+// The state is a struct of quantities; the function returns a struct of the rates of its fields.
 Answer<RecordObj*> solve_structs(Vm& vm, FunctionValue f, Slot from, OdeSettings settings) {
-  const RecordObj& start = *static_cast<const RecordObj*>(from.o);  // S fits structs alone
+  const RecordObj& start = *static_cast<const RecordObj*>(from.o);  // the type S is a struct
   const std::span<const double> values(reinterpret_cast<const double*>(start.fields()),
                                        start.layout->size);
   RateOfStructs rate(vm, f.object, *start.layout->type);
@@ -333,7 +333,7 @@ Answer<RecordObj*> ode_with_units(Vm& vm, FunctionValue f, Slot from, double t0,
                         .when = when.value_or(std::span<const Slot>())});
 }
 
-// Where a call says how long, it may leave the steps to a method that chooses them.
+// A call with a duration may leave the steps to a method with step control.
 OdeSettings during_settings(double during, std::optional<double> step,
                             std::optional<std::string_view> method, double tolerance,
                             std::optional<std::span<const double>> knots) {
@@ -343,7 +343,7 @@ OdeSettings during_settings(double during, std::optional<double> step,
           .tolerance = tolerance};
 }
 
-// Whether a method without a step chooses its own.
+// Fails if a method without step control gets no step.
 Answer<void> check_step(Vm& vm, const OdeSettings& settings, bool has_step) {
   const auto method = method_called(vm, settings.method, kDuring.method);
   if (!method) return Failed{};
@@ -376,7 +376,7 @@ Answer<RecordObj*> ode_with_units_during(Vm& vm, FunctionValue f, Slot from, dou
   return solve_structs(vm, f, from, settings);
 }
 
-// When the states are that ode gives.
+// The times of the states that ode returns.
 Answer<ListObj*> ode_times(Vm& vm, double during, std::optional<double> step,
                            std::optional<std::span<const double>> knots) {
   constexpr Marks kMarks{0, 0, 1, 0, 0, 2, 0};

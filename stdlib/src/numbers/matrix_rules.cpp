@@ -1,4 +1,4 @@
-// Sizes of matrices that the text shows, checked before running (language reference, section 8).
+// Sizes of matrices known from the text, checked before the run (language reference, section 8).
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ void set_size(CheckCall& call, SizeFact size) {
   call.set_result_fact(std::make_shared<SizeFact>(size));
 }
 
-// E0305 with both sides marked.
+// E0305 with both operands marked.
 void report_sizes(CheckCall& call, const SizeFact& a, std::string_view word, const SizeFact& b,
                   std::string fix) {
   Diagnostic d = make_diagnostic("E0305", call.span(1),

@@ -16,7 +16,7 @@ enum SolutionField { kTimes, kStates, kEvents };
 }  // namespace
 
 Obj* StateArgument::fill(std::span<const double> y) {
-  if (state_ == nullptr || state_->refs != 1) {  // the program may have kept the last one
+  if (state_ == nullptr || state_->refs != 1) {  // the program may have stored the last one
     release(vm_, state_);
     state_ = type_ != nullptr
                  ? static_cast<Obj*>(new_record(vm_, type_))
@@ -28,7 +28,7 @@ Obj* StateArgument::fill(std::span<const double> y) {
   const auto copy = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) values[i].d = y[i];
   };
-  // With the sums that the method makes of them.
+  // Includes the sums of states that the method computes.
   return in_blocks(vm_, y.size(), 4 * kCost, copy) ? state_ : nullptr;
 }
 
@@ -106,7 +106,7 @@ void check_rates(CheckCall& call) {
 
 namespace {
 
-// The rows of a solution as structs; null: the failure is set.
+// The rows of a solution as structs; null: it failed, and the failure is set.
 ListObj* structs_of(Vm& vm, const RecordObj& solution, const Type& type) {
   const MatrixObj& states = states_of(solution);
   ListObj* const list = new_list(vm, states.rows, true);
@@ -124,7 +124,7 @@ ListObj* structs_of(Vm& vm, const RecordObj& solution, const Type& type) {
   return list;
 }
 
-// An OdeCrossing with its state as a struct; null: the failure is set.
+// An OdeCrossing with its state as a struct; null: it failed, and the failure is set.
 RecordObj* crossing_with_struct(Vm& vm, const RecordObj& crossing, const Type& state) {
   RecordObj* const out = new_record(vm, vm.program().library_record("OdeCrossing", &state));
   if (out == nullptr) return nullptr;
@@ -141,7 +141,7 @@ RecordObj* crossing_with_struct(Vm& vm, const RecordObj& crossing, const Type& s
   return out;
 }
 
-// Those of a solution; null: the failure is set.
+// The crossings of a solution with structs; null: it failed, and the failure is set.
 ListObj* crossings_with_structs(Vm& vm, const RecordObj& solution, const Type& type) {
   const auto crossings = items_value(solution.fields()[kEvents]);
   ListObj* const list = new_list(vm, static_cast<std::uint32_t>(crossings.size()), true);

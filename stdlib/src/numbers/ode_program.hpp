@@ -1,4 +1,4 @@
-// The functions of a program that an integration calls, and what it gives back.
+// The functions of a program that an integration calls, and the results that the program gets.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace armlet::bind {
 
-// The state as a list that a function of the program gets, or as a struct of quantities; made anew
-// if the program keeps it.
+// The state as the list, or struct of quantities, that a function of the program gets; a new one is
+// made if the program stored the last one.
 class StateArgument {
  public:
   // `record`: the type of the struct; null: a list.
@@ -22,7 +22,7 @@ class StateArgument {
   StateArgument(const StateArgument&) = delete;
   StateArgument& operator=(const StateArgument&) = delete;
 
-  // Null: the failure is set.
+  // Null: it failed, and the failure is set.
   [[nodiscard]] Obj* fill(std::span<const double> y);
 
  private:
@@ -31,8 +31,8 @@ class StateArgument {
   Obj* state_ = nullptr;
 };
 
-// The program's f(t, y), its result copied out of the list that it gives. `parameter` is marked in
-// failures.
+// The program's f(t, y); its result is copied from the list that it returns. Failures mark
+// `parameter`.
 class RateOfProgram {
  public:
   RateOfProgram(Vm& vm, Obj* f, int parameter)
@@ -46,7 +46,7 @@ class RateOfProgram {
   StateArgument y_;
 };
 
-// The same where the state and its rates are structs of quantities, field by field.
+// The same if the state and its rates are structs of quantities, field by field.
 class RateOfStructs {
  public:
   RateOfStructs(Vm& vm, Obj* f, const Type& state) : vm_(vm), f_(f), y_(vm, &state) {}
@@ -57,26 +57,26 @@ class RateOfStructs {
   Obj* f_;
   StateArgument y_;
 };
-// Each field of what f gives has the name of one of y0 and its unit per second.
+// Checks that each field of the result of f has the name of a field of y0 and its unit per second.
 void check_rates(CheckCall& call);
-// An OdeSolution<S> with the times of a solution, its rows and the states of its events as structs
-// of this type; null: the failure is set.
+// An OdeSolution<S> with the times of a solution, and its rows and event states as structs of this
+// type; null: it failed, and the failure is set.
 [[nodiscard]] RecordObj* with_structs(Vm& vm, const RecordObj& solution, const Type& type);
 
-// What a program waits for in an integration: a list of OdeEvent, or of OdeEvent<S>.
+// The events that a program waits for in an integration: a list of OdeEvent, or of OdeEvent<S>.
 class WitnessesOfProgram {
  public:
-  // `events` is borrowed; `parameter` is the one of the call that holds them; `record`: the struct
-  // that states are, null: lists.
+  // `events` is borrowed; `parameter` is the parameter of the call that holds them; `record`: the
+  // struct of the states, null: lists.
   WitnessesOfProgram(Vm& vm, std::span<const Slot> events, int parameter, const Type* record)
       : vm_(vm), events_(events), parameter_(parameter), y_(vm, record) {}
 
   [[nodiscard]] bool empty() const { return events_.empty(); }
-  // Fails for a direction that there is not.
+  // Fails for an unknown direction.
   Answer<std::vector<OdeWitness>> witnesses();
   [[nodiscard]] bool stops(int witness) const;
 
-  // As a failure: a witness that is no number, an equation that cannot be followed to the zero.
+  // The failure: a witness is not a number, or an equation cannot be followed to the zero.
   Failed cannot_look(const OdeEvents::Outcome& outcome) const;
 
  private:
@@ -86,11 +86,11 @@ class WitnessesOfProgram {
   StateArgument y_;
 };
 
-// An OdeSolution with room for the state at `rows` instants and no events; null: it failed.
+// An OdeSolution with memory for the state at `rows` times and no events; null: it failed.
 [[nodiscard]] RecordObj* new_solution(Vm& vm, std::uint32_t rows, std::uint32_t columns);
-// The same up to row `rows`.
+// The same solution without the rows from `rows` on.
 [[nodiscard]] RecordObj* shortened(Vm& vm, const RecordObj& solution, std::uint32_t rows);
-// Puts in what happened.
+// Stores the events that happened.
 Answer<void> set_crossings(Vm& vm, RecordObj& solution, const std::vector<OdeCrossing>& crossings);
 
 [[nodiscard]] inline ListObj& times_of(const RecordObj& solution) {

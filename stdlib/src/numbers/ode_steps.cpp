@@ -8,7 +8,7 @@ namespace armlet::bind {
 namespace {
 
 double steps_over(double length, double step) {
-  constexpr double kRest = 1e-9;  // of a step: a rest of rounding makes no step of its own
+  constexpr double kRest = 1e-9;  // of a step: a remainder due to rounding is not a step of its own
   return std::max(1.0, std::ceil(length / step - kRest));
 }
 
