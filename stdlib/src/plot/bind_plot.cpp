@@ -1,4 +1,4 @@
-// Figures: beginning them, points in the plane and in space, files (language reference, sections 16
+// Figures: starting them, points in the plane and in space, files (language reference, sections 16
 // and 19).
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 namespace armlet::bind {
 namespace {
 
-// A series of the figure that the program draws now.
+// Adds a series to the current figure of the program.
 Answer<void> add_to_current(Vm& vm, Series series, OptionalText axis, int axis_parameter,
                             PlotUnits units, OptionalText read) {
   const auto right = is_right(vm, axis, axis_parameter);
@@ -42,8 +42,8 @@ Answer<void> plot_values(Vm& vm, std::span<const double> x, std::span<const doub
   return figure_changed(vm);
 }
 
-// Where the bar of each name stands: below the same name of the figure, or behind all that are
-// there. A name that is given twice has two places.
+// The position of the bar of each name: that of the same name in the figure, or after the last one.
+// A name that is given twice has two positions.
 std::vector<double> places_of(std::span<const Slot> given, std::vector<std::string>& names) {
   std::map<std::string, std::vector<std::size_t>, std::less<>> known;
   for (std::size_t i = 0; i < names.size(); ++i) known[names[i]].push_back(i);
@@ -82,7 +82,7 @@ Answer<void> named_bars(Vm& vm, std::span<const Slot> given, std::span<const dou
   return figure_changed(vm);
 }
 
-// Fails unless what a figure holds can be shown on axes that become logarithmic.
+// Fails unless all values of a figure can be shown on axes that become logarithmic.
 Answer<void> check_log_of(Vm& vm, const Figure& figure) {
   for (const Figure& panel : figure.panels) {
     if (!check_log_of(vm, panel)) return Failed{};
@@ -102,7 +102,7 @@ void set_log(Figure& figure, bool x, bool y) {
   for (Figure& panel : figure.panels) set_log(panel, x, y);
 }
 
-// A figure of that title goes on; otherwise a new one begins.
+// Continues the figure with this title, or begins a new one.
 Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
   Host& host = Host::of(vm);
   std::vector<Figure>& figures = host.figures();
@@ -133,7 +133,7 @@ Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
   return figure_changed(vm);
 }
 
-// A figure of a series in space. A figure that was begun and is still empty becomes this one.
+// Makes a figure of a series in space; an empty figure that was begun before is used for it.
 void add_cloud(Host& host, Series series, std::string title, const std::string& unit) {
   Figure figure{.title = std::move(title), .x = {"x", unit}, .y = {"y", unit}, .z = {"z", unit}};
   figure.series.push_back(std::move(series));
@@ -210,7 +210,7 @@ Answer<void> save_plot(Vm& vm, std::string_view file, OptionalText title) {
     return failure(vm, "R0626", fmt::format("a picture is a .svg or .txt file, not \"{}\"", path),
                    0);
   }
-  constexpr std::uint64_t kCost = 256;  // of a point on its way into a picture
+  constexpr std::uint64_t kCost = 256;  // of a point, until it is in a picture
   std::vector<Figure> shown;
   for (const Figure* each : chosen) {
     if (!charge_work(vm, kCost * points_of(*each))) return Failed{};

@@ -12,13 +12,13 @@
 namespace armlet::bind {
 namespace {
 
-// What the parameters behind x and y say.
+// The values of the parameters after x and y.
 struct LineOptions {
   OptionalItems label;
   OptionalText axis;
   OptionalText x_unit;
   OptionalText y_unit;
-  OptionalText y_units;  // a unit for each line, as the check has read them
+  OptionalText y_units;  // a unit for each line, as determined by the check before the run
 };
 
 // Adds lines over one x, all or none of them. value(line, i) is the value of a line at x[i].
@@ -47,7 +47,7 @@ Answer<void> add_lines(Vm& vm, std::span<const double> x, std::size_t lines,
   return figure_changed(vm);
 }
 
-// Over 0, 1, 2, ...
+// Plots over the indices 0, 1, 2, ...
 Answer<void> plot_numbered(Vm& vm, std::span<const double> y, OptionalText label, OptionalText axis,
                            OptionalText y_unit, OptionalText y_units) {
   if (!make_room(vm, 2 * y.size())) return Failed{};

@@ -21,15 +21,15 @@ struct Line {
   std::vector<double> y{};
   std::string unit{};
   bool right = false;
-  bool is_read = false;  // the unit, from the text of the program
+  bool is_read = false;  // the unit was determined from the text of the program
 };
 struct Panel {
   std::string title{};
   std::vector<Line> lines{};
 };
 
-// "rad/s" or "m/s": what joint values of this order are in; on which side they are drawn. Metres
-// have an axis of their own where there are angles too.
+// Sets the unit of joint values of this order, "rad/s" or "m/s", and their side. Metres have an
+// axis of their own if there are angles too.
 void set_unit(Line& line, const PosJ& joints, int joint, int order) {
   const auto turns = std::span(joints.turns).first(joints.n);
   const bool angle = turns[static_cast<std::size_t>(joint)];
@@ -38,7 +38,7 @@ void set_unit(Line& line, const PosJ& joints, int joint, int order) {
   line.right = !angle && std::ranges::find(turns, true) != turns.end();
 }
 
-// Leaves so many series in each panel; no panels if there were none.
+// Shortens each panel to its old number of series; removes the panels if there were none.
 void take_back(Figure& figure, const std::vector<std::size_t>& sizes) {
   if (sizes.empty()) figure.panels.clear();
   for (std::size_t k = 0; k < sizes.size(); ++k) figure.panels[k].series.resize(sizes[k]);
@@ -74,16 +74,15 @@ Answer<void> draw(Vm& vm, const std::vector<double>& t, std::vector<Panel> panel
   return figure_changed(vm);
 }
 
-// ---- trajectories
-// ----------------------------------------------------------------------------------------------
+// ---- trajectories -------------------------------------------------------------------------------
 
-// The joints `first` to `last` with a name each.
+// Draws the joints `first` to `last`, with a name each.
 Answer<void> draw_motion(Vm& vm, const PlannedMotion& plan, int first, int last,
                          const std::vector<std::string>& labels) {
   const Trajectory& motion = plan.motion;
   const auto knots = motion.knots().size();
   const auto joints = static_cast<std::size_t>(last - first);
-  // Each value is looked for among the pieces of its joint.
+  // Each value is searched for among the segments of its joint.
   if (!charge_steps(vm, joints * (1 + knots / 64))) return Failed{};
   const std::vector<double> t = drawing_times(motion);
   std::vector<Panel> panels{
@@ -126,10 +125,9 @@ Answer<void> plot_named_trajectory(Vm& vm, const PlannedMotion& plan, std::span<
   return draw_motion(vm, plan, 0, plan.motion.n(), *labels);
 }
 
-// ---- positions
-// -------------------------------------------------------------------------------------------------
+// ---- positions ----------------------------------------------------------------------------------
 
-// The joints of positions, a line each; nothing if they have different numbers of joints.
+// The joints of positions, a line each; nullopt if their numbers of joints differ.
 std::optional<std::vector<Line>> joint_lines(std::span<const Slot> positions,
                                              const std::string& label) {
   std::vector<Line> lines;
@@ -171,8 +169,7 @@ Answer<void> plot_positions(Vm& vm, std::span<const double> x, std::span<const S
   return figure_changed(vm);
 }
 
-// ---- records
-// ---------------------------------------------------------------------------------------------------
+// ---- records ------------------------------------------------------------------------------------
 
 std::string unit_of(const Type& type) {
   return type.is_quantity() ? si_unit(type.dim) : std::string();
@@ -182,7 +179,7 @@ double number_in(Slot s, const Type& type) {
   return type.is(Kind::kReal) ? s.d : static_cast<double>(s.i);
 }
 
-// Numbers that stand side by side in each row: value(slot, k) of so many.
+// Lines of numbers that are side by side in each row: value(slot, k) for k below this number.
 template <class F>
 std::vector<Line> side_by_side(std::span<const Slot> values, const std::vector<std::string>& labels,
                                const std::string& unit, F value) {
@@ -234,13 +231,13 @@ Column column_of(std::span<const Slot> values, const Type& type, const std::stri
   return {};
 }
 
-// The values of a column that count as work before they are looked at.
+// Upper bound of the number of values per row, charged as work before the values are read.
 std::size_t width_of(std::span<const Slot> values, const Type& type) {
   if (type.is(Kind::kList)) return items_value(values[0]).size();
   return type.is(Kind::kHost) ? kMaxJoints : 1;
 }
 
-// The panels of a column: one, or more if its lines have more than two units.
+// The panels of a column: one, or several if its lines have more than two units.
 void add_panels(std::vector<Panel>& panels, const std::string& name, std::vector<Line> lines) {
   std::vector<std::string> units;
   const std::size_t first = panels.size();

@@ -24,7 +24,7 @@ std::size_t values_of(const Figure& figure) {
 
 std::string unit_phrase(const std::string& unit) { return unit.empty() ? "plain numbers" : unit; }
 
-// Fails unless an axis shows this unit, or nothing yet.
+// Fails unless an axis shows this unit or has no values yet.
 Answer<void> check_unit(Vm& vm, const Axis& axis, bool is_new, const std::string& unit,
                         int parameter) {
   if (is_new || axis.unit == unit) return {};
@@ -34,7 +34,7 @@ Answer<void> check_unit(Vm& vm, const Axis& axis, bool is_new, const std::string
                  parameter, {}, "begin another figure(\"...\") before");
 }
 
-// What people call the values of a unit, where nothing else is said.
+// The name of the quantity with this unit, if the program gives no label.
 std::string quantity_name(const std::string& unit) {
   if (unit == "s") return "time";
   if (unit == "rad") return "angle";
@@ -47,8 +47,8 @@ bool is_free(const Figure& figure, bool right) {
   return std::ranges::none_of(figure.series, [&](const Series& s) { return s.right == right; });
 }
 
-// Whether numbers whose unit was read from the text can be drawn on this side: beside others of
-// that unit, or beside plain numbers.
+// Whether numbers whose unit was determined from the text can be drawn on this side: beside numbers
+// of that unit, or beside plain numbers.
 bool takes(Figure& figure, bool right, const std::string& unit) {
   const Axis& axis = side_of(figure, right);
   if (is_free(figure, right) || axis.unit == unit) return true;
