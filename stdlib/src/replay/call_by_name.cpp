@@ -8,7 +8,7 @@
 namespace armlet {
 namespace {
 
-// The function, and whether it gives a value.
+// The function, and whether it returns a value.
 struct Found {
   ReadyFunction function;
   bool gives;

@@ -9,12 +9,12 @@
 
 namespace armlet {
 
-// throws  ArgumentError if there is none with so many parameters.
+// throws  ArgumentError if no function has this name and number of parameters.
 [[nodiscard]] ReadyFunction find_function(Vm& vm, std::string_view name, std::size_t parameters);
 
-// A part of the run. `on_call` comes when it is known that the values fit.
+// Calls the function as a part of the run. `on_call` is called when the types have been checked.
 //
-// throws  ArgumentError as find_function, and if one of them has another type.
+// throws  ArgumentError as find_function, and if an argument has another type.
 [[nodiscard]] Result<Value> call_function(Vm& vm, std::string_view name,
                                           const std::vector<Value>& arguments,
                                           const std::function<void()>& on_call);

@@ -1,4 +1,4 @@
-// A run with another text of its program.
+// Changes of the text of a program during its run.
 
 #include <algorithm>
 #include <optional>
@@ -12,7 +12,7 @@
 namespace armlet {
 namespace {
 
-// The events of a run, and where its program was then.
+// The events of a run, and the statement that its program was executing at each.
 class Tape : public Backend {
  public:
   struct Told {
@@ -40,9 +40,9 @@ class Tape : public Backend {
   std::vector<Told> told_;
 };
 
-// Where the tapes differ. A run that has paused might have told more at its last instant.
+// The first difference of the tapes. A paused run may lack events of its last instant.
 //
-// undone  the first event of `before` that is not among those of `now`, if there is one.
+// undone  the first event of `before` that is missing in `now`, if there is one.
 TextChange compare(const Tape& before, const Tape& now, bool had_ended, const SourceSet& texts,
                    std::optional<std::uint64_t>& undone) {
   const auto is_same = [](const Tape::Told& a, const Tape::Told& b) { return a.hash == b.hash; };
@@ -71,7 +71,7 @@ TextChange Session::change(std::string text, std::int64_t t_ns) {
   return change(entry_at(t_ns), std::move(text), t_ns);
 }
 
-// The entries up to one of them, which has another text; none if that cannot run.
+// The entries up to one that gets another text; none if the new text cannot run.
 std::vector<Entry> Session::with_text(const std::vector<Entry>& known, std::size_t entry,
                                       std::string text, std::int64_t t_ns) {
   const LoggedEntry& old = known[entry].logged;
@@ -88,7 +88,7 @@ std::vector<Entry> Session::with_text(const std::vector<Entry>& known, std::size
   fresh.imports = std::move(made.imports);
   fresh.inputs = old.inputs;
   fresh.replies = old.replies;
-  fresh.end = {t_ns + 1, 0};  // the whole of the instant
+  fresh.end = {t_ns + 1, 0};  // includes the whole instant
   std::vector<Entry> entries(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(entry));
   entries.push_back({.logged = std::move(fresh), .program = made.compilation.program});
   return entries;

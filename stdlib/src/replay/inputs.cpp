@@ -1,4 +1,4 @@
-// What the host does to a run, and how a run comes to it again.
+// Inputs of the host to a run, and how they are applied again in a replay.
 
 #include <algorithm>
 #include <utility>
@@ -73,7 +73,7 @@ void Session::apply(const Input& input) {
   try {
     static_cast<void>(act(taken.what));
   } catch (const ArgumentError&) {
-    // Another text may have no such name: there is nothing to set or to call.
+    // Another text may not have this name; the input is then skipped.
   }
 }
 
@@ -103,8 +103,8 @@ void Session::apply_due_inputs() {
     apply(*next);
 }
 
-// Whether it was given to a run that had begun: signals alone may be there before. A program that
-// takes neither time nor steps has the same instant before and after it.
+// Whether the input came after the start of the run; only signals may come before it. A program
+// that takes neither time nor steps has the same instant before and after it.
 static bool comes_after_begin(const Input& input) {
   return !std::holds_alternative<SetSignal>(input.what);
 }
@@ -135,13 +135,13 @@ void Session::run_along(const Budget& budget) {
       if (is_at_breakpoint(*run_->vm)) return;
     }
     if (run_->result.status != Progress::kPaused || is_used(left())) return;
-    // Another text may take other steps: then the time alone counts.
+    // Another text may take other steps: then only the time counts.
     if (instant().t_ns >= at.t_ns) apply(*next);
   }
   if (!is_used(left())) run_slice(left());
 }
 
-// The nanosecond before comes first: the steps may have been taken long before the time.
+// Stops one nanosecond earlier first: the steps may have been taken long before that time.
 void Session::run_to(const Instant& at, const std::function<Budget()>& left) {
   Budget budget = left();
   if (instant().t_ns < at.t_ns) {

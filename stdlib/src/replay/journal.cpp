@@ -41,7 +41,7 @@ Reply Journal::ask(std::string question, const std::function<Reply()>& outside) 
   std::vector<Reply>& replies = entry_->replies;
   if (replies_ < replies.size() && replies[replies_].question == question)
     return replies[replies_++];
-  replies.resize(replies_);  // a program that asks for something else is another one
+  replies.resize(replies_);  // a program that asks another question is another run
   Reply reply = outside();
   reply.question = std::move(question);
   ++replies_;

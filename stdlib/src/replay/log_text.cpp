@@ -332,7 +332,7 @@ class Reader {
   bool has_limits_ = false;
 };
 
-// What is wrong with the whole; empty: nothing.
+// What is wrong with the file as a whole; empty: nothing.
 std::string fault_of(std::string_view bytes) {
   const std::string_view line = bytes.substr(0, bytes.find('\n'));
   if (!line.starts_with(kMagic))
@@ -356,7 +356,7 @@ std::string fault_of(std::string_view bytes) {
   return {};
 }
 
-// Records in another order, or one that a later one hides, would be lost in silence.
+// Fails for records in another order and for repeated ones, which would be ignored silently.
 void demand_as_written(const SessionLog& log, std::string_view bytes) {
   const std::string ours = write(log);
   if (ours == bytes) return;

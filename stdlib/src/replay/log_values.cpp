@@ -93,11 +93,11 @@ std::int64_t ValueReader::integer() {
   const char* end = text_.data() + text_.size();
   const auto [stop, error] = std::from_chars(text_.data(), end, number);
   if (error != std::errc() || stop == end) refuse_value();
-  text_.remove_prefix(static_cast<std::size_t>(stop - text_.data()) + 1);  // with its mark
+  text_.remove_prefix(static_cast<std::size_t>(stop - text_.data()) + 1);  // with its terminator
   return number;
 }
 
-// Everything that is counted takes at least one byte.
+// Reads a number of items. Each item takes at least one byte, so it cannot exceed the rest.
 std::size_t ValueReader::count() {
   const std::int64_t number = integer();
   if (number < 0 || static_cast<std::uint64_t>(number) > text_.size()) refuse_value();

@@ -1,5 +1,5 @@
 #pragma once
-// Values of programs as text in logs, one character for the kind and what follows it; docs/logs.md.
+// Values of programs as text in logs: one character for the kind, then the content; docs/logs.md.
 
 #include <string>
 #include <string_view>
@@ -8,15 +8,15 @@
 
 namespace armlet::log {
 
-// throws  ArgumentError for a value of a type of the host, and for lists in lists, 100 deep.
+// throws  ArgumentError for a value of a type of the host, and for lists nested 100 deep.
 void append_value(std::string& out, const Value& value);
 
-// Reads from the front of a text, and takes away what it has read.
+// Reads from the front of a text, and removes what it has read.
 class ValueReader {
  public:
   explicit ValueReader(std::string_view text) : text_(text) {}
 
-  // throws  ArgumentError for what is no value.
+  // throws  ArgumentError if the text does not begin with a value.
   Value read(int depth = 0);
   [[nodiscard]] bool is_at_end() const { return text_.empty(); }
 

@@ -1,4 +1,4 @@
-// The log of a session, and the session once more: from a log, to another time, to another entry.
+// The log of a session, and replays: of a log, to another time, to another entry.
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ bool is_same(const RunLimits& a, const RunLimits& b) {
          a.output_bytes == b.output_bytes && a.time_ns == b.time_ns;
 }
 
-// What the log of another session differs in; empty: in nothing that matters to a run.
+// The first difference between the logs of two sessions; empty: none that affects a run.
 std::string difference(const SessionLog& ours, const SessionLog& theirs) {
   const auto named = [](const std::string& name) {
     return name.empty() ? std::string("none") : '"' + name + '"';
@@ -74,7 +74,7 @@ SessionLog Session::log() const {
 
 namespace {
 
-// What a log keeps of texts and inputs, about.
+// Approximate size of the texts and inputs in a log, bytes.
 std::size_t bytes_of(const SessionLog& log) {
   std::size_t bytes = sizeof log;
   for (const LoggedEntry& entry : log.entries) {
@@ -92,7 +92,7 @@ std::size_t bytes_of(const SessionLog& log) {
 void Session::keep_run(SessionLog run) {
   runs_.push_back(std::move(run));
   std::size_t bytes = 0;
-  std::size_t kept = 0;  // the newest one always
+  std::size_t kept = 0;  // the newest one is always kept
   while (kept < std::min(runs_.size(), kMostRuns)) {
     bytes += bytes_of(runs_[runs_.size() - 1 - kept]);
     if (kept > 0 && bytes > kMostRunBytes) break;
@@ -133,7 +133,7 @@ bool Session::replay(const SessionLog& log) {
   return true;
 }
 
-// ---- to another place -------------------------------------------------------------------------
+// ---- to another time --------------------------------------------------------------------------
 
 std::size_t Session::entry_at(std::int64_t t_ns) const {
   const std::vector<Entry>& entries = run_->entries;
@@ -163,7 +163,7 @@ void Session::require_time(std::size_t entry, std::int64_t t_ns) const {
                   seconds(begin), seconds(end), seconds(t_ns)));
 }
 
-// To the end of so many entries. False: somebody cancels, or one of them fails now.
+// Runs the first `count` entries. False: the run was cancelled, or an entry failed.
 bool Session::run_through(std::size_t count) {
   run_->keeps_checkpoints = false;
   while (run_->done < count && !wish_.is_there.load()) {
@@ -175,8 +175,8 @@ bool Session::run_through(std::size_t count) {
   return run_->done == count;
 }
 
-// Everything up to a time that the entry has left behind; otherwise the very place to which it has
-// come, which may lie within an instant.
+// Runs to the end of this time if the entry went beyond it; otherwise exactly to the instant that
+// the entry had reached, which may be between the events of one time.
 bool Session::run_again_to(std::size_t entry, std::int64_t t_ns) {
   if (!run_through(entry)) return false;
   const Instant end = run_->entries[entry].logged.end;
@@ -198,7 +198,7 @@ bool Session::run_again_to(std::size_t entry, std::int64_t t_ns) {
   return run_->is_under_way || run_->done > entry;
 }
 
-// While the entries run again the run is put aside.
+// The present run is stored while the entries are run again, and restored if that fails.
 bool Session::take_again(std::vector<Entry> entries, const std::function<bool()>& go,
                          std::optional<std::uint64_t> undone_from) {
   std::unique_ptr<Run> former = std::exchange(run_, std::make_unique<Run>());
@@ -271,7 +271,7 @@ bool Session::take_up(std::size_t run) {
   const std::size_t last = entries.size() - 1;
   const std::int64_t t_ns = entries.back().logged.end.t_ns;
   const auto go = [this, last, t_ns] { return run_again_to(last, t_ns); };
-  // Who was told of this one knows nothing of that but how it begins.
+  // Of the other run, listeners know only the begin event, so all later events are undone.
   if (!take_again(std::move(entries), go, 1)) return false;
   runs_[run] = std::move(present);
   submitted_.reset();
