@@ -1,4 +1,4 @@
-// Rows of robot blocks that give links their shapes (language reference, section 13.1).
+// Rows of robot blocks that define the shapes of links (language reference, section 13.1).
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Hands with fingers, which are robots on a robot (language reference, section 14).
+// Hands with fingers, which are robots mounted on a robot (language reference, section 14).
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ void check_barrett_hand(CheckCall& call) {
   set_robot_fact(call, std::make_shared<const Robot>(hand.palm), hand.palm.name());
 }
 
-// The hand that is meant: the robot itself, or the one on it; -1: it has none.
+// The hand with fingers: the robot itself, or the one mounted on it; -1: there is none.
 int hand_of(const Cell& cell, int robot) {
   return cell.robot(robot).fingers.empty() ? cell.hand_on(robot) : robot;
 }
@@ -72,7 +72,7 @@ Answer<FingerRef> finger(Vm& vm, const RobotRef& h, std::int64_t number) {
   return FingerRef{fingers[static_cast<std::size_t>(number - 1)], hand, static_cast<int>(number)};
 }
 
-// Where the joints of a finger are when its first link is bent that far.
+// The joint values of a finger when its first link has this angle.
 Eigen::VectorXd bent(const Cell& cell, const FingerRef& f, double bend) {
   Eigen::VectorXd q = cell.robot(f.hand).q;
   q[f.number] = bend;
@@ -107,8 +107,7 @@ PosJ finger_joint(Vm& vm, const FingerRef& f) {
   return q;
 }
 
-// ---- closing and opening
-// ------------------------------------------------------------------------------------------------
+// ---- closing and opening ------------------------------------------------------------------------
 
 // W0725: fingers touch something that they would not lift.
 void advise_touching(Vm& vm, int hand) {
@@ -129,14 +128,14 @@ void advise_touching(Vm& vm, int hand) {
   }
 }
 
-// A motion of a finger, and what it may turn out to have met.
+// A motion of a finger, and its possible collisions.
 struct FingerMotion {
   MoveCall call{};
   int motion = -1;
   std::vector<PossibleCollision> possible{};
 };
 
-// Until all fingers that move have come to rest.
+// Waits until all moving fingers are at rest.
 class HandWaiting : public Waiting {
  public:
   HandWaiting(Host& host, int robot, std::vector<FingerMotion> motions, bool closes)
@@ -191,7 +190,7 @@ Started waiting_for(Vm& vm, int robot, std::vector<FingerMotion> motions, bool c
   return waiting;
 }
 
-// Starts the fingers on their ways to these bends.
+// Starts the motions of the fingers to these angles.
 Started move_fingers(Vm& vm, int hand, const std::vector<double>& bends, bool closes) {
   Host& host = Host::of(vm);
   Cell& cell = host.cell();
@@ -224,7 +223,7 @@ Started move_fingers(Vm& vm, int hand, const std::vector<double>& bends, bool cl
 
 constexpr double kUsualForce = 10.0;  // N
 
-// A gripper closes to the width of what is between its fingers.
+// Closes a gripper to the width of the object between its fingers.
 Started close_gripper(Vm& vm, const RobotRef& r) {
   const GraspResult result = grasp(Host::of(vm).cell(), r.id);
   if (!result.ok()) return fail_grasp(vm, r.id, result);
@@ -279,7 +278,7 @@ Answer<RecordObj*> grasp_quality_of(Vm& vm, const RobotRef& h, const ObjectRef& 
   return record;
 }
 
-// How far the two fingers of a gripper stand apart.
+// The distance between the two fingers of a gripper.
 Answer<double> opening(Vm& vm, const RobotRef& r) {
   const Cell& cell = Host::of(vm).cell();
   const CellRobot& arm = cell.robot(r.id);

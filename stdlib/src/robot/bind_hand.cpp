@@ -1,4 +1,4 @@
-// Hands: grasp, release, holding (language reference, section 14).
+// Grippers: grasp, release, holding (language reference, section 14).
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Inverse kinematics and what it says about itself (language reference, section 19).
+// Inverse kinematics and its explanations (language reference, section 19).
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 namespace armlet::bind {
 namespace {
 
-// Where the parameters stand in ikine(r, p, near, mask, axes, posture).
+// The indices of the parameters of ikine(r, p, near, mask, axes, posture).
 enum Parameter { kNear = 2, kMask = 3, kAxes = 4, kPosture = 5 };
 
 using Mask = std::optional<std::span<const Slot>>;
@@ -65,14 +65,14 @@ Answer<void> read_posture(Vm& vm, const Robot&, Word word, IkOptions& options) {
       "use one of these, or give joint values to stay near: posture: home()");
 }
 
-// A question of a program: the goal and how it is asked.
+// A problem of inverse kinematics: the goal and the options.
 struct Question {
   Eigen::Isometry3d T_world_tool;
   IkOptions options;
-  bool tilted = false;  // an orientation that this arm cannot take, whatever its joints do
+  bool tilted = false;  // an orientation that this arm cannot have for any joint values
 };
 
-// What ikine and explain(ikine(...)) are asked.
+// The arguments of ikine and of explain(ikine(...)).
 template <class Near, class PostureGiven>
 struct Call {
   const RobotRef& r;
@@ -97,7 +97,7 @@ Answer<Question> question_of(Vm& vm, const Call<Near, PostureGiven>& call) {
       !read_posture(vm, robot, call.posture, options))
     return Failed{};
   out.tilted = !task && options.task != IkTask::kMasked;
-  // A position alone keeps the orientation that there is.
+  // For a position without orientation the present orientation is kept.
   if (options.task == IkTask::kMasked && !call.p.has_orientation)
     out.T_world_tool.linear() = forward(robot, options.seed).linear();
   if (options.task == IkTask::kMasked && task == IkTask::kHeading)
@@ -143,7 +143,7 @@ std::string explain_position(Vm& vm, const RobotRef& r, const PosC& p) {
   return report_of(vm, r, question);
 }
 
-// How the position of these joint values is solved, seen from them.
+// Explains how the pose of these joint values is solved with them as the seed.
 Answer<std::string> explain_joints(Vm& vm, const RobotRef& r, const PosJ& values) {
   const Robot& robot = model_of(vm, r);
   const auto q = joint_argument(vm, robot, values, 1);

@@ -1,5 +1,5 @@
-// ikineInfo: what the messages of inverse kinematics say, as values (language reference, section
-// 19).
+// ikineInfo: the contents of the messages of inverse kinematics, as values (language reference,
+// section 19).
 
 #include <cmath>
 
@@ -16,12 +16,12 @@
 namespace armlet::bind {
 namespace {
 
-constexpr int kNear = 2;  // the parameter
+constexpr int kNear = 2;  // index of the parameter
 
-// What an IkInfo says.
+// The fields of an IkInfo.
 struct Info {
   bool found = false;
-  PosJ q;  // no values if nothing was found
+  PosJ q;  // no values if no solution was found
   std::string_view method;
   std::string branch;
   int iterations = 0;
@@ -33,8 +33,8 @@ struct Info {
   Eigen::VectorXd margin;
 };
 
-// Solvers answer up to this far from the origin; the arm leans the same way towards what is
-// farther.
+// Solvers accept goals up to this distance from the origin; towards farther ones the arm points in
+// the same direction.
 constexpr double kFarthest = 1e5;  // m
 
 Eigen::Isometry3d brought_near(const Eigen::Isometry3d& T) {
@@ -44,7 +44,7 @@ Eigen::Isometry3d brought_near(const Eigen::Isometry3d& T) {
   return near;
 }
 
-// The joint that is farthest outside its limits, and how far each of these is.
+// Sets the joint that exceeds its limits most, and by how much each joint does.
 void take_violations(const std::vector<LimitViolation>& violations, Info& info) {
   double most = 0.0;
   for (const LimitViolation& each : violations) {
@@ -84,7 +84,7 @@ Info info_of(const Robot& robot, const PosC& target, IkTask task, IkOptions opti
   return info;
 }
 
-// Fields that refer to other values are made first; all or none.
+// The fields that are objects are made first; null if one of them fails.
 RecordObj* record_of(Vm& vm, const Info& info) {
   RecordObj* record = new_record(vm, vm.program().library_record("IkInfo"));
   if (record == nullptr) return nullptr;
@@ -119,7 +119,7 @@ Answer<RecordObj*> ikine_info(Vm& vm, const RobotRef& r, const PosC& p, Near nea
   auto seed = seed_of(vm, r, near, kNear);
   if (!seed) return Failed{};
   options.seed = *std::move(seed);
-  // An orientation that the arm cannot take at all is a pose like another here: it is not found.
+  // An orientation that the arm cannot have is treated as a pose for which no solution is found.
   const IkTask task = task_of(robot, p).value_or(IkTask::kPose);
   return record_of(vm, info_of(robot, p, task, std::move(options)));
 }

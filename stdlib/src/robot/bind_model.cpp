@@ -1,4 +1,4 @@
-// Robots: blocks of joints, tables, ready arms, and what is mounted on them (language
+// Robots: blocks of joints, tables, predefined arms, and what is mounted on them (language
 // reference, sections 13.1 and 19).
 
 #include <fmt/format.h>
@@ -31,10 +31,9 @@ using Eigen::Vector3d;
 using Number = std::optional<double>;
 using Text = std::optional<std::string_view>;
 
-// ---- rows: joint revolute(...), joint prismatic(...)
-// -----------------------------------------------------------------------------------------------------
+// ---- rows: joint revolute(...), joint prismatic(...) --------------------------------------------
 
-// Where the parameters of both rows stand.
+// The indices of the parameters of both rows.
 enum Row { kLimits = 4, kCom = 10, kInertia = 11, kFriction = 12, kMeshUnit = 16 };
 
 Answer<void> read_limits(Vm& vm, Numbers limits, Joint& joint) {
@@ -97,8 +96,7 @@ Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alph
   return row;
 }
 
-// ---- robots
-// ----------------------------------------------------------------------------------------------------
+// ---- robots -------------------------------------------------------------------------------------
 
 }  // namespace
 
@@ -166,7 +164,7 @@ Answer<RobotRef> add_robot(Vm& vm, Robot robot) {
   return RobotRef{*id, &Host::of(vm).cell()};
 }
 
-// What every way to make a robot accepts: base, tool and a name, all optional.
+// The robot with the settings that every such function accepts: base, tool, name, all optional.
 Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
                std::optional<std::string_view> name) {
   if (base != nullptr) robot = robot.with_base(base->T);
@@ -196,7 +194,7 @@ InertiaCheck inertia_check_of(std::string_view word) {
                   word));
 }
 
-// Meshes are files below the folder of the program.
+// Fails for meshes that are no files below the folder of the program.
 void check_meshes(Vm& vm, const RobotSpec& spec) {
   for (std::size_t i = 0; i < spec.links.size(); ++i) {
     const std::string& mesh = spec.links[i].mesh;
@@ -206,7 +204,7 @@ void check_meshes(Vm& vm, const RobotSpec& spec) {
   }
 }
 
-// Reads those of the joints' rows into their links; R0656 for one that cannot be used.
+// Reads the meshes of joint rows into their links; R0656 for one that cannot be used.
 Answer<void> load_meshes(Vm& vm, RobotSpec& spec) {
   for (Link& link : spec.links) {
     if (link.mesh.empty()) continue;
@@ -255,7 +253,7 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
   return failure_of(vm, row("R0630"), error);
 }
 
-// W0747: what was assumed where a description leaves something open.
+// W0747: assumptions where a description is incomplete.
 void advise_notes(Vm& vm, const std::string& path, const RobotSpec& spec) {
   for (const std::string& note : spec.notes) {
     Failure advice;
@@ -295,8 +293,7 @@ Answer<RobotRef> default_robot(Vm& vm) {
   return RobotRef{*id, &Host::of(vm).cell()};
 }
 
-// ---- tools
-// -----------------------------------------------------------------------------------------------------
+// ---- tools --------------------------------------------------------------------------------------
 
 Answer<ToolValue> gripper(Vm& vm, double stroke, double length, double force,
                           Number max_force) try {
@@ -315,7 +312,7 @@ Answer<ToolValue> suction(Vm& vm, double radius, double length) try {
 }
 ToolValue tool_point(const PosC& p) { return {point_tool(), p.T}; }
 
-// A row of either kind, with the inertia as it is given.
+// A row of either kind, for one type of the inertia argument.
 #define ARMLET_JOINT_ROW(KIND, ANGLE_OR_LENGTH, RATE, EFFORT, INERTIA)                     \
   "robot.joint." KIND                                                                      \
   "(theta: angle = 0rad, d: length = 0m, a: length = 0m, alpha: angle = 0rad, "            \

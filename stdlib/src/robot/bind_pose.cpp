@@ -1,4 +1,4 @@
-// Positions and frames (language reference, sections 8 and 19).
+// Poses and frames (language reference, sections 8 and 19).
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Refuses infinite and undefined numbers before they get into a position; they are the parameters
-// from the first one on.
+// Refuses infinite and undefined numbers in a pose; they are the parameters from `first`
+// on.
 Answer<void> require_finite(Vm& vm, std::string_view what, std::initializer_list<double> values) {
   int parameter = 0;
   for (const double value : values) {
@@ -30,7 +30,7 @@ Answer<void> require_finite(Vm& vm, std::string_view what, std::initializer_list
   return {};
 }
 
-// In formatted texts: f"{p:.1f mm}".
+// For formatted texts: f"{p:.1f mm}".
 std::string format_posc_value(Vm&, const PosC& p, std::string_view style, std::string_view unit) {
   return format_posc(p, style, unit);
 }
@@ -91,7 +91,7 @@ double distance(const PosC& a, const PosC& b) {
 }
 double angle_of_rotation(const PosC& a, const PosC& b) { return angle_between(a.T, b.T); }
 
-// The frame at `from` whose z axis looks at `to` and whose x axis stays level (a camera's axes).
+// The frame at `from` whose z axis points to `to` and whose x axis is level (axes of a camera).
 Answer<PosC> look_at(Vm& vm, std::span<const double> a, std::span<const double> b) {
   if (a.size() != 3 || b.size() != 3)
     return size_failure(vm, "lookAt needs two places of 3 values", a.size(), b.size());
@@ -112,7 +112,7 @@ Answer<PosC> look_at(Vm& vm, std::span<const double> a, std::span<const double> 
 bool near_positions(const PosC& a, const PosC& b, double tol, std::optional<double> tol_angle) {
   return distance(a, b) <= tol && (!tol_angle || angle_of_rotation(a, b) <= *tol_angle);
 }
-// Positions that are compared have the same digits.
+// Positions that are compared are printed with the same digits.
 std::string position_text(const PosC& p, int digits) {
   const Eigen::Vector3d mm = p.T.translation() * 1000.0;
   return fmt::format("({:.{}f}, {:.{}f}, {:.{}f}) mm", mm.x(), digits, mm.y(), digits, mm.z(),
@@ -153,8 +153,7 @@ std::vector<double> place(const PosC& p) {
   return {at.x(), at.y(), at.z()};
 }
 
-// ---- posJ
-// ------------------------------------------------------------------------------------------------------
+// ---- posJ ---------------------------------------------------------------------------------------
 
 Answer<PosJ> posj_from(Vm& vm, std::span<const double> values) {
   if (values.empty() || values.size() > kMaxJoints) {
@@ -175,7 +174,7 @@ Answer<PosJ> posj_from(Vm& vm, std::span<const double> values) {
   return p;
 }
 
-// The joint of index i, if there is one.
+// Checks index i: fails unless there is such a joint.
 Answer<int> joint_of(Vm& vm, const PosJ& p, std::int64_t i) {
   if (i < 0 || i >= p.n)
     return failure(vm, "R0606", fmt::format("index {} is outside 0 to {}", i, p.n - 1), 1);
@@ -214,7 +213,7 @@ Answer<PosC> posc_with_position(Vm& vm, const PosC& before, double value) {
   p.T.translation()[kAxis] = value;
   return p;
 }
-// Three angles turn one orientation: one alone does not say what becomes of the others.
+// An orientation has three angles; one alone would leave the others undefined.
 void refuse_one_angle(CheckCall& call) {
   const std::string place = call.text_of(call.callee_span());
   const std::string pose = place.substr(0, place.rfind('.'));

@@ -58,8 +58,7 @@ std::vector<PosJ> limits(Vm& vm, const RobotRef& r) {
   return {make_posj(robot, robot.lower()), make_posj(robot, robot.upper())};
 }
 
-// ---- changing a robot
-// ------------------------------------------------------------------------------------------
+// ---- changing a robot ---------------------------------------------------------------------------
 
 Answer<void> set_tool(Vm& vm, const RobotRef& r, const PosC& tcp) {
   return exchange_model(vm, r, [&](const Robot& robot) { return robot.with_tool_point(tcp.T); });
@@ -68,8 +67,7 @@ Answer<void> set_home(Vm& vm, const RobotRef& r, const PosJ& q) {
   return exchange_model(vm, r, [&](const Robot& robot) { return robot.with_home(q.vector()); });
 }
 
-// ---- kinematics
-// ------------------------------------------------------------------------------------------------
+// ---- kinematics ---------------------------------------------------------------------------------
 
 template <class Q>
 Answer<PosC> fkine(Vm& vm, const RobotRef& r, Q values, std::optional<std::int64_t> joint) {

@@ -1,4 +1,4 @@
-// Orientations by other names: Euler angles of all twelve sequences, quaternions, axis and angle,
+// Other forms of orientations: Euler angles of all twelve sequences, quaternions, axis and angle,
 // and the exponential of SE(3) (language reference, section 8).
 
 #include <fmt/format.h>

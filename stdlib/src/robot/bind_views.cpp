@@ -1,4 +1,4 @@
-// The variables of the 2011 platform for a robot, which only show what the robot is now: A01, q1,
+// The read-only variables of the 2011 platform that show the present state of a robot: A01, q1,
 // q_current, qLimits, vpp and app (language reference, section 18).
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 namespace armlet::bind {
 namespace {
 
-// The number in "q3" and "A03"; 0 in a name without one.
+// The number in "q3" and "A03"; 0 in a name without a number.
 int joint_in(std::string_view name) {
   const std::size_t digits = name.find_first_of("123456789");
   int joint = 0;
@@ -43,7 +43,7 @@ Answer<double> joint_value(Vm& vm, const RobotRef& r, int joint) {
   return state_of(vm, r).q[joint - 1];
 }
 
-// The frame after a joint, seen from the frame before the first one.
+// The frame after a joint, relative to the frame before the first joint.
 Answer<Eigen::Matrix4d> frame_of_link(Vm& vm, const RobotRef& r, int joint) {
   const Robot& robot = model_of(vm, r);
   if (!check_arm(vm, r.id) || !check_has(vm, r, joint, robot.rows())) return Failed{};
@@ -77,7 +77,7 @@ void check_joint_exists(CheckCall& call) {
   call.report(std::move(d));
 }
 
-// What changes what a name shows.
+// The statement that changes the value of such a variable.
 std::string instead_of(std::string_view name, const std::string& robot) {
   if (name == "qLimits")
     return "limits belong to the robot: joint revolute(limits: [-90deg, 90deg]), or new Robot(dh, "
@@ -95,7 +95,7 @@ std::string instead_of(std::string_view name, const std::string& robot) {
       robot, robot);
 }
 
-// E0328
+// E0328: such a variable cannot be assigned.
 void refuse_writing(CheckCall& call) {
   const std::string place = call.text_of(call.callee_span());
   const std::size_t point = place.rfind('.');
@@ -110,7 +110,7 @@ NativeFunction read_only(std::string_view signature) {
   return declare(signature, "", "", refuse_writing);
 }
 
-// One for each joint that a robot can have.
+// The variables of one kind, one for each joint that a robot can have.
 struct JointViews {
   std::vector<Definition> definitions;
   std::vector<std::string> stores;
@@ -140,7 +140,7 @@ struct JointViews {
                               std::move(help), example_of(name), {.check = check_joint_exists}));
     stores.push_back(fmt::format("robot.{}=(r: robot, value: T) -> robot", name));
   }
-  // With a robot that has so many joints.
+  // An example with a robot that has enough joints.
   static std::string example_of(const std::string& name) {
     const int joint = joint_in(name);
     if (joint <= 6) return "robots.puma560()." + name;

@@ -6,9 +6,9 @@
 namespace armlet::bind {
 namespace {
 
-constexpr double kGoalTolerance = 1e-10;  // m and rad, tried before the solver's usual ones
+constexpr double kGoalTolerance = 1e-10;  // m and rad, tried before the solver's default tolerance
 
-// As exact as they can be had.
+// Solves with the smallest error possible.
 Answer<Eigen::VectorXd> solve_exactly(Vm& vm, const MoveCall& call, const PosC& target,
                                       const Eigen::VectorXd& seed) {
   const Robot& robot = model_of(vm, call);

@@ -1,5 +1,5 @@
 #pragma once
-// What pose a target means, where the whole of it has to be known before the way to it.
+// The whole pose of a target, for functions that need it before the path is planned.
 
 #include "motion/moves.hpp"
 
@@ -11,8 +11,8 @@ struct Goal {
   Eigen::VectorXd q{};
 };
 
-// The pose of a target in the world after a pose and joints before it: a position alone keeps the
-// orientation as far as the arm can.
+// The pose of a target in the world when the arm comes from another goal: a target without
+// orientation keeps the orientation as far as the arm can.
 Answer<Goal> goal_after(Vm& vm, const MoveCall& call, const PosC& target, const Goal& before);
 
 }  // namespace armlet::bind

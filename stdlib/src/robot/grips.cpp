@@ -56,7 +56,7 @@ std::string finger_text(const Cell& cell, int hand, int finger) {
   return fmt::format("finger {} of `{}`", finger + 1, cell.robot(hand).name);
 }
 
-// On the hand, or on the links.
+// The contact force on the hand, or on the links.
 double force_on(const Cell& cell, int robot, bool of_hand) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Press& each : cell.presses(robot)) {

@@ -1,17 +1,17 @@
 #pragma once
-// What fingers hold and press on, as messages.
+// Messages about objects that fingers hold and about their contact forces.
 
 #include "armlet/cell/fingers.hpp"
 #include "motion/moves.hpp"
 
 namespace armlet::bind {
 
-// W0726: what fingers held has slipped out of them.
+// W0726: an object has slipped out of the fingers.
 void advise_slip(Vm& vm, const CellEvent& event);
 
-// R0637: the motion was stopped because a hand or a finger was pressed harder than it can stand.
+// R0637: the motion was stopped because the contact force on a hand or finger exceeded its limit.
 Answer<void> check_overload(Vm& vm, const MoveCall& call, const MotionReport& report);
-// The same, or where the motion has ended it is.
+// The same, also for the contact force after the end of the motion.
 Answer<void> check_presses(Vm& vm, const MoveCall& call, const MotionReport& report);
 
 }  // namespace armlet::bind

@@ -1,5 +1,5 @@
 #pragma once
-// What every function that makes a robot has in common.
+// Helpers shared by all functions that make robots.
 
 #include <string_view>
 
@@ -16,17 +16,17 @@ namespace armlet::bind {
 // Puts a robot into the cell; R0630 if the cell refuses it.
 Answer<RobotRef> add_robot(Vm& vm, Robot robot);
 
-// The robot with what every such function accepts: base, tool and a name, all optional.
+// The robot with the settings that every such function accepts: base, tool, name, all optional.
 Robot finished(Robot robot, const PosC* base, const ToolValue* tool,
                std::optional<std::string_view> name = {});
 
-// throws  ArgumentError for another word than "standard" or "modified".
+// throws  ArgumentError for a word other than "standard" and "modified".
 DhConvention convention_of(std::string_view word);
 
-// R0605: why a hand closed on nothing.
+// R0605: the reason why a gripper closed on nothing.
 Failed fail_grasp(Vm& vm, int robot, const GraspResult& result);
 
-// Exchanges what a robot is; R0630 if `make` throws, and a failure while the robot moves.
+// Replaces the model of a robot; R0630 if `make` throws, and a failure while the robot moves.
 template <class Make>
 Answer<void> exchange_model(Vm& vm, const RobotRef& r, const Make& make) try {
   if (!check_idle(vm, r.id)) return Failed{};
@@ -36,20 +36,20 @@ Answer<void> exchange_model(Vm& vm, const RobotRef& r, const Make& make) try {
   return failure_of(vm, row("R0630"), error, 1);
 }
 
-// The numbers of a joint row that describe its link, where they are given.
+// Optional numbers of a joint row that describe its link.
 using Numbers = std::optional<std::span<const double>>;
 using NumberRows = std::optional<std::span<const Slot>>;
 Answer<void> read_com(Vm& vm, Numbers values, int parameter, Link& link);
-// An inertia about the centre of mass, as rows of numbers or as a matrix; none where it is left
+// An inertia about the centre of mass, as rows of numbers or as a matrix; nullopt if it was left
 // out.
 using Inertia = std::optional<Eigen::Matrix3d>;
 Answer<Inertia> inertia_argument(Vm& vm, NumberRows rows, int parameter);
 Answer<Inertia> inertia_argument(Vm& vm, const MatrixObj& matrix, int parameter);
 Answer<void> read_friction(Vm& vm, Numbers values, int parameter, Link& link);
 
-// Shapes that the rows of a block give its links, which are there; whether a link besides the base
+// Adds the shapes in the rows of a block to the links. Returns whether a link other than the base
 // has one.
-// throws  ArgumentError for a link or a mesh that is not there.
+// throws  ArgumentError for a link or a mesh that does not exist.
 Answer<bool> add_bodies(Vm& vm, HostList<BodyRow> rows, RobotSpec& spec);
 
 }  // namespace armlet::bind

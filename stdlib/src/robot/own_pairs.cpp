@@ -97,7 +97,7 @@ std::string exempt_text(const Robot& robot) {
       if (each.reason != reason) continue;
       pairs += fmt::format("{}{}", pairs.empty() ? "" : "; ", pair_text(robot, each.links));
       if (reason == ExemptReason::kOverlap) {
-        // Rounded down: 100 % is all positions.
+        // Rounded down, so that 100 % means all positions.
         const double percent = std::floor(1e3 * each.share) / 10.0;
         pairs += fmt::format(" (in {} % of {} random positions)", format_number(percent, 1),
                              OwnPairs::kPositions);

@@ -1,4 +1,4 @@
-// Pairs of links of an arm that are compared with each other, or not, in programs.
+// Pairs of links of an arm that programs include in collision checks, or exclude.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,13 @@ namespace armlet::bind {
 // Rows of two names, as allow: and watch: take them: allow: [["link 1", "link 3"]].
 using NamePairs = std::optional<std::span<const Slot>>;
 
-// The robot with pairs that are never (allow) or always (watch) compared.
+// The robot with pairs that are never (allow) or always (watch) checked for collisions.
 //
-// throws  ArgumentError for a row that has not two names, for a name that no link has, for one link
-//         twice, and for a pair that both name.
+// throws  ArgumentError for a row that does not have two names, for an unknown link, for a link
+//         paired with itself, and for a pair in both lists.
 Robot with_own_pairs(Robot robot, NamePairs allow, NamePairs watch);
 
-// Which pairs of its links are not compared with each other, and why, one line for each reason.
+// The pairs of links that are not checked against each other, one line for each reason.
 std::string exempt_text(const Robot& robot);
 
 // The rows `allow:` and `watch:` of a robot block; empty if there are none.

@@ -46,7 +46,7 @@ void set_position_fact(CheckCall& call, int count, std::vector<PositionFact::Ite
   call.set_result_fact(std::move(fact));
 }
 
-// The values of posJ(30deg, x, 50mm), as far as the text shows them.
+// The values of posJ(30deg, x, 50mm), as far as they are known from the text.
 std::vector<PositionFact::Item> written_values(const CheckCall& call, int count) {
   std::vector<PositionFact::Item> out;
   for (int i = 0; i < count; ++i) {
@@ -60,7 +60,7 @@ std::vector<PositionFact::Item> written_values(const CheckCall& call, int count)
   return out;
 }
 
-// E0302 for a posJ with `count` values; the spans of its items are asked for one by one.
+// E0302 for a posJ with `count` values; item_span gives the span of one item.
 template <class ItemSpan>
 void report_count(CheckCall& call, const RobotFact& robot, int count, Span whole,
                   ItemSpan item_span) {
@@ -136,7 +136,7 @@ void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const 
        robot.turns[item] ? "an angle" : "a length", std::string(type_phrase(type))});
   d.mark.label = fmt::format("{} value", ordinal(item));
   d.why = joint_list(robot);
-  // 30deg for a prismatic joint: the number stays.
+  // 30deg for a prismatic joint: the number is kept.
   const std::string text = call.text_of(call.item_span(0, item));
   const std::size_t digits = text.find_first_not_of("0123456789._-");
   const bool is_literal = digits != std::string::npos && digits > 0 &&
@@ -193,7 +193,7 @@ void check_posj_list(CheckCall& call) {
     return report_count(call, *robot, count, call.span(0),
                         [&](int i) { return call.origin(0, i); });
   }
-  // A list in a variable of its own may be changed; the run says where its value was given (R0602).
+  // A list in a variable may change before it is used; the run reports where it was set (R0602).
   std::vector<PositionFact::Item> items;
   const Span used = call.span(0);
   for (int i = 0; i < count; ++i) {
@@ -209,8 +209,7 @@ void check_posj_list(CheckCall& call) {
   if (plain) advise_degrees(call, 0, constant->items, robot.get());
 }
 
-// ---- moves
-// -----------------------------------------------------------------------------------------------------
+// ---- moves --------------------------------------------------------------------------------------
 
 // "Syn, Asyn and Trap"
 static std::string listed(const std::vector<std::string>& names) {
@@ -344,8 +343,7 @@ void explain_arc(CheckCall& call) {
   call.report(std::move(d));
 }
 
-// ---- objects
-// ---------------------------------------------------------------------------------------------------
+// ---- objects ------------------------------------------------------------------------------------
 
 namespace {
 

@@ -15,7 +15,7 @@
 namespace armlet::bind {
 namespace {
 
-// Of a setting that the program writes; nothing for one that is left out or computed.
+// The value of a setting that the program writes; nullopt if it is left out or computed.
 std::optional<Constant> written(const CheckCall& call, int parameter) {
   return call.given(parameter) ? call.constant(parameter) : std::nullopt;
 }
@@ -80,7 +80,7 @@ void check_fraction(CheckCall& call, int parameter) {
                            format_number(constant->real, 6));
   out.why = "it is a part of what the joints can do";
   constexpr double kPercent = 100.0;
-  constexpr double kLeastPercent = 2.0;  // 1.5 is more than all rather than 1.5 %
+  constexpr double kLeastPercent = 2.0;  // smaller: 1.5 rather means 150 % than 1.5 %
   if (constant->real >= kLeastPercent && constant->real <= kPercent) {
     const std::string meant = format_number(constant->real / kPercent, 6);
     out.fix = Fix{.text = fmt::format("for {} % write {}", format_number(constant->real, 6), meant),

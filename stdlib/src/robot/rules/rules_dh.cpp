@@ -1,4 +1,4 @@
-// Robots from tables, checked before running: E0509, E0510, E0511, and which limits were assumed
+// Robots from tables, checked before the run: E0509, E0510, E0511, and limits that were assumed
 // (W0716).
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ bool is_list(const std::optional<Constant>& value) {
   return value && value->kind == Constant::Kind::kList;
 }
 
-// "RRPR" of a word or of one text for each joint; nothing if the text does not show it.
+// "RRPR" from a word or from one text for each joint; nullopt if it is not known from the text.
 std::optional<std::string> kinds_of(const CheckCall& call) {
   const auto types = call.constant(kTypes);
   if (!types) return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<std::string> kinds_of(const CheckCall& call) {
   return word;
 }
 
-// E0509: false if a row was reported.
+// E0509; false if a row was reported.
 bool check_rows(CheckCall& call, const Constant& table) {
   constexpr std::size_t kRow = 4;
   for (std::size_t i = 0; i < table.items.size(); ++i) {
@@ -48,7 +48,7 @@ bool check_rows(CheckCall& call, const Constant& table) {
   return true;
 }
 
-// E0511: false if a pair was reported.
+// E0511; false if a pair was reported.
 bool check_limits(CheckCall& call, const std::string& kinds) {
   const auto limits = call.constant(kLimits);
   if (!is_list(limits)) return true;
@@ -66,7 +66,7 @@ bool check_limits(CheckCall& call, const std::string& kinds) {
   return true;
 }
 
-// W0716
+// W0716: limits that were assumed.
 void report_assumed_limits(CheckCall& call, const std::string& kinds) {
   const auto text_of = [](JointKind kind) {
     const Joint joint = joint_without_limits(kind);
@@ -86,7 +86,7 @@ void report_assumed_limits(CheckCall& call, const std::string& kinds) {
   call.report(std::move(d));
 }
 
-// The model of a robot of a table, where the text shows the whole table.
+// Notes the model of a robot from a table, if the whole table is known from the text.
 void note_table_model(CheckCall& call, const std::string& kinds, RobotFact& fact) try {
   const auto table = call.constant(kTable);
   const auto convention = call.given(kConvention) ? call.constant(kConvention) : Constant{};
@@ -100,7 +100,7 @@ void note_table_model(CheckCall& call, const std::string& kinds, RobotFact& fact
              convention->text == "modified" ? DhConvention::kModified : DhConvention::kStandard,
              {kBase, kTool});
 } catch (const ArgumentError&) {
-  // What cannot be a robot is reported in the run, with its reason.
+  // A table that makes no robot is reported in the run, with the reason.
 }
 
 }  // namespace

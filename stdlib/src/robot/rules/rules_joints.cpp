@@ -12,15 +12,15 @@ namespace armlet::bind {
 namespace {
 
 constexpr double kRevolution = 2.0 * std::numbers::pi;
-constexpr double kMoreThanARevolution = kRevolution * 1.001;  // 6.2832 is a turn too
+constexpr double kMoreThanARevolution = kRevolution * 1.001;  // 6.2832 is still one revolution
 constexpr double kNoAngle = 1e6;  // from here on, infinity included, it is no angle in degrees
 
-// Between braces a unit is enough; a list in brackets has values of one type, so its numbers stay
-// plain.
+// In braces one unit is enough; a list in brackets has values of one type: its numbers stay plain
+// and are multiplied.
 constexpr std::string_view kUnit = "deg";
 constexpr std::string_view kFactor = " * PI / 180";
 
-// The list as written, with degrees where they are meant.
+// The list as written, with degrees where degrees are probably meant.
 struct Rewritten {
   int first = -1;  // the first value that looks like degrees
   bool braces = false;
@@ -64,7 +64,7 @@ void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>&
   if (meant.first < 0) return;
   const Span origin = call.origin(parameter, meant.first);
   const Span used = call.span(parameter);
-  // A list that stands in the call itself is marked at the number.
+  // A list written in the call itself is marked at the number.
   const bool in_place = is_inside(origin, used);
   Diagnostic d =
       make_diagnostic(row("W0702"), in_place ? origin : used,

@@ -1,4 +1,4 @@
-// Joint values beyond the limits of a robot, where the text shows both: E0534.
+// Joint values beyond the limits of a robot, if the text shows both: E0534.
 
 #include <fmt/format.h>
 
@@ -13,13 +13,13 @@
 namespace armlet::bind {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // that of the moves, rad or m
+constexpr double kTolerance = 1e-9;  // the same as for moves, rad or m
 
 bool is_within(double value, const std::array<double, 2>& limits) {
   return value >= limits[0] - kTolerance && value <= limits[1] + kTolerance;
 }
 
-// The joint angle of the same posture within the limits: 300 deg as -60 deg.
+// An equal angle, by whole revolutions, within the limits: 300 deg as -60 deg.
 std::optional<double> same_angle(double value, const std::array<double, 2>& limits) {
   constexpr double kFullTurn = 2.0 * std::numbers::pi;
   const double best = std::remainder(value, kFullTurn);
@@ -59,7 +59,7 @@ void report_value(CheckCall& call, const RobotFact& robot, std::size_t i,
 
 void check_joint_values(CheckCall& call, const RobotFact& robot, const PositionFact& position,
                         Span used) {
-  // In a block `with (limits: ...)`, which may call this, such values can be meant.
+  // Such values may be intended in a block `with (limits: ...)`, which may call this function.
   if (call.mentions("with.limits")) return;
   const std::size_t count = std::min(position.items.size(), robot.limits.size());
   if (position.items.size() != robot.turns.size()) return;

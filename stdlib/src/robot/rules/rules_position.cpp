@@ -1,4 +1,4 @@
-// Positions from as many numbers as a robot controls, counted before running: E0534.
+// Positions from as many numbers as a robot controls, counted before the run: E0534.
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ bool leaves_upright(const CheckCall& call, int parameter) {
          std::dynamic_pointer_cast<const UprightFact>(call.fact(parameter)) != nullptr;
 }
 
-// What it controls of its tool, where the text shows that.
+// The coordinates of the tool that a robot controls, if they are known from the text.
 std::optional<TaskSpace> space_of(const RobotFact& robot) {
   if (robot.model == nullptr) return std::nullopt;
   const TaskSpace space = task_space(*robot.model);
@@ -66,7 +66,7 @@ void note_model(CheckCall& call, RobotFact& fact, const std::vector<Joint>& join
   fact.model = std::make_shared<const Robot>(std::move(spec));
   fact.may_be_tilted = may_be_tilted(call, may_tilt);
 } catch (const ArgumentError&) {
-  // What cannot be a robot is reported in the run, with its reason.
+  // Joints that make no robot are reported in the run, with the reason.
 }
 
 // (values, of)

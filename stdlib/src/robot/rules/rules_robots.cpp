@@ -1,4 +1,4 @@
-// Robots and their parts: what the text shows of them, and what is wrong with it.
+// Robots and their parts: what is known of them from the text, and mistakes in it.
 
 #include <fmt/format.h>
 
@@ -124,7 +124,7 @@ void check_ready_robot(CheckCall& call) {
   const std::string_view function = call.function_name();
   const auto robot = make_robot(function.substr(function.rfind('.') + 1));
   const auto name = call.constant(2);
-  // A base that is given takes the place of that of the catalogue.
+  // A base in the call replaces that of the catalogue.
   auto placed = call.given(0)
                     ? std::make_shared<const Robot>(robot->with_base(Eigen::Isometry3d::Identity()))
                     : robot;
@@ -136,7 +136,7 @@ void check_default_robot(CheckCall& call) {
   if (host == nullptr) return;
   if (const auto robot = host->default_robot_model()) {
     set_robot_fact(call, robot, robot->name());
-  } else if (!call.callee_span().empty()) {  // a call, not a question about one
+  } else if (!call.callee_span().empty()) {  // a call, not a query about one
     call.report(make_diagnostic("E0220", call.callee_span(), {"robot"}));
   }
 }

@@ -1,4 +1,4 @@
-// The units of lists that have a number for each joint, or those of a velocity of the tool point.
+// The units of lists with a number for each joint, or with the velocity of the tool point.
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using Dims = std::vector<NumberDim>;
 
-// Reads them from what is known of the robot, now or where a function is called with it.
+// Reads the units from the known robot, now or when the enclosing function is called with one.
 void note_of_robot(CheckCall& call, const DimsOfArgumentFact::Reader& reader) {
   constexpr int kRobot = 0;
   const auto robot = call.given(kRobot) ? call.fact(kRobot) : call.ambient_fact("robot");

@@ -16,7 +16,7 @@ struct HandLine {
   std::string joint, from, to, drives;
 };
 
-// "finger1_bend, finger1_curl 0.3333 times as far": the joints that an actuator drives.
+// The joints that an actuator drives: "finger1_bend, finger1_curl 0.3333 times as far".
 std::string driven_by(const Mechanism& hand, int actuator) {
   std::string text;
   for (int joint = 0; joint < hand.joint_count(); ++joint) {

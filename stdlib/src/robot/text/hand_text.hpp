@@ -7,8 +7,8 @@
 
 namespace armlet::bind {
 
-// A hand with fingers as it is printed: which joint of its mechanism each of its own joints drives,
-// how far, and over which range.
+// The printed table of a hand with fingers: for each actuated joint the joints of the mechanism
+// that it drives, their ratios and ranges.
 [[nodiscard]] std::string hand_table(const Robot& palm, std::string_view name);
 
 }  // namespace armlet::bind

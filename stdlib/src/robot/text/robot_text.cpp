@@ -19,19 +19,19 @@
 namespace armlet {
 namespace {
 
-// The fewest digits that read back to the same bits, with a point or an exponent.
+// The fewest digits that are read back as the same bits, with a point or an exponent.
 std::string real(double x) {
   std::string text = fmt::format("{}", x == 0.0 ? 0.0 : x);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }
 
-// 0.4 m is "0.4m": the unit of SI changes no bits.
+// 0.4 m is "0.4m": an SI unit changes no bits.
 std::string with_unit(double x, std::string_view unit) {
   return fmt::format("{}{}", x == 0.0 ? 0.0 : x, unit);
 }
 
-// In degrees if the language reads that many as the same bits, else in rad.
+// In degrees if they are read back as the same bits, otherwise in rad.
 std::string angle(double x, std::string_view per = {}) {
   const double degrees = std::round(rad_to_deg(x) * 1e6) / 1e6;
   std::string text = with_unit(std::abs(degrees), fmt::format("deg{}", per));
@@ -134,7 +134,7 @@ std::string_view use_text(LinkSolidUse use) {
 
 // The boxes, cylinders and spheres of a link, and the mesh of a base.
 //
-// T_frame_body  from the frame in which its shapes are given to that of the block.
+// T_frame_body  pose of the frame of its shapes, in the frame that the block uses.
 std::string body_text(int number, const Link& link, const Eigen::Isometry3d& T_frame_body) {
   const std::string of = number == 0 ? std::string() : fmt::format(", link: {}", number);
   std::string text;
@@ -161,7 +161,7 @@ std::string body_text(int number, const Link& link, const Eigen::Isometry3d& T_f
         break;
     }
   }
-  // Other links say theirs in the rows of their joints.
+  // The meshes of other links are in the rows of their joints.
   if (number == 0 && !link.mesh.empty()) {
     add("mesh(" + quoted(link.mesh),
         link.bodies.empty() ? Eigen::Isometry3d::Identity() : link.bodies.front().T_link_mesh,
@@ -187,7 +187,7 @@ std::string tool_text(const Tool& tool) {
   return {};
 }
 
-// Letters, digits and underscores, not beginning with a digit.
+// Replaces characters other than letters, digits and underscores, and a digit at the start.
 std::string identifier(const std::string& name) {
   std::string out;
   for (const char c : name) {
@@ -240,7 +240,7 @@ std::string millimetres(double x) { return format_number(x * 1000.0, 3) + " mm";
 
 using Line = std::array<std::string, 8>;
 
-// Of row k; one that copies another has no number of a joint.
+// The line of row k; a mimic joint has no joint number.
 Line line_of(const Robot& robot, int k) {
   const Joint& joint = robot.row(k);
   const auto value = joint.is_revolute() ? degrees : millimetres;
