@@ -14,7 +14,7 @@ function(armlet_add_converter)
   mark_as_advanced(ARMLET_TINYXML_HEADERS ARMLET_TINYXML ARMLET_ASSIMP_HEADERS ARMLET_ASSIMP ARMLET_COIN_HEADERS ARMLET_COIN)
   if(NOT ARMLET_ASSIMP_HEADERS OR NOT ARMLET_ASSIMP OR NOT ARMLET_COIN_HEADERS OR NOT ARMLET_COIN
      OR NOT ARMLET_TINYXML_HEADERS OR NOT ARMLET_TINYXML)
-    message(STATUS "Assimp, Coin or TinyXML-2 was not found (Debian packages libassimp-dev, libcoin-dev and libtinyxml2-dev): of meshes, only GLB will be read")
+    message(STATUS "Assimp, Coin or TinyXML-2 was not found (Debian packages libassimp-dev, libcoin-dev and libtinyxml2-dev): only GLB meshes will be read")
     return()
   endif()
   find_package(nlohmann_json REQUIRED)

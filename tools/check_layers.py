@@ -111,10 +111,10 @@ def faults_in_file(path, text):
     is_portable = str(path).startswith(PORTABLE) and not str(path).startswith(PLATFORMS)
     for number, line in enumerate(text.splitlines(), 1):
         if is_portable and (asked := PLATFORM.search(line.split("//")[0])):
-            yield f"{path}:{number}: {asked.group(0)} is a matter of the platform: armlet/core/platform.hpp, armlet/core/files.hpp"
+            yield f"{path}:{number}: {asked.group(0)} belongs to the platform: use armlet/core/platform.hpp or armlet/core/files.hpp"
         for name in RANGES.findall(line.split("//")[0]) if is_portable else ():
             if name not in READABLE:
-                yield f"{path}:{number}: other compilers cannot read std::ranges::{name}; write it with std::{name}"
+                yield f"{path}:{number}: other compilers do not have std::ranges::{name}; use std::{name}"
         match = INCLUDE.match(line)
         if match:
             for fault in faults_in_line(path, match.group(1)):

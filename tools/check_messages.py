@@ -102,11 +102,11 @@ def problems():
         if code in raised() and code not in by_code and code not in ELSEWHERE:
             yield f"{code} is shown by no script"
         if code in by_code and code in ELSEWHERE:
-            yield f"{code} is shown by a script, so it is no exception"
+            yield f"{code} is shown by a script: remove the exception"
         if code not in raised() and code not in RESERVED:
-            yield f"{code} is raised by nothing, and not reserved"
+            yield f"{code} is never raised and not reserved"
         if code in raised() and code in RESERVED:
-            yield f"{code} is raised, so it is not reserved"
+            yield f"{code} is raised: remove it from the reserved codes"
     for code, test in ELSEWHERE.items():
         if test and code not in (ROOT / test).read_text():
             yield f"{code} is not tested in {test}"

@@ -50,10 +50,10 @@ def faults(rows):
         if not row["in"] + row.get("loaded", []):
             yield f"{name}: nothing contains or loads it"
         if row["licence"].startswith("MPL") and row["in"] and "source" not in row:
-            yield f"{name}: MPL-2.0 wants the address of the sources"
+            yield f"{name}: MPL-2.0 needs the address of the sources"
     named = {text for row in rows for text in row["texts"]}
     there = {path.stem for path in TEXTS.iterdir()}
-    yield from (f"notices/texts/{text}.txt is {'missing' if text in named else 'wanted by no part'}" for text in sorted(named ^ there))
+    yield from (f"notices/texts/{text}.txt is {'missing' if text in named else 'used by no part'}" for text in sorted(named ^ there))
 
 
 def entry(row):

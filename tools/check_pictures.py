@@ -52,7 +52,7 @@ def main():
         elif not place.exists() or place.read_bytes() != drawing:
             stale.append(f"docs/images/{picture} is not what {program} draws")
     if stale:
-        sys.exit("\n".join(stale) + "\nmake them again: ./dev generate docs")
+        sys.exit("\n".join(stale) + "\nrun ./dev generate docs")
     print(f"pictures: {len(PICTURES)} as their programs draw them")
 
 

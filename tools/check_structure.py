@@ -49,7 +49,7 @@ def large_folders(files):
             yield f"{folder}: {number} files side by side; at most {FILES}"
     for folder in COLLECTIONS:
         if counted[folder] <= FILES:
-            yield f"{folder} is an exception without need"
+            yield f"{folder} is an unnecessary exception"
 
 
 def unnamed_folders(files):
@@ -135,7 +135,7 @@ def switches_with_default(files):
         if path.suffix in (".hpp", ".cpp", ".def") and path.is_relative_to("interpreter/src"):
             text = without_noise((ROOT / path).read_text(encoding="utf-8"))
             for match in re.finditer(r"\bdefault\s*:", text):
-                yield f"{path}:{text.count(chr(10), 0, match.start()) + 1}: `default:`; list the kinds that are left"
+                yield f"{path}:{text.count(chr(10), 0, match.start()) + 1}: `default:`; list the remaining kinds"
 
 
 def main():

@@ -138,9 +138,9 @@ def robots_in_interpreter(glossary, names):
             used.add(exception)
         elif not exception:
             for number, word in found:
-                yield f"{name}:{number}: the language knows no `{word}`: let the host say it"
+                yield f"{name}:{number}: `{word}` is a word of robots; move it to the library (stdlib/)"
     for key in glossary.paths.keys() - used:
-        yield f"{GLOSSARY}: {key} is an exception without need"
+        yield f"{GLOSSARY}: {key} is an unnecessary exception"
 
 
 def main():
@@ -150,7 +150,7 @@ def main():
     found = list(uses(glossary, names, excepted))
     faults = [f"{name}:{number}: `{word}`: say {glossary.instead[word.lower()]}" for kind, name, number, word in found if kind == "document"]
     faults += list(robots_in_interpreter(glossary, names))
-    faults += [f"{GLOSSARY}: {name} is an exception without need" for name in glossary.files if name not in excepted]
+    faults += [f"{GLOSSARY}: {name} is an unnecessary exception" for name in glossary.files if name not in excepted]
     advice = [(name, number, word) for kind, name, number, word in found if kind == "comment"]
     if "--advice" in sys.argv[1:]:
         below = tuple(arg for arg in sys.argv[1:] if arg != "--advice") or ("",)

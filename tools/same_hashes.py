@@ -32,9 +32,9 @@ def main():
             both = [list(pool.map(lambda p, c=command: last_line(c, p), programs)) for command in commands]
         other = [p for p, one, two in zip(programs, *both) if one != two]
         for program in other:
-            print(f"{program.relative_to(folder)}: another hash")
+            print(f"{program.relative_to(folder)}: the hashes differ")
         ran = sum(1 for status, line in both[0] if line and line[0].startswith("hash "))
-        print(f"{ran} runs, {len(other)} with another hash")
+        print(f"{ran} runs, {len(other)} with different hashes")
         sys.exit(1 if other or ran < 40 else 0)
 
 
