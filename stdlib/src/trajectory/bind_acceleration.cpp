@@ -39,14 +39,14 @@ enum Parameter { kStep = 1, kMethod = 2 };
 constexpr double kMostSteps = 1'000'000;
 constexpr double kTolerance = 1e-8;
 
-// q' = v, v' = a(t) for all joints; the state holds the positions and then the speeds.
+// The ODE q' = v, v' = a(t) for all joints; the state holds the positions, then the speeds.
 class Accelerations {
  public:
   explicit Accelerations(const Trajectory& motion) : knots_(motion.knots()) {
     for (int i = 0; i < motion.n(); ++i) joints_.push_back(acceleration_pieces(motion, i));
   }
 
-  // Stays with the stretch that begins at t or around it; its parameters then count up to its end.
+  // Keeps the interval that begins at t or contains it; its parameters then hold up to its end.
   void stay_behind(double t) { stretch_ = static_cast<int>(stretch_at(t)); }
 
   bool operator()(double t, std::span<const double> y, std::span<double> rate) const {
@@ -68,13 +68,13 @@ class Accelerations {
 
   std::vector<double> knots_;
   std::vector<std::vector<Segment>> joints_;
-  int stretch_ = -1;  // -1: the one of the time
+  int stretch_ = -1;  // -1: the interval that contains the time
 };
 
-// What is asked for, checked.
+// The arguments of a call, checked.
 struct Request {
   OdeMethod method;
-  std::vector<double> times;  // from step to step
+  std::vector<double> times;  // the times of the steps
 };
 Answer<Request> request_of(Vm& vm, const Trajectory& motion, double step, std::string_view name,
                            bool split) {

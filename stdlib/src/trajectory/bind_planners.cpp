@@ -1,4 +1,4 @@
-// Planners that programs bring themselves (language reference, 13.2).
+// Planners that programs define (language reference, 13.2).
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 namespace armlet::bind {
 namespace {
 
-constexpr int kLaw = 1;      // the parameter that holds it
+constexpr int kLaw = 1;      // index of the parameter with the law
 constexpr int kPieces = 64;  // of a law given as a function
 
-// Makes the planner known under its name for the rest of the run.
+// Registers the planner under its name for the rest of the run.
 void add_planner(Vm& vm, std::string_view name, ScalarLaw law) {
   Host::of(vm).planners().add(std::string(name), planner_of_law(std::move(law)));
 }

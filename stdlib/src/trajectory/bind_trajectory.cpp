@@ -1,4 +1,4 @@
-// Trajectories as values: making and reading them (language reference, sections 13.2 and 19).
+// Trajectories as values: planning and reading them (language reference, sections 13.2 and 19).
 
 #include <fmt/format.h>
 
@@ -23,13 +23,12 @@
 namespace armlet::bind {
 namespace {
 
-// ---- making
-// ----------------------------------------------------------------------------------------------------
+// ---- planning -----------------------------------------------------------------------------------
 
 using Number = std::optional<double>;
 using Durations = std::optional<std::span<const double>>;
 
-// A call, whose parameters stand one behind the other from the name on.
+// A call whose parameters have consecutive indices, starting with the name.
 MoveCall call_of(const RobotRef& r, int name) {
   return {.function = "trajectory",
           .robot = r.id,
@@ -72,8 +71,8 @@ Answer<PlannedMotion> planned_of(Vm& vm, const MoveCall& call, std::string_view 
   return PlannedMotion{std::move(planner), *std::move(motion), joints, std::move(robot)};
 }
 
-// With the robot first, calls without one mean the robot of the program; the other signature has it
-// as the setting `robot`.
+// Two signatures: one with the robot first, where it may be left out if the program has one robot;
+// the other with the robot as the setting `robot`.
 template <class T>
 Answer<PlannedMotion> make_for(Vm& vm, const RobotRef& r, std::string_view name, HostList<T> points,
                                Number time, Durations durations, Number speed, Number accel) {
@@ -90,7 +89,7 @@ Answer<PlannedMotion> make_with(Vm& vm, std::string_view name, HostList<T> point
   return planned_of(vm, call, name, points, settings_from(call, move, durations));
 }
 
-// A motion to one target, around what is in the way.
+// The settings of a motion to one target around obstacles.
 struct WaySettings {
   Number time, speed, accel;
   bool avoid = true;
@@ -179,8 +178,7 @@ Answer<PlannedMotion> plan_position(Vm& vm, const RobotRef& r, const PosC& to, N
   return plan_to_joints(vm, call, *q, {time, speed, accel, avoid, clearance, iterations});
 }
 
-// ---- reading
-// ---------------------------------------------------------------------------------------------------
+// ---- reading ------------------------------------------------------------------------------------
 
 Answer<PosJ> joints_at(Vm& vm, const PlannedMotion& tr, double t) {
   if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
@@ -220,8 +218,7 @@ Answer<std::vector<double>> peaks(Vm& vm, const PlannedMotion& tr, std::int64_t 
   return values;
 }
 
-// ---- joining
-// ---------------------------------------------------------------------------------------------------
+// ---- joining ------------------------------------------------------------------------------------
 
 Answer<PlannedMotion> joined(Vm& vm, const PlannedMotion& first, const PlannedMotion& next) try {
   std::string planner =
@@ -236,8 +233,7 @@ PlannedMotion reversed(const PlannedMotion& plan) {
   return {plan.planner, plan.motion.reversed(), plan.joints, plan.robot};
 }
 
-// ---- in words
-// --------------------------------------------------------------------------------------------------
+// ---- as text ------------------------------------------------------------------------------------
 
 Answer<void> print_line(Vm& vm, const std::string& text) {
   if (!vm.print(text + '\n')) return Failed{};

@@ -13,15 +13,15 @@
 namespace armlet::bind {
 namespace {
 
-constexpr double kMoreTurns = 8.0 * kPi;  // rad, beyond the limits of a joint that turns
+constexpr double kMoreTurns = 8.0 * kPi;  // rad, beyond the limits of a revolute joint
 constexpr double kMoreTravel = 10.0;      // m
-constexpr double kAtLimit = 1e-9;         // rad or m, as motions are verified
+constexpr double kAtLimit = 1e-9;         // rad or m, the tolerance with which motions are verified
 
 const Robot& in_cell(Vm& vm, const MoveCall& call) {
   return *Host::of(vm).cell().robot(call.robot).model;
 }
 
-// Advice about a value beyond a limit: which joint, to where, and by how much.
+// Advice about a value beyond a limit: the joint, the value that is used, and the excess.
 Failure advice_about(Vm& vm, const MoveCall& call, MessageCode<4> code, const LimitViolation& v) {
   const JointKind kind = in_cell(vm, call).joint(v.joint).kind;
   Failure advice;

@@ -1,5 +1,5 @@
 #pragma once
-// What a block `with (limits: ...)` makes of moves that would leave the limits of the joints.
+// The effect of a block `with (limits: ...)` on moves that would exceed the limits of the joints.
 
 #include <optional>
 
@@ -8,34 +8,34 @@
 
 namespace armlet::bind {
 
-// Joint values as a move takes them: inside the limits where the blocks around the call say
-// "clamp", with advice (W0757) that says which joint was asked for how much more; else as given.
+// The joint values that a move uses. If the blocks around the call say "clamp": clamped to the
+// limits, with advice (W0757) that names the joint and the excess; otherwise unchanged.
 //
-// call  learns of the joint that was farthest outside.
+// call  gets the joint that was farthest outside.
 Eigen::VectorXd clamped(Vm& vm, MoveCall& call, const Eigen::VectorXd& q);
 
-// Where the blocks around the call say "warn": gives it the robot with limits on joint values that
-// include `q`, if that has values, and leave every other motion room. False elsewhere: the limits
-// hold.
+// If the blocks around the call say "warn": gives the call a robot with wider limits on joint
+// values, which contain `q`, if it has values, and do not restrict other motions. Otherwise returns
+// false: the limits hold.
 bool lift_limits(Vm& vm, MoveCall& call, const Eigen::VectorXd& q = {});
 
-// The joint that a motion takes farthest beyond the limits of the robot as it is in the cell; with
-// advice (W0758) if there is one. What was clamped where the motion stays inside.
+// The joint that a motion takes farthest beyond the limits of the robot in the cell, with advice
+// (W0758) if there is one. If the motion stays inside: the excess of its clamped target.
 LimitExcess report_excess(Vm& vm, const MoveCall& call, const Trajectory& motion);
 
-// Whether a motion that is too fast is made all the same, with advice.
+// Whether a motion that is too fast is executed nevertheless, with advice.
 [[nodiscard]] bool may_be_too_fast(Vm& vm, const MoveCall& call);
-// The time that a motion takes instead of a shorter one where the blocks say "clamp", with advice
-// (W0759); nothing elsewhere.
+// The longer time of a motion that is too fast, if the blocks say "clamp", with advice (W0759);
+// otherwise nullopt.
 std::optional<double> lengthened(Vm& vm, const MoveCall& call, const TooFast& fast);
 
-// Plans again what is too fast for the time that was given: with "clamp" in the least time, with
-// "warn" as fast as the joints allow and then run faster, in the given time, with advice (W0707).
-// Elsewhere everything stays as it is.
+// Plans a motion again that is too fast for the given time. With "clamp": in the shortest time.
+// With "warn": as fast as the joints allow, then played faster to keep the given time, with advice
+// (W0707). Otherwise nothing changes.
 //
-// time  as it was planned with; it changes.
-// plan  with `motion` and the `times` at its points; plan_again() makes another with the time as it
-//       is then, or with none.
+// time  the time used for planning; it is updated.
+// plan  has `motion` and the `times` at its points; plan_again() makes another one with the updated
+//       time, or without a time.
 template <class Plan, class PlanAgain>
 void keep_time(Vm& vm, const MoveCall& call, std::optional<double>& time, Plan& plan,
                const PlanAgain& plan_again) {

@@ -6,7 +6,7 @@
 namespace armlet::bind {
 namespace {
 
-// E0506 for two settings that say the same thing.
+// E0506 for two settings that exclude each other.
 void refuse_both(CheckCall& call, int one, int other, std::string_view what) {
   if (!call.given(one) || !call.given(other)) return;
   Diagnostic d = make_diagnostic(row("E0506"), call.setting_span(other));

@@ -30,7 +30,7 @@ Answer<void> check_settings(Vm& vm, const MoveCall& call, std::size_t places,
 PathPlan plan(const Robot& robot, SplineMove move, bool only_positions) {
   PathPlan plan = plan_cartesian_spline(robot, move);
   if (!plan.fault || !only_positions) return plan;
-  // The orientation cannot be kept all the way: the tool may rotate as little as it must.
+  // The orientation cannot be kept everywhere: the tool rotates as little as necessary.
   move.task = IkTask::kPositionFirst;
   return plan_cartesian_spline(robot, move);
 }

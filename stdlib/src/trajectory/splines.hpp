@@ -1,5 +1,5 @@
 #pragma once
-// Moves of the hand on smooth curves through places.
+// Moves of the tool on smooth curves through poses.
 
 #include <optional>
 #include <string_view>
@@ -10,10 +10,10 @@
 
 namespace armlet::bind {
 
-// The curve that a planner of that name lays through places; nothing: it knows only joints.
+// The curve through poses of a planner with that name; nullopt: the planner knows only joints.
 [[nodiscard]] std::optional<SplineKind> spline_called(std::string_view planner);
 
-// Plans and starts. Speeds and accelerations are fractions of the joint limits.
+// Plans and starts the move. Speeds and accelerations are fractions of the joint limits.
 Started move_on_spline(Vm& vm, MoveCall call, const std::vector<PosC>& places, SplineKind kind,
                        const MoveSettings& settings);
 

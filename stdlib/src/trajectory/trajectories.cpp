@@ -38,7 +38,7 @@ std::string ordinal(std::size_t k) {
                                  : "th");
 }
 
-// What can be refused before anything is planned.
+// Checks that need no planning.
 Answer<void> check_settings(Vm& vm, const MoveCall& call, std::size_t points,
                             const PointSettings& settings) {
   if (points < 2) {
@@ -65,7 +65,7 @@ Answer<void> check_settings(Vm& vm, const MoveCall& call, std::size_t points,
   return {};
 }
 
-// The robot with the accelerations of this call.
+// Gives the call the robot with the accelerations of its settings.
 Answer<void> choose_accelerations(Vm& vm, MoveCall& call, const MoveSettings& settings) {
   const double accel = settings.accel.value_or(settings_of(vm).accel);
   if (!check_fraction(vm, "an acceleration", accel, call.accel)) return Failed{};
@@ -73,14 +73,14 @@ Answer<void> choose_accelerations(Vm& vm, MoveCall& call, const MoveSettings& se
   return {};
 }
 
-// The trajectory that planning gave, or why there is none: a curve may swing beyond its points.
+// The trajectory of a plan, or a failure: a curve may exceed limits between its points.
 Answer<Trajectory> motion_of(Vm& vm, const MoveCall& call, MotionPlan plan) {
   if (!plan.outside.empty()) return fail_swings_outside(vm, call, plan.outside.front());
   if (!plan.trajectory) return fail_too_fast(vm, call, *plan.too_fast);
   return *std::move(plan.trajectory);
 }
 
-// The whole of it, checked once more.
+// The whole trajectory, after a check of all limits.
 Answer<Trajectory> verified(Vm& vm, MoveCall call, Trajectory motion, Jerk jerk = Jerk::kFree) {
   const bool enforce = !may_be_too_fast(vm, call);
   const auto verify_it = [&] {
@@ -98,7 +98,7 @@ Answer<Trajectory> verified(Vm& vm, MoveCall call, Trajectory motion, Jerk jerk 
   return motion_of(vm, call, std::move(plan));
 }
 
-// Through the points in the time of the request, or as the limits around the call have it.
+// A plan through the points in the requested time, or as the blocks around the call allow.
 Plan plan_within_policy(Vm& vm, const MoveCall& call, const std::string& planner,
                         MoveRequest& request) {
   const PlannerSet& planners = Host::of(vm).planners();
@@ -237,7 +237,7 @@ Answer<void> check_follows(Vm& vm, const MoveCall& call, const PlannedMotion& pl
   if (plan.motion.n() != robot.n()) return fail_joint_count(vm, call, plan.motion.n());
   const Eigen::VectorXd apart = plan.motion.start() - state.q;
   Eigen::Index joint = 0;
-  constexpr double kSamePosition = 1e-6;  // as the cell asks for
+  constexpr double kSamePosition = 1e-6;  // as the cell requires
   if (apart.cwiseAbs().maxCoeff(&joint) > kSamePosition) {
     return fail_elsewhere(vm, call, static_cast<int>(joint), plan.motion.start()[joint],
                           state.q[joint]);

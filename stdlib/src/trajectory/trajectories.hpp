@@ -13,14 +13,14 @@
 
 namespace armlet::bind {
 
-// A motion that was planned and verified, and what it says when it is printed.
+// A motion that was planned and verified, and the text that is shown when it is printed.
 struct PlannedMotion {
   std::string planner;
   Trajectory motion;
-  PosJ joints;                         // their number and kinds
-  std::shared_ptr<const Robot> robot;  // whose limits it was planned for
+  PosJ joints;                         // number and kinds of the joints
+  std::shared_ptr<const Robot> robot;  // the robot with the limits used for planning
 };
-// What a `trajectory` of the language holds; it never changes, so copies share it.
+// The value of a `trajectory` of the language; it never changes, so copies share it.
 struct TrajectoryValue {
   std::shared_ptr<const PlannedMotion> plan;
 };
@@ -29,7 +29,7 @@ struct TrajectoryValue {
 
 namespace armlet {
 
-// Functions take and give what a trajectory holds.
+// Functions take and return the motion in a TrajectoryValue.
 template <>
 struct Argument<const bind::PlannedMotion&> {
   static constexpr ValueKind kKind{ValueKind::Form::kHost, false, &bind::kTrajectory};
@@ -50,9 +50,9 @@ struct Given<bind::PlannedMotion> {
 
 namespace armlet::bind {
 
-// How points are to be joined.
+// How points are joined.
 //
-// durations  parameter of the call that holds them; the list is empty if there are none.
+// durations  s, one per segment; empty if the call gives none.
 struct PointSettings {
   MoveSettings move{};
   std::vector<double> durations{};
@@ -63,28 +63,28 @@ struct PointSettings {
 Answer<Trajectory> plan_through(Vm& vm, MoveCall call, const std::vector<Eigen::VectorXd>& points,
                                 const std::string& planner, const PointSettings& settings);
 
-// Along straight lines of the tool point from place to place, standing still at each. `start` are
-// the joints at the first place.
+// A motion on straight lines of the tool point from pose to pose, with a stop at each. `start` are
+// the joint values at the first pose.
 Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& start,
                               const std::vector<PosC>& places, const PointSettings& settings);
 
-// The joints of every posJ of a list, checked for their number.
+// The joint values of every posJ of a list, checked for their number.
 Answer<std::vector<Eigen::VectorXd>> joint_points(Vm& vm, MoveCall& call,
                                                   const HostList<PosJ>& list);
-// The same for positions in the world: each as near as can be to the one before, the first to
-// `seed`.
+// The same for poses in the world: for each the solution nearest to the one before, for the first
+// the one nearest to `seed`.
 Answer<std::vector<Eigen::VectorXd>> solved_points(Vm& vm, const MoveCall& call,
                                                    const std::vector<PosC>& places,
                                                    Eigen::VectorXd seed);
-// The positions of a list as the world sees them.
+// The poses of a list, converted to the world.
 Answer<std::vector<PosC>> positions_in_world(Vm& vm, const MoveCall& call,
                                              const MoveSettings& settings,
                                              const HostList<PosC>& list);
 
-// How far the tool point gets, straight from the start to the end of a motion, m.
+// The straight distance of the tool point between the start and the end of a motion, m.
 [[nodiscard]] double path_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion);
 
-// A trajectory that can be given to this robot, where it stands.
+// Fails unless this robot can execute the trajectory from its present joint values.
 Answer<void> check_follows(Vm& vm, const MoveCall& call, const PlannedMotion& plan);
 
 }  // namespace armlet::bind
