@@ -1,5 +1,5 @@
-// Lists: making, statistics, order, and the functions that visit every element (language reference,
-// section 19).
+// Lists: construction, statistics, order, and functions applied to every element (language
+// reference, section 19).
 
 #include <fmt/format.h>
 
@@ -32,10 +32,10 @@ Answer<ListObj*> range(Vm& vm, std::int64_t first, std::int64_t last, std::int64
     to.i = first + static_cast<std::int64_t>(i) * step;
   });
 }
-// How close to an end, in steps, a value is taken for the end.
+// A value that is this close to the end of a range, in steps, is the end.
 constexpr double kEndOfRange = 1e-9;
 
-// Each value from its number: sums of steps would drift.
+// Each value is computed from its index, since repeated addition would accumulate errors.
 Answer<ListObj*> range_of_quantities(Vm& vm, double first, double last, double step) {
   for (const double given : {first, last, step}) {
     if (!std::isfinite(given)) return not_finite(vm, "a value given to range", given, 0);
@@ -100,7 +100,7 @@ Answer<double> add_up(Vm& vm, std::size_t count, F f) {
 Answer<double> total(Vm& vm, std::span<const double> xs) {
   return add_up(vm, xs.size(), [xs](std::size_t i) { return xs[i]; });
 }
-// The result, unless it is undefined: then the first element that is not finite is to blame.
+// The result if it is defined; otherwise a failure that names the first element that is not finite.
 Answer<double> defined(Vm& vm, Answer<double> result, std::span<const double> xs,
                        std::string_view what) {
   if (!result || !std::isnan(*result)) return result;
@@ -118,7 +118,7 @@ Answer<double> mean(Vm& vm, std::span<const double> xs) {
   if (!sum) return Failed{};
   return defined(vm, *sum / static_cast<double>(xs.size()), xs, "the mean");
 }
-// The sample deviation: divided by n - 1.
+// The sample standard deviation: divided by n - 1.
 Answer<double> deviation(Vm& vm, std::span<const double> xs) {
   if (xs.size() < 2)
     return failure(
@@ -133,7 +133,7 @@ Answer<double> deviation(Vm& vm, std::span<const double> xs) {
   if (!squares) return Failed{};
   return defined(vm, std::sqrt(*squares / static_cast<double>(xs.size() - 1)), xs, "the deviation");
 }
-// The middle one in order, or the mean of the two in the middle.
+// The middle element in order, or the mean of the two in the middle.
 Answer<double> median(Vm& vm, std::span<const double> xs) {
   if (xs.empty()) return failure(vm, "R0613", "an empty list has no median", 0);
   std::size_t bad = xs.size();
@@ -153,7 +153,7 @@ Answer<double> median(Vm& vm, std::span<const double> xs) {
   return defined(vm, std::isfinite(middle) ? middle : 0.5 * below + 0.5 * above, xs, "the median");
 }
 
-// Every sum of the elements up to one of them.
+// The cumulative sums.
 Answer<ListObj*> running_sums(Vm& vm, std::span<const double> xs) {
   double sum = 0.0;
   ListObj* sums = numbers_of(vm, xs.size(), [&](Slot& to, std::size_t i) { to.d = sum += xs[i]; });
@@ -184,10 +184,9 @@ Answer<double> trapezoids(Vm& vm, std::span<const double> y, std::span<const dou
   return defined(vm, add_up(vm, y.empty() ? 0 : y.size() - 1, strip), y, "the area");
 }
 
-// ---- order and search
-// ------------------------------------------------------------------------------------------
+// ---- order and search ---------------------------------------------------------------------------
 
-// Of these two, equals cannot be reported apart.
+// Ints and doubles: equal elements cannot be distinguished, so the sort need not be stable.
 ListObj* sort_int(Vm& vm, const ListObj& xs, bool descending) {
   const auto less = [](Slot a, Slot b) { return a.i < b.i; };
   return sorted_list(vm, xs, InDirection(less, descending));

@@ -1,4 +1,4 @@
-// Tables that `record` makes, and tables in files (language reference, sections 16 and 19).
+// Tables made by `record`, and tables in files (language reference, sections 16 and 19).
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@
 namespace armlet::bind {
 namespace {
 
-// A text in a comma-separated file, in quotes if it needs them (RFC 4180) or would be read as a
-// number, as nothing or without its blanks.
+// A text in a comma-separated file, in quotes if it needs them (RFC 4180) or would be read back as
+// a number, as empty or without its blanks.
 std::string csv_field(std::string_view text) {
   const bool is_plain = text.find_first_of(",;\t\"\r\n") == std::string_view::npos;
   if (is_plain && !text.empty() && text.front() != ' ' && text.back() != ' ' &&
@@ -31,7 +31,7 @@ std::string csv_field(std::string_view text) {
   return out + '"';
 }
 
-// What one value becomes: one cell, or one for each of its numbers.
+// The cells of a value: one cell, or one for each of its numbers.
 std::vector<std::string> cells_of(Slot value, const Type& type) {
   std::vector<std::string> cells;
   const auto number = [&](double x) { cells.push_back(fmt::format("{}", x)); };
@@ -75,7 +75,7 @@ std::vector<std::string> cells_of(Slot value, const Type& type) {
   return cells;
 }
 
-// How many cells that makes, as far as it is no more than `most`.
+// The number of these cells; may stop counting above `most`.
 std::uint64_t cell_count(Slot value, const Type& type, std::uint64_t most) {
   if (type.is(Kind::kMatrix))
     return std::uint64_t{matrix_value(value).rows} * matrix_value(value).cols;
@@ -96,7 +96,7 @@ std::uint64_t cell_count(Slot value, const Type& type, std::uint64_t most) {
   return 1;
 }
 
-// The units of the cells of a value by its type; none: the type has none.
+// The units of the cells of a value by its type; empty: the type has none.
 std::vector<std::string> units_by_type(Slot value, const Type& type, std::size_t cells) {
   if (type.is(Kind::kHost) && type.host == &kPosJ) {
     std::vector<std::string> units;
@@ -112,7 +112,7 @@ std::vector<std::string> units_by_type(Slot value, const Type& type, std::size_t
                                : std::vector<std::string>();
 }
 
-// "t [s]", "q1 [rad]", "q2 [rad]": a column of several cells numbers them.
+// "t [s]", "q1 [rad]", "q2 [rad]": the headers of a column with several cells are numbered.
 std::string header_of(const std::string& name, std::size_t width,
                       const std::vector<std::string>& units) {
   std::string out;
@@ -126,17 +126,17 @@ std::string header_of(const std::string& name, std::size_t width,
 
 constexpr FileKind kTable{"a table", kTableEndings};
 
-// A text on its way to a file: counted as work and against the heap limit while it grows.
+// Charges a text that is being built for a file: as work, and against the heap limit.
 class Growth {
  public:
   explicit Growth(Vm& vm) : vm_(vm) {}
-  // The text has so many bytes now. False: the failure is set.
+  // The present number of bytes of the text. False: it failed, and the failure is set.
   bool add(std::size_t size) {
     constexpr std::uint64_t kCost = 16;  // of a byte of a number
     constexpr std::size_t kStep = std::size_t{1} << 14U;
     if (size < counted_ + kStep) return true;
     if (!charge_work(vm_, kCost * (size - counted_))) return false;
-    // Twice: a string that is full doubles.
+    // Doubled, since a string doubles its capacity when it is full.
     if (2 * size > (scratch_ ? granted_ : 0)) {
       scratch_.reset();
       granted_ = 4 * size;
@@ -212,15 +212,15 @@ Failed cannot_load(Vm& vm, std::string_view file, std::string why, std::string f
   return fail(vm, std::move(f));
 }
 
-// As the literal of the same number and unit, to the last bit.
+// The same double as the literal of this number and unit.
 double in_unit(double number, const std::string& unit) {
   const double size = std::abs(number);
   const double si = si_of(fmt::format("{}", size), unit).value_or(size * parse_unit(unit)->factor);
   return std::signbit(number) ? -si : si;
 }
 
-// The columns of the file are those that the program was checked with. One without a unit in the
-// file may have got it in the program.
+// Checks that the columns of the file are those that the program was checked with. A column without
+// a unit in the file may have one in the program.
 bool take_columns(std::span<const TableColumn> known, TableText& table) {
   if (known.size() != table.columns.size()) return false;
   for (std::size_t i = 0; i < known.size(); ++i) {

@@ -41,7 +41,7 @@ Answer<Obj*> change_case(Vm& vm, std::string_view s) {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-// A text without the blanks at its ends.
+// A text without leading and trailing blanks.
 Answer<std::string_view> trimmed(Vm& vm, std::string_view s) {
   std::size_t front = 0;
   std::size_t back = 0;
@@ -98,7 +98,7 @@ Answer<Obj*> replace(Vm& vm, std::string_view s, std::string_view from, std::str
   }
 }
 
-// Whether two texts of one length are the same.
+// Whether two texts of the same length are equal.
 Answer<bool> same(Vm& vm, std::string_view a, std::string_view b) {
   bool is_same = true;
   const auto compare = [&](std::size_t begin, std::size_t end) {
@@ -135,7 +135,7 @@ Answer<bool> equals(Vm& vm, std::string_view a, std::string_view b) {
 Answer<Obj*> repeat(Vm& vm, std::string_view s, std::int64_t times) {
   if (times < 0)
     return failure(vm, "R0609", fmt::format("a text cannot be repeated {} times", times), 1);
-  // Short texts are put together first, so that the work grows with what is made.
+  // Short texts are joined first, so that the work is proportional to the result.
   std::string piece(s);
   std::int64_t each = 1;
   for (; !s.empty() && piece.size() < kPiece && each < times; ++each) piece += s;
@@ -175,15 +175,15 @@ Answer<Obj*> join(Vm& vm, std::span<const Slot> parts, std::string_view separato
   return out.take();
 }
 
-// The beginning of a text in quotes, as messages show it.
+// The beginning of a text in quotes, for messages.
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kShown = 60;
   const std::string_view shown = whole_characters(text, kShown);
   return fmt::format("\"{}{}\"", shown, shown.size() < text.size() ? "..." : "");
 }
 
-// "2.5x" is not a number, with the place where it stops being one. `end` points into `whole`, `s`
-// is what it says without blanks.
+// "2.5x" is not a number: the failure marks where the number ends. `end` points into `whole`; `s`
+// is the text without blanks.
 Failed not_a_number(Vm& vm, std::string_view whole, std::string_view s, const char* end,
                     std::string_view what) {
   std::string why;
@@ -204,11 +204,11 @@ Failed not_a_number(Vm& vm, std::string_view whole, std::string_view s, const ch
                  std::move(why));
 }
 
-// A number as a text says it, after blanks and a plus sign in front of a digit or point.
+// The number in a text, after blanks and an optional plus sign before a digit or point.
 template <class Number>
 Answer<Number> parse_number(Vm& vm, std::string_view whole, std::string_view what,
                             std::string_view limits) {
-  constexpr std::size_t kLongest = 10'000;  // beyond that reading it would take long
+  constexpr std::size_t kLongest = 10'000;  // reading longer texts would take too long
   const Answer<std::string_view> text = trimmed(vm, whole);
   if (!text) return Failed{};
   std::string_view s = *text;
@@ -221,7 +221,7 @@ Answer<Number> parse_number(Vm& vm, std::string_view whole, std::string_view wha
   const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
   if (error == std::errc::result_out_of_range && end == s.data() + s.size())
     return failure(vm, "R0610", fmt::format("{} is {}", s, limits), 0);
-  // "inf" and "nan" are read by the C++ library, but are no numbers here.
+  // The C++ library reads "inf" and "nan", which are not numbers here.
   if (error == std::errc() && !std::isfinite(static_cast<double>(value)))
     return not_a_number(vm, whole, *text, s.data() + (s[0] == '-' ? 1 : 0), what);
   if (error != std::errc() || end != s.data() + s.size())

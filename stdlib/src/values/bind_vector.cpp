@@ -76,7 +76,7 @@ ListObj* negate(Vm& vm, std::span<const double> a) {
   return map_reals(vm, a, [](double x) { return -x; });
 }
 
-// Powers: a negative number has only whole ones.
+// Powers: a negative number has only powers with whole exponents.
 ListObj* raise(Vm& vm, std::span<const double> xs, std::span<const double> exponents) {
   const auto power_of = [&](Slot& to, std::size_t i) -> Answer<void> {
     const double n = exponents[exponents.size() == 1 ? 0 : i];
@@ -102,7 +102,7 @@ bool combine(std::int64_t a, std::int64_t b, std::int64_t& out) {
   if (kOperator == '-') return !__builtin_sub_overflow(a, b, &out);
   return !__builtin_mul_overflow(a, b, &out);
 }
-// Two lists, or a list and a number that goes with every element.
+// Two lists, or a list and a number that is combined with every element.
 template <char kOperator>
 ListObj* whole_numbers(Vm& vm, std::span<const Slot> a, std::span<const Slot> b) {
   const auto combined = [&](Slot& to, std::size_t i) -> Answer<void> {

@@ -1,5 +1,5 @@
 #pragma once
-// Lists made element by element and numbers looked through, in blocks that count as work.
+// Loops over list elements and numbers, in blocks whose work is charged.
 
 #include <fmt/format.h>
 
@@ -11,13 +11,13 @@
 
 namespace armlet::bind {
 
-// Operations for reading, computing and writing an element that is cheap to compute.
+// Operations charged for reading, computing and writing an element that is cheap to compute.
 inline constexpr unsigned kCost = 4;
-// The same where a function such as the sine is computed, or a number is made a text.
+// The same if a function such as the sine is computed, or a number is converted to text.
 inline constexpr unsigned kFunctionCost = 32;
 
-// A new list of `count` elements, each set by make(slot, i); references are counted here. Null: it
-// failed.
+// A new list of `count` elements, each set by make(slot, i); reference counts are updated here.
+// Null: it failed.
 template <class F>
 [[nodiscard]] ListObj* list_of(Vm& vm, std::size_t count, bool references, F make,
                                unsigned cost = kCost) {
@@ -34,13 +34,13 @@ template <class F>
   return nullptr;
 }
 
-// The same of numbers.
+// The same for numbers, which have no reference counts.
 template <class F>
 [[nodiscard]] ListObj* numbers_of(Vm& vm, std::size_t count, F make, unsigned cost = kCost) {
   return list_of(vm, count, false, make, cost);
 }
 
-// The same of numbers that set(slot, i) finds, which may fail.
+// The same for numbers that set(slot, i) computes; it may fail.
 template <class F>
 [[nodiscard]] ListObj* checked_items(Vm& vm, std::size_t count, unsigned cost, F set) {
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), false);
@@ -56,8 +56,8 @@ template <class F>
   return nullptr;
 }
 
-// The first number that `is_wanted`; `at` is left as it is if there is none. False: the program has
-// to stop and the failure is set.
+// Finds the first number with `is_wanted`; `at` is unchanged if there is none. False: the program
+// must stop, and the failure is set.
 template <class F>
 [[nodiscard]] bool find_number(Vm& vm, std::span<const double> xs, std::size_t& at, F is_wanted) {
   bool found = false;
@@ -71,8 +71,8 @@ template <class F>
   return in_blocks(vm, xs.size(), kCost, look) || found;
 }
 
-// Where the largest (kMax) or smallest element stands for the first time, among ints or doubles of
-// which none is undefined.
+// The index of the first largest (kMax) or smallest element, among ints or doubles that are all
+// defined.
 template <bool kMax, class Number>
 Answer<std::int64_t> index_of_extreme(Vm& vm, std::span<const Slot> xs) {
   if (xs.empty())

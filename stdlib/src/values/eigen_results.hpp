@@ -1,5 +1,5 @@
 #pragma once
-// Vectors and matrices of Eigen as results of typed functions: a list of numbers, and a matrix.
+// Converts vectors and matrices of Eigen to results of native functions: lists and matrices.
 
 #include <Eigen/Core>
 #include <type_traits>

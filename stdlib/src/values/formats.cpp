@@ -13,7 +13,7 @@
 namespace armlet::bind {
 namespace {
 
-// How numbers of lengths and angles are written.
+// The format of lengths and angles.
 class NumberStyle {
  public:
   NumberStyle(std::string_view style, std::string_view unit) : style_(style) {
@@ -30,14 +30,14 @@ class NumberStyle {
   };
   [[nodiscard]] const NamedUnit& length() const { return length_; }
   [[nodiscard]] const NamedUnit& angle() const { return angle_; }
-  [[nodiscard]] const NamedUnit& given() const { return given_; }  // without a name: none was
+  [[nodiscard]] const NamedUnit& given() const { return given_; }  // no name: not given
 
-  // A number that is in the unit already.
+  // The text of a number that is already in the unit.
   [[nodiscard]] std::string text(double value) const {
     const bool has_digits = style_.find_first_of(".efg") != std::string::npos;
     if (!has_digits) {
-      // The fewest digits: up to the tenth as in `print`, or as many as a quantity in the unit that
-      // was asked for has. The rest of the style is the width.
+      // The fewest digits: at most one decimal as in `print`, or those of a quantity in the given
+      // unit. The rest of the style is the width.
       std::string width;
       bool sign = false;
       for (const char c : style_) {
@@ -51,7 +51,7 @@ class NumberStyle {
     }
     const std::string format = "{:" + style_ + "}";
     std::string out = fmt::format(fmt::runtime(format), value);
-    // A zero has no sign.
+    // Zero is printed without a sign.
     const std::string_view digits = std::string_view(out).substr(0, out.find('e'));
     if (digits.find_first_of("123456789") == std::string_view::npos)
       out = fmt::format(fmt::runtime(format), 0.0);
@@ -63,7 +63,7 @@ class NumberStyle {
   }
 
  private:
-  // Ten digits in all, and no more than nine of them behind the point: the rest is rounding.
+  // At most ten digits, of which at most nine are decimals: the others would be rounding errors.
   [[nodiscard]] int decimals_of(double value) const {
     if (given_.name.empty()) return 1;
     int decimals = 9;
@@ -86,14 +86,14 @@ std::string format_vector_in(const Eigen::Vector3d& v, const NumberStyle& style,
                      style.text(v[1] / unit.factor), style.text(v[2] / unit.factor), unit.name);
 }
 
-// As orientation_text does without a format.
+// The same as orientation_text without a format.
 std::string format_orientation(const Eigen::Matrix3d& R, const NumberStyle& style) {
   const Eigen::Vector3d phi = rotation_log(R);
   const double angle = phi.norm();
   if (angle < 1e-9) return style.measure(0.0, style.angle()) + " about z";
   for (int i = 0; i < 3; ++i) {
     if (std::abs(std::abs(phi[i]) - angle) < 1e-9 * std::max(1.0, angle)) {
-      // Half a revolution is the same either way.
+      // A rotation by 180 deg is the same in both directions.
       const bool is_half = std::abs(angle - std::numbers::pi) < 1e-9;
       return fmt::format("{} about {}", style.measure(is_half ? angle : phi[i], style.angle()),
                          "xyz"[i]);

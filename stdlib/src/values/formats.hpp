@@ -1,5 +1,5 @@
 #pragma once
-// Positions in formatted texts: f"{p:.2f mm}".
+// Poses in formatted texts: f"{p:.2f mm}".
 
 #include <string_view>
 
@@ -8,12 +8,12 @@
 
 namespace armlet::bind {
 
-// As `print` shows it, with each number in the style, which is a format of fmt ("+8.2f"). A unit of
-// lengths is that of the place, one of angles that of the orientation; the others are in mm and
+// As `print` shows it, with each number in the style, a format of fmt ("+8.2f"). A unit of length
+// applies to the position, a unit of angle to the orientation; the other numbers are in mm and
 // deg.
 [[nodiscard]] std::string format_posc(const PosC& p, std::string_view style, std::string_view unit);
-// The same of joints that turn and of those that slide. What the joints do may not be known: then
-// all numbers are in the unit, and in SI without one.
+// The same for revolute and prismatic joints. If the kinds of the joints are unknown, all numbers
+// are in the unit, or in SI without a unit.
 [[nodiscard]] std::string format_posj(const PosJ& q, std::string_view style, std::string_view unit);
 
 }  // namespace armlet::bind

@@ -13,12 +13,12 @@ namespace armlet::bind {
 using Joints = const PosJ&;
 using JointList = std::span<const double>;
 
-// The joint values of an argument, if there are as many as the robot has joints.
+// The joint values of an argument; fails unless there is one for each joint of the robot.
 Answer<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, JointList values, int parameter);
 Answer<Eigen::VectorXd> joint_argument(Vm& vm, const Robot& robot, const PosJ& values,
                                        int parameter);
 
-// Those of the arguments 1, 2 and so on.
+// The joint values of the arguments 1, 2 and so on.
 template <class... Lists>
 Answer<std::array<Eigen::VectorXd, sizeof...(Lists)>> joint_arguments(Vm& vm, const Robot& robot,
                                                                       const Lists&... lists) {
@@ -34,7 +34,7 @@ Answer<std::array<Eigen::VectorXd, sizeof...(Lists)>> joint_arguments(Vm& vm, co
   return values;
 }
 
-// law(robot, q) for the joint values of argument 1; a failure if they do not suit the robot.
+// law(robot, q) for the joint values of argument 1; a failure if they do not fit the robot.
 template <class Result, class Q, class Law>
 Answer<Result> at_joints(Vm& vm, const RobotRef& r, Q values, const Law& law) {
   if (!check_arm(vm, r.id)) return Failed{};
@@ -55,7 +55,7 @@ Answer<Result> at_joint_speeds(Vm& vm, const RobotRef& r, Q values, Rates rates,
   return Answer<Result>(law(robot, q, qd));
 }
 
-// The joint values from which a robot looks for others: those of an argument, or the present ones.
+// The seed for a solution: the joint values of an argument, or the present ones.
 Answer<Eigen::VectorXd> seed_of(Vm& vm, const RobotRef& r, const PosJ* near, int parameter);
 Answer<Eigen::VectorXd> seed_of(Vm& vm, const RobotRef& r, JointList near, int parameter);
 

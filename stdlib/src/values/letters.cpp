@@ -6,8 +6,8 @@
 namespace armlet::bind {
 namespace {
 
-// Small letters from first to last whose capitals are `shift` below, or, with kNeighbours, every
-// second character, its capital just in front of it.
+// Lower-case letters from first to last whose capitals are `shift` below; with kNeighbours: every
+// second character, with its capital just before it.
 struct Letters {
   char32_t first;
   char32_t last;

@@ -1,5 +1,5 @@
 #pragma once
-// What the functions of matrices share: sizes in words, failures about them, steps for long work.
+// Helpers shared by the functions of matrices: sizes as text, failures, charges for long work.
 
 #include <cstdint>
 #include <string>
@@ -25,20 +25,20 @@ namespace armlet::bind {
 Failed sizes_differ(Vm& vm, const std::string& sizes, int parameter = 1, std::string fix = {});
 // R0613 for a matrix that `function` needs to be square.
 Failed not_square(Vm& vm, std::string_view function, const MatrixObj& A);
-// Whether a matrix of this size can be made; fails with R0613 if not.
+// Fails with R0613 unless a matrix of this size can be made.
 Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter);
 
-// The root of the sum of squares, scaled so that neither large nor small values are lost. False:
-// the program has to stop and the failure is set.
+// The root of the sum of squares, scaled against overflow and underflow. False: the program must
+// stop, and the failure is set.
 [[nodiscard]] bool length_of(Vm& vm, std::span<const double> values, double& length);
 
-// ---- rules checked before running: E0305, and the sizes of results that the text shows
+// ---- rules checked before the run: E0305, and the sizes of results known from the text
 
 void check_product(CheckCall& call);           // A * B, A * v
 void check_solve(CheckCall& call);             // A \ B, A \ b
-void check_sum(CheckCall& call);               // A + B and what else works element by element
+void check_sum(CheckCall& call);               // A + B and other operations element by element
 void check_same_size(CheckCall& call);         // the result has the size of the only matrix
-void check_square(CheckCall& call);            // needs a square matrix, gives one
+void check_square(CheckCall& call);            // needs a square matrix, returns one
 void check_square_to_number(CheckCall& call);  // needs a square matrix
 void check_transposed(CheckCall& call);
 void check_filled(CheckCall& call);       // zeros(r, c)

@@ -72,7 +72,7 @@ void text_row(const void* value, std::string& out) {
 
 void text_body_row(const void*, std::string& out) { out += "shape of a link"; }
 
-// The orientation in words: about one axis if it is a rotation about x, y or z alone, else roll,
+// The orientation as text: about one axis if it is a rotation about x, y or z; otherwise as roll,
 // pitch and yaw.
 std::string orientation_text(const Eigen::Matrix3d& R) {
   const Eigen::Vector3d phi = rotation_log(R);
@@ -80,7 +80,7 @@ std::string orientation_text(const Eigen::Matrix3d& R) {
   if (angle < 1e-9) return "0 deg about z";
   for (int i = 0; i < 3; ++i) {
     if (std::abs(std::abs(phi[i]) - angle) < 1e-9 * std::max(1.0, angle)) {
-      // Half a revolution is the same either way.
+      // A rotation by 180 deg is the same in both directions.
       const std::string turn = format_deg(phi[i]);
       return fmt::format("{} about {}", turn == "-180 deg" ? "180 deg" : turn, "xyz"[i]);
     }
@@ -109,7 +109,7 @@ std::string arm_called(std::string_view name) {
   return name == "arm" ? "the arm" : fmt::format("the {} arm", name);
 }
 
-// What the language says of a robot.
+// The words that messages use for a robot.
 constexpr ResourceWords kRobotWords{
     .plural = "robots",
     .act = "move",

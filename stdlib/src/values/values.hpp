@@ -23,7 +23,7 @@ class Cell;
 
 namespace armlet::bind {
 
-// Joint values, SI. The kinds are known when the robot is; they decide how the values print.
+// Joint values, SI. Their kinds, known if the robot is known, decide how they are printed.
 struct PosJ {
   std::uint8_t n = 0;
   bool kinds_known = false;
@@ -36,8 +36,8 @@ struct PosJ {
 };
 [[nodiscard]] PosJ make_posj(const Robot& robot, const Eigen::VectorXd& q);
 
-// A place and orientation in the world. One made only from places has no orientation of its own
-// (ruling 14).
+// A position and orientation in the world. A pose made from a position only has no orientation of
+// its own (ruling 14).
 struct PosC {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   bool has_orientation = false;
@@ -45,7 +45,7 @@ struct PosC {
 
 struct RobotRef {
   int id = 0;                  // in the cell
-  const Cell* cell = nullptr;  // which outlives the values of its programs
+  const Cell* cell = nullptr;  // it outlives the values of its programs
 };
 struct ObjectRef {
   std::string name;
@@ -64,14 +64,14 @@ struct ShapeValue {
 };
 struct ToolValue {
   Tool tool;
-  std::optional<Eigen::Isometry3d> T_flange_tool;  // tcp(p): a point anywhere
+  std::optional<Eigen::Isometry3d> T_flange_tool;  // set by tcp(p): any tool point
 };
 struct JointRow {
   Joint joint;
   Link link;
 };
 
-// A shape of a link, 0: the base. `mesh` is a file in the place of the kind and the size of the
+// A shape of a link; link 0 is the base. `mesh` is a file that replaces the kind and size of the
 // solid; `unit` 0: as the file says.
 struct BodyRow {
   std::int64_t link = 0;
@@ -81,7 +81,7 @@ struct BodyRow {
   double scale = 1.0;
 };
 
-// A robot as failures and what waits for it name it.
+// A robot as a resource, with the name used in failures and by tasks that wait for it.
 [[nodiscard]] Resource robot_called(std::string name);
 
 extern const HostType kPosJ;
@@ -104,13 +104,13 @@ extern const HostType kTracker;
 [[nodiscard]] inline const PosJ& posj(Slot s) { return host_value<PosJ>(s); }
 [[nodiscard]] inline const PosC& posc(Slot s) { return host_value<PosC>(s); }
 
-// "(300, 120, 20) mm" with the orientation if there is one, and "posJ(0 deg, 20 mm)".
+// "(300, 120, 20) mm", with the orientation if there is one, and "posJ(0 deg, 20 mm)".
 [[nodiscard]] std::string posc_text(const PosC& p);
 [[nodiscard]] std::string posj_text(const PosJ& q);
 
 }  // namespace armlet::bind
 
-// The types of the language that these values have, for functions that `def` makes.
+// The types of the language for these C++ values, for functions declared with `def`.
 namespace armlet {
 template <>
 inline constexpr const HostType* kHostType<bind::PosJ> = &bind::kPosJ;
