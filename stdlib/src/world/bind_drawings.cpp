@@ -1,4 +1,4 @@
-// Shapes that are only shown (language reference, section 14).
+// Shapes that are displayed but have no effect (language reference, section 14).
 
 #include <fmt/format.h>
 
@@ -13,13 +13,13 @@
 namespace armlet::bind {
 namespace {
 
-// What a shape is on; `parameter` is that of `on`.
+// The mount of a shape; `parameter` is the index of `on`.
 Answer<Mount> shown_on(Vm&, int) { return Mount{}; }
 template <class On>
 Answer<Mount> shown_on(Vm& vm, int parameter, const On& on) {
   return mount_on(vm, on, parameter);
 }
-// Without a link: the tool point.
+// Without a link the shape is mounted on the tool point.
 Answer<Mount> shown_on(Vm& vm, int parameter, const RobotRef& on,
                        std::optional<std::int64_t> link) {
   if (link) return mount_on_robot(vm, on, link, parameter + 1);
@@ -29,7 +29,7 @@ Answer<Mount> shown_on(Vm& vm, int parameter, const RobotRef& on,
                .frame = kTipFrame};
 }
 
-// `color_at` is the parameter of the colour.
+// `color_at` is the index of the parameter with the colour.
 Answer<void> show(Vm& vm, Drawing drawing, const Answer<Mount>& on, std::string_view color,
                   int color_at) try {
   if (!on) return Failed{};
@@ -52,7 +52,7 @@ Drawing between(DrawingKind kind, std::string_view name, const PosC& from, const
           .T_on_drawing = frame_between(begin, end)};
 }
 
-// The functions for what a shape is on, whose parameters stand in front of the colour.
+// The functions for each kind of mount, whose parameters precede the colour.
 template <class... On>
 struct Shows {
   static constexpr int kOn = sizeof...(On);
@@ -65,7 +65,7 @@ struct Shows {
   static Answer<void> capsule(Vm& vm, std::string_view name, const PosC& from, const PosC& to,
                               double radius, On... on, std::string_view color) {
     Drawing drawing = between(DrawingKind::kCapsule, name, from, to, 0.0);
-    // A capsule without a length is a ball.
+    // A capsule of length zero is a sphere.
     drawing.size = {radius, std::max(drawing.size[0], kSmallest), 0.0};
     return show(vm, std::move(drawing), shown_on(vm, 4, on...), color, 4 + kOn);
   }

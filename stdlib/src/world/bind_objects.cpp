@@ -1,4 +1,4 @@
-// How objects come into the world (language reference, section 14).
+// Creation of objects in the world (language reference, section 14).
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 namespace armlet::bind {
 namespace {
 
-// What a block says beside what and where the object is.
+// The fields of a block besides the shape and the pose.
 struct Fields {
   std::optional<double> mass{};
   std::optional<double> density{};
@@ -32,7 +32,7 @@ struct Fields {
   int first = 0;  // index of the parameter `mass`; the others follow in this order
 };
 
-// The mass, or that of the density.
+// Sets the mass, given directly or by the density.
 Answer<void> weigh(Vm& vm, const Fields& fields, Object& object) {
   const auto& [mass, density] = std::tie(fields.mass, fields.density);
   object.mass = mass.value_or(mass_of(object.shape));
@@ -123,7 +123,7 @@ Answer<ObjectRef> make_object(Vm& vm, std::string_view name, const ShapeValue& s
 
 constexpr int kOn = 3;
 
-constexpr int kFirst = 3;  // the parameter `mass` of an object that is on nothing
+constexpr int kFirst = 3;  // the parameter `mass` of an object without a mount
 
 template <class InertiaGiven>
 Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& shape,
@@ -169,7 +169,7 @@ Answer<ObjectRef> object_on_robot(Vm& vm, std::string_view name, const ShapeValu
 
 Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, const PosC& at,
                         std::optional<double> mass, std::string_view color) {
-  // The colour is parameter 4 here.
+  // Here the colour is parameter 4.
   return make_object(vm, name, s, at, {.mass = mass, .color = color, .first = -2});
 }
 
@@ -185,7 +185,7 @@ constexpr std::string_view kObjectHelp =
     "flange unless told otherwise, it goes where that goes, and at is seen from there. inertia: "
     "about its centre of mass, kg m^2, as a 3 x 3 matrix or as three rows.";
 
-// An object in the world, on a robot, on an object and on a frame, with the inertia as it is given.
+// The functions for objects in the world and on a robot, object or frame, for one inertia type.
 template <class InertiaGiven>
 constexpr std::array<NativeFunction, 4> object_forms(const std::array<std::string_view, 4>& forms,
                                                      const std::array<std::string_view, 4>& shown) {
@@ -258,7 +258,7 @@ Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int6
   const Cell& cell = Host::of(vm).cell();
   const CellRobot& arm = cell.robot(on.id);
   if (arm.on >= 0) {
-    // The joints of a hand move its fingers; its palm is where the flange of the arm is.
+    // The joints of a hand move its fingers; its palm moves with the flange of the arm.
     if (link && *link != 0) {
       return failure(
           vm, row("R0631"),

@@ -46,7 +46,7 @@ bool has_orientation(const Object& object) {
          std::holds_alternative<Mesh>(object.shape);
 }
 
-// W0723, once for each place of the program.
+// W0723, once for each statement of the program.
 void report_overlap(Vm& vm, const std::string& name) {
   Host& host = Host::of(vm);
   const World& world = host.cell().world();
@@ -71,7 +71,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// The object behind a handle, the first argument; fails if it was removed.
+// The object of a handle, the first argument; fails if it was removed.
 Answer<const Object*> object_of(Vm& vm, const ObjectRef& o) {
   const Object* object = Host::of(vm).cell().world().find(o.name);
   if (object == nullptr) return fail_unknown_object(vm, o.name, 0);
@@ -96,7 +96,7 @@ Answer<PosC> pose_of(Vm& vm, const ObjectRef& o) {
   return PosC{(*object)->T_world_obj, has_orientation(**object)};
 }
 
-// The same unless a hand holds it: then it is neither put elsewhere nor taken away.
+// The same; also fails while a gripper holds it, when it can be neither moved nor removed.
 Answer<const Object*> free_object(Vm& vm, const ObjectRef& o, std::string_view what) {
   auto object = object_of(vm, o);
   if (!object) return object;
@@ -147,7 +147,7 @@ std::vector<ObjectRef> objects(Vm& vm) {
   return all;
 }
 
-// The object that is not fixed and whose centre is nearest to a position; null if there is none.
+// The movable object whose centre is nearest to a position; null if there is none.
 const Object* nearest(Vm& vm, const Vector3d& p) {
   const World& world = Host::of(vm).cell().world();
   const Object* best = nullptr;
@@ -169,7 +169,7 @@ Answer<ObjectRef> nearest_object(Vm& vm, const PosC& p) {
   return failure(vm, row("R0625"), "there is no object that could be grasped in this world");
 }
 
-// Two bodies less than this apart touch.
+// Two bodies with a smaller distance touch.
 constexpr double kTouching = 1e-6;  // m
 
 CellBody thing(const ObjectRef& o) { return {.object = o.name}; }
@@ -220,14 +220,14 @@ Answer<bool> are_touching(Vm& vm, const A& a, const B& b) {
   return *distance <= kTouching;
 }
 
-// From above: the tool's z axis points down, its x axis along the object's x axis turned by yaw.
+// From above: the z axis of the tool points down, its x axis is the object's x axis rotated by yaw.
 Answer<PosC> top_grasp(Vm& vm, const ObjectRef& o, double yaw) {
   const auto object = object_of(vm, o);
   if (!object) return Failed{};
   if (!std::isfinite(yaw)) return not_finite(vm, "yaw", yaw, 1);
   const Eigen::Matrix3d& R = (*object)->T_world_obj.linear();
-  // A body that lies on its side still has a heading: that of its x axis, or of its y axis if x
-  // stands upright.
+  // The heading of a tilted object is that of its x axis, or of its y axis if its x axis is
+  // vertical.
   const Vector3d axis = std::hypot(R(0, 0), R(1, 0)) > 1e-6 ? R.col(0) : R.col(1);
   const double heading = det::atan2(axis.y(), axis.x());
   const Eigen::Matrix3d R_tool = rot_z(heading + yaw) * rot_x(std::numbers::pi);

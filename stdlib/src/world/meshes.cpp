@@ -21,7 +21,7 @@ Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::strin
 
 namespace {
 
-// W0742: a mesh that may not be the one that its author meant.
+// W0742: a mesh that is probably not what its author intended.
 void advise_doubt(Vm& vm, const std::string& path, const std::string& why, std::string fix) {
   Failure advice;
   advice.headline = {row("W0742"), {path, why}};
@@ -30,7 +30,7 @@ void advise_doubt(Vm& vm, const std::string& path, const std::string& why, std::
   vm.advise(advice);
 }
 
-// W0740: what a converted mesh lacks of its source; other notes of the converter are doubts.
+// W0740: parts of its source that a converted mesh lacks; other notes of the converter are W0742.
 void advise_notes(Vm& vm, const std::string& path, const std::string& bytes) {
   for (const std::string& note : glb_notes(bytes)) {
     if (!note.ends_with("left out") && note.find(" is left out: ") == std::string::npos &&
@@ -94,7 +94,7 @@ Result<std::shared_ptr<const TriangleMesh>> load_link_mesh(Vm& vm, const std::st
   return Error{"mesh", error.what()};
 }
 
-// What a file or one node of it is as a mesh, which knows the bytes that it is drawn from.
+// The mesh of a file or of one of its nodes, with the bytes that displays read.
 static Result<TriangleMesh> triangles_in(const std::string& bytes,
                                          std::optional<std::string_view> part) {
   if (!part) {

@@ -12,7 +12,7 @@
 
 namespace armlet::bind {
 
-// R0656: why the mesh of a file cannot be used. Marks argument `parameter`.
+// R0656: the reason why the mesh of a file cannot be used. Marks argument `parameter`.
 Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::string fix = {},
                  int parameter = 0);
 
@@ -21,17 +21,17 @@ Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<doubl
                               std::optional<double> unit, std::optional<std::string_view> part,
                               double scale);
 
-// The mesh of a link that `file` names, the program itself if it is empty, as the bytes of a GLB;
-// null if it is of a kind that is not read, or if it would have to be converted and nothing does
-// that (W0741).
+// The mesh of a link as the bytes of a GLB, from the file that `file` names (empty: the program
+// itself names it). Null if its format cannot be read, or would have to be converted and there is
+// no converter (W0741).
 //
-// unit  m in one unit of the file, 0: as it says.
+// unit  length of one unit of the file, m; 0: as it says.
 Result<std::shared_ptr<const std::string>> load_link_glb(Vm& vm, const std::string& file,
                                                          const std::string& mesh,
                                                          double unit = 0.0);
 // The same with its triangles.
 //
-// unit, scale  m in one unit of the file, 0: as it says; and how much larger the link is, > 0.
+// unit, scale  length of one unit of the file, m, 0: as it says; and the scale factor, > 0.
 struct LinkMeshSize {
   double unit = 0.0;
   double scale = 1.0;

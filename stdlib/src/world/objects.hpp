@@ -1,5 +1,5 @@
 #pragma once
-// Finding objects by name while a program runs.
+// Objects and frames by name during a run.
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
@@ -8,31 +8,31 @@
 
 namespace armlet::bind {
 
-// The object of that name, also in the default world if nobody gave one; null if there is none.
+// The object with that name, also in the default world if no world was given; null: none.
 const Object* find_object(Vm& vm, std::string_view name);
-// R0625 with the names there are.
+// R0625 with the names of the existing objects.
 Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter);
 
-// W0723 if the object lies in another one, once for each place of the program.
+// W0723 if the object intersects another one, once for each statement of the program.
 void report_overlap(Vm& vm, const std::string& name);
 
-// Whether the shape tells how a body is turned: a round one has an axis only (ruling 14).
+// Whether the shape shows the rotation of a body: a round one shows only its axis (ruling 14).
 [[nodiscard]] bool has_orientation(const Object& object);
 
-// W0744: there is no colour of that name, so what has it is gray.
+// W0744: there is no colour with that name; gray is used.
 void report_color(Vm& vm, std::string_view color, int parameter);
 
-// What is on an object or a frame; marks argument `parameter` if that is not there.
+// A mount on an object or a frame; if it does not exist, the failure marks argument `parameter`.
 Answer<Mount> mount_on(Vm& vm, const ObjectRef& on, int parameter);
 Answer<Mount> mount_on(Vm& vm, const FrameRef& on, int parameter);
-// What is on a robot: a link of it, its flange if none is given. Marks argument `parameter` if
-// there is no such link.
+// A mount on a link of a robot; on its flange if none is given. If there is no such link, the
+// failure marks argument `parameter`.
 Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link,
                              int parameter);
 
-// Where a frame is now; R0645 if there is none of that name, or what it is on was removed.
+// The present pose of a frame; R0645 if no frame has that name, or if its mount was removed.
 Answer<PosC> frame_now(Vm& vm, const FrameRef& f, int parameter);
-// R0645 with the names there are.
+// R0645 with the names of the existing frames.
 Failed fail_unknown_frame(Vm& vm, std::string_view name, int parameter);
 
 }  // namespace armlet::bind

@@ -1,4 +1,4 @@
-// Files that describe worlds, as programs that declare objects.
+// Converts files that describe worlds to programs that declare objects.
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ constexpr std::size_t kMostObjects = kMostThings;
 
 Error broken(std::string why) { return Error{"world", std::move(why)}; }
 
-// Right to 1e-12, without a power of ten, which would stand before a unit.
+// Exact to 1e-12, without an exponent, which could not precede a unit.
 std::string digits(double value) {
   std::string text = fmt::format("{:.12f}", value);
   text.erase(text.find_last_not_of('0') + 1);
@@ -48,7 +48,7 @@ std::string place_text(const Isometry3d& T) {
   return text;
 }
 
-// A text between quotes; scenes may name things as they like.
+// A text between quotes; names in scenes may contain any character.
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -58,7 +58,7 @@ std::string in_quotes(std::string_view text) {
   return out + "\"";
 }
 
-// Names that programs can write, each once.
+// Names that are valid in programs, each used once.
 class Names {
  public:
   std::string make(std::string_view name) {
@@ -78,7 +78,7 @@ class Names {
   }
 
  private:
-  // Words of the language and what the library calls functions, which the text itself needs.
+  // Words of the language and names of library functions, which the text itself needs.
   static bool is_taken(const std::string& name) {
     static const std::set<std::string, std::less<>> taken = [] {
       std::set<std::string, std::less<>> names;
@@ -92,12 +92,12 @@ class Names {
   std::set<std::string> used_;
 };
 
-// One declaration.
+// One declaration of an object.
 struct Declared {
   std::string name;
   std::string shape;
   Isometry3d T_on_obj = Isometry3d::Identity();
-  std::string rest;  // further fields, each with "; " before it
+  std::string rest;  // further fields, each after "; "
 
   [[nodiscard]] std::string text() const {
     return fmt::format("object {} {{ shape: {}; at: {}{} }}\n", name, shape, place_text(T_on_obj),
@@ -107,7 +107,7 @@ struct Declared {
 
 // ---- GLB
 
-// notes  gets the things that are left out because they hold nothing; not all may.
+// notes  gets the parts that are left out because they are empty; not all parts may be.
 Result<std::string> text_of_glb(const std::string& bytes, const std::string& file,
                                 std::vector<std::string>& notes) {
   const Result<std::vector<GlbThing>> things = read_glb_things(bytes);
@@ -277,7 +277,7 @@ Result<std::string> text_of_urdf(const std::string& urdf, const std::string& fol
 
 }  // namespace
 
-// What is no text and no scene: a mesh is one body of a world.
+// An error for a file that is neither a text nor a scene; a mesh is only one body of a world.
 std::optional<Error> no_world(const std::string& file, std::string_view text) {
   const std::string_view format = mesh_format(file);
   const bool is_text = text.find('\0') == std::string_view::npos;
