@@ -1,47 +1,22 @@
 // Frames of an arm from its description.
+import { Matrix4, Quaternion } from "three";
 import type { Matrix, RobotChange, RobotInfo, RowInfo } from "../protocol/messages.ts";
 
+const matrix = (m: Matrix) => new Matrix4().fromArray(m);
+
 export function multiply(a: Matrix, b: Matrix): Matrix {
-  const c = new Array<number>(16);
-  for (let column = 0; column < 4; column++) {
-    for (let row = 0; row < 4; row++) {
-      let sum = 0;
-      for (let k = 0; k < 4; k++) sum += a[4 * k + row]! * b[4 * column + k]!;
-      c[4 * column + row] = sum;
-    }
-  }
-  return c;
+  return matrix(a).multiply(matrix(b)).toArray();
 }
 
 // A pose [x, y, z, qw, qx, qy, qz] as a matrix.
-export function poseMatrix(pose: readonly number[]): Matrix {
-  const [x = 0, y = 0, z = 0, w = 1, i = 0, j = 0, k = 0] = pose;
-  return [
-    1 - 2 * (j * j + k * k), 2 * (i * j + k * w), 2 * (i * k - j * w), 0,
-    2 * (i * j - k * w), 1 - 2 * (i * i + k * k), 2 * (j * k + i * w), 0,
-    2 * (i * k + j * w), 2 * (j * k - i * w), 1 - 2 * (i * i + j * j), 0,
-    x, y, z, 1,
-  ];
+export function poseMatrix([x = 0, y = 0, z = 0, qw = 1, qx = 0, qy = 0, qz = 0]: readonly number[]): Matrix {
+  return new Matrix4().makeRotationFromQuaternion(new Quaternion(qx, qy, qz, qw)).setPosition(x, y, z).toArray();
 }
 
-// A rigid matrix as a pose.
+// A rigid matrix as a pose, with qw >= 0.
 export function matrixPose(m: Matrix): number[] {
-  const [xx, yx, zx, , xy, yy, zy, , xz, yz, zz] = m as [number, ...number[]];
-  const q = [1 + xx! + yy! + zz!, 1 + xx! - yy! - zz!, 1 - xx! + yy! - zz!, 1 - xx! - yy! + zz!].map((s) => Math.sqrt(Math.max(0, s)) / 2);
-  const signed = [q[0]!, q[1]! * (zy! < yz! ? -1 : 1), q[2]! * (xz! < zx! ? -1 : 1), q[3]! * (yx! < xy! ? -1 : 1)];
-  if (q[0]! < 1e-6) {
-    // A half turn: the signs follow from the products of its axis.
-    const k = q.indexOf(Math.max(...q.slice(1)), 1);
-    const products = [[xx!, xy! + yx!, xz! + zx!], [xy! + yx!, yy!, yz! + zy!], [xz! + zx!, yz! + zy!, zz!]];
-    for (let i = 1; i < 4; i++) signed[i] = i === k ? q[i]! : Math.sign(products[k - 1]![i - 1]!) * q[i]!;
-  }
-  return [m[12]!, m[13]!, m[14]!, ...signed];
-}
-
-function jointMatrix(unit: "rad" | "m", q: number): Matrix {
-  if (unit === "m") return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, q, 1];
-  const [c, s] = [Math.cos(q), Math.sin(q)];
-  return [c, s, 0, 0, -s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const { w, x, y, z } = new Quaternion().setFromRotationMatrix(matrix(m));
+  return [m[12]!, m[13]!, m[14]!, ...[w, x, y, z].map((part) => (w < 0 ? -part : part))];
 }
 
 // How each link moves: as the joint of its number, or as its row says.
@@ -58,14 +33,16 @@ export function linkOfJoint(robot: RobotInfo, joint: number): number {
 // The frames in which shapes stand, in the world: the base, each joint's T_before_joint M(q), the
 // flange, which is the last link.
 export function shapeFrames(robot: RobotInfo, q: readonly number[], base: Matrix = robot.T_world_base): Matrix[] {
-  const frames = [base];
-  let link = base;
+  const link = matrix(base);
+  const frames: Matrix[] = [base];
   for (const row of rowsOf(robot)) {
-    const moved = multiply(multiply(link, row.T_before_joint), jointMatrix(row.unit, row.ratio * (q[row.joint] ?? 0) + row.offset));
-    frames.push(moved);
-    link = multiply(moved, row.T_joint_link);
+    const value = row.ratio * (q[row.joint] ?? 0) + row.offset;
+    const moved = new Matrix4();
+    link.multiply(matrix(row.T_before_joint)).multiply(row.unit === "m" ? moved.makeTranslation(0, 0, value) : moved.makeRotationZ(value));
+    frames.push(link.toArray());
+    link.multiply(matrix(row.T_joint_link));
   }
-  frames.push(link);
+  frames.push(link.toArray());
   return frames;
 }
 
