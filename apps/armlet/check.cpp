@@ -35,7 +35,7 @@ struct Count {
   int failed = 0;
 };
 
-// One test in a fresh world; its messages follow its line.
+// Runs one test in a fresh world; its messages follow its line.
 void run_one(Session& session, std::size_t index, const std::string& name, bool json,
              Count& count) {
   const RunResult result = session.run_test(index);

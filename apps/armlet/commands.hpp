@@ -18,10 +18,10 @@ enum Exit : int {
   kStopped = 130
 };
 
-// What run, check and test have in common.
+// The options that run, check and test share.
 struct ProgramOptions {
   std::string robot = "scara";  // a name of the catalogue
-  std::string world;  // a .rbt file; empty: the command's own, when a program names an object
+  std::string world;  // a .rbt file; empty: the command's default world, if the program needs one
   std::uint64_t steps = 10'000'000'000;
   bool json = false;
   std::vector<std::string> packages;  // NAME=DIR
@@ -30,36 +30,36 @@ struct ProgramOptions {
 struct RunOptions {
   ProgramOptions program;
   std::string file;
-  std::string trace;                 // ends as a trace format; empty: none
+  std::string trace;                 // a file with the extension of a trace format; empty: none
   std::vector<std::string> cameras;  // NAME=FOLDER of recorded pictures
-  std::string frames;                // where pictures that cameras take are written; empty: nowhere
+  std::string frames;                // folder for the pictures that cameras take; empty: none
   bool realtime = false;
   bool quiet = false;      // no progress, no summary
   bool plots = false;      // draw the figures in the terminal
   bool hash = false;       // print the hash of the run
   std::string storyboard;  // a .png file; empty: none
-  std::string record;      // where the log of the session is left; empty: nowhere
-  std::string inputs;      // of a laboratory, played without a page; empty: it is no laboratory
+  std::string record;      // the file for the log of the session; empty: none
+  std::string inputs;      // input script of a laboratory without a page; empty: no laboratory
 };
 
 struct ReplayOptions {
-  std::string file;     // a record
+  std::string file;     // a log
   std::string to;       // a virtual time to go to, "3.2s"; empty: to the end
-  bool verify = false;  // compare with the run that was recorded
+  bool verify = false;  // compare with the recorded run
   bool json = false;
   bool quiet = false;
 };
 
-// Of `armlet lab` as it is shown in browsers.
+// Options of `armlet lab` when it serves pages to browsers.
 struct LabOptions {
   bool demo = false;
   std::string host = "127.0.0.1";
-  int port = 0;                        // 0: any that is free
-  std::string token_file;              // empty: of a variable, or a new one
-  bool token_on_command_line = false;  // which is refused
+  int port = 0;                        // 0: any free port
+  std::string token_file;              // empty: from the environment variable, or a new token
+  bool token_on_command_line = false;  // refused
   bool no_open = false;
-  std::string export_to;  // one file with everything; empty: the page is served
-  std::string engine;     // what that is made of; empty: where it is looked for
+  std::string export_to;  // a file that contains everything; empty: the page is served
+  std::string engine;     // the engine for that file; empty: search the usual folders
 };
 
 struct EditorOptions {
@@ -70,36 +70,36 @@ struct EditorOptions {
 
 struct FormatOptions {
   std::vector<std::string> files;  // "-" is standard input
-  bool check = false;              // name what would change, change nothing
+  bool check = false;              // name the files that would change, change nothing
   bool json = false;
 };
 
 struct RobotOptions {
-  std::string name;  // of the catalogue, or a .urdf file; empty: the catalogue
-  std::string tip;   // where the arm of a file ends; empty: at the end of its only chain
+  std::string name;  // of the catalogue, or a .urdf file; empty: list the catalogue
+  std::string tip;   // last link of the arm in a file; empty: the end of its only chain
   bool json = false;
   bool urdf = false;                  // write a URDF
   bool block = false;                 // write a robot block
   bool glb = false;                   // write its shapes as GLB
   std::string glb_file;               // to this file; empty: to standard output
-  bool published = false;             // keep inertias that no rigid body has
+  bool published = false;             // keep inertias that no rigid body can have
   std::vector<std::string> packages;  // NAME=DIR
 };
 
 struct MeshOptions {
-  std::string from;  // a mesh of any format that is read
+  std::string from;  // a mesh of any supported format
   std::string to;    // a .glb file
-  std::string unit;  // of the file, "1mm"; empty: as the format says, metres if it says nothing
+  std::string unit;  // length of a unit of the file, "1mm"; empty: as the format says, else metres
   std::string up;    // the axis that points up, y or z; empty: as the format says
   bool quiet = false;
 };
 
 struct PromptOptions {
   ProgramOptions program;
-  std::string record;  // where the log of the session is left; empty: nowhere
+  std::string record;  // the file for the log of the session; empty: none
 };
 
-// The prompt: lines from standard input, until they end.
+// The prompt: runs lines from standard input until its end.
 int prompt(const PromptOptions& options);
 int run(const RunOptions& options);
 int replay(const ReplayOptions& options);
@@ -113,7 +113,7 @@ int explain(const std::string& code);
 int robot(const RobotOptions& options);
 int convert_mesh(const MeshOptions& options);
 int serve_lab(const LabOptions& options, const RunOptions& run);
-// --export and --record FILE.html: a page that needs no command.
+// --export and --record FILE.html: saves a page that needs no command.
 int save_lab(const LabOptions& options, const RunOptions& run);
 int help(const std::string& name, bool markdown);
 int lists();

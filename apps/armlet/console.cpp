@@ -27,10 +27,10 @@ namespace {
 
 std::atomic<Session*> running{nullptr};
 std::atomic<bool> was_interrupted{false};
-std::atomic<bool> stays{false};  // Ctrl-C stops what runs, and not the process
-int output_failure = 0;          // errno of the first one
+std::atomic<bool> stays{false};  // Ctrl-C stops the running program, not the process
+int output_failure = 0;          // errno of the first failure
 
-// The terminal as the process found it, while the prompt changes it.
+// The settings of the terminal at the start of the process; the prompt changes them.
 termios terminal_before{};
 std::atomic<bool> has_terminal{false};
 
@@ -40,7 +40,8 @@ void leave_at_once() {
   _exit(kStopped);
 }
 
-// The first one asks the program to stop, if there is one; otherwise nothing is worth waiting for.
+// The first one sends a stop request to the program; without a program, or the second time, it ends
+// the process.
 extern "C" void on_interrupt(int signal) {
   Session* session = running.load();
   if (signal == SIGINT && stays.load()) {
@@ -52,7 +53,7 @@ extern "C" void on_interrupt(int signal) {
   session->cancel();
 }
 
-// Nobody reads on, as behind `| head -1`: there is no reason to go on.
+// No process reads the output any more, as with `| head -1`: the program is stopped.
 void note_output_failure() {
   if (output_failure != 0) return;
   output_failure = errno != 0 ? errno : EIO;
@@ -80,7 +81,7 @@ void show_unreadable(const std::string& path, std::string_view reason, bool json
 
 std::optional<std::string> read_file(const std::string& path, bool json) {
   const std::size_t most = ParseLimits{}.bytes;
-  // Standard input is asked for by name, and may well be a pipe.
+  // Standard input is named as a file, but may be a pipe.
   Result<std::string> text =
       path == "/dev/stdin" ? read_all(STDIN_FILENO, most) : armlet::read_file(path, most);
   if (text.ok()) return std::move(text).value();
@@ -111,7 +112,7 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
       show(make_diagnostic("W0743", kNoText, {options.world, note}), none, options.json);
     session.world = std::move(world).value();
   }
-  // What a program may write lies below its own folder.
+  // A program may write files only below its own folder.
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   session.folder = folder.empty() ? std::filesystem::path(".") : folder;
   session.meshes.convert = mesh_converter();
@@ -119,7 +120,7 @@ Setup make_setup(const ProgramOptions& options, const std::string& file) {
   session.limits.steps = options.steps;
   session.output = [](std::string_view text) {
     print_out(text);
-    // Where nobody reads any more the program is stopped, quietly.
+    // If no process reads the output, the program is stopped without a message.
     const bool said = output_failure != 0 && output_is_read();
     return said ? std::string(std::strerror(output_failure)) : std::string();
   };
@@ -185,7 +186,7 @@ std::optional<std::int64_t> time_of(const std::string& text) {
 }
 
 void prepare_process() {
-  // What is opened later must not take the place of a standard stream that is closed.
+  // Closed standard streams are opened, so that no other file gets their numbers.
   while (true) {
     const int file = open("/dev/null", O_RDONLY);
     if (file > STDERR_FILENO) close(file);
@@ -195,7 +196,7 @@ void prepare_process() {
   sigemptyset(&action.sa_mask);
   action.sa_handler = on_interrupt;
   for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
-  // Failing to write is seen where it happens.
+  // Failed writes are handled where they happen.
   action.sa_handler = SIG_IGN;
   for (const int number : {SIGPIPE, SIGXFSZ}) sigaction(number, &action, nullptr);
 }

@@ -12,47 +12,47 @@
 
 namespace armlet::cli {
 
-// The text of a file, or nothing after a message.
+// The text of a file, or nullopt after a message.
 std::optional<std::string> read_file(const std::string& path, bool json);
 
 // The packages of --package NAME=DIR and the folders of ROS_PACKAGE_PATH.
 PackageFolders package_folders(const std::vector<std::string>& named);
 
-// The options of a session for a program, with the robot and world asked for, or the exit status
-// after a message.
+// The session options for a program, with the robot and world of the command line, or the exit
+// status after a message.
 struct Setup {
   SessionOptions session;
   int exit = kDone;
 };
-// Converts meshes of programs, with a cache; says so after a while.
+// Converts meshes of programs, with a cache; shows progress if it takes long.
 MeshConverter mesh_converter();
 Setup make_setup(const ProgramOptions& options, const std::string& file);
 
-// The robot of that name of the catalogue, or null after a message.
+// The robot with that name in the catalogue, or null after a message.
 std::shared_ptr<const Robot> find_robot(const std::string& name);
 
 void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json);
 void show(const std::vector<Problem>& problems, bool json);
-// A line of progress on standard error, after everything that the program printed.
+// Prints a line of progress on standard error, after all output of the program so far.
 void progress(std::string_view line);
-// What the program prints. When nobody reads it any more the program is stopped.
+// Prints output of the program. The program is stopped when no process reads the output any more.
 void print_out(std::string_view text);
 [[nodiscard]] bool output_is_read();
-// Everything printed arrived. False, after a message unless nobody reads: the outside could not
-// take it.
+// Whether all output was written. False, after a message unless its reader has ended: it could not
+// be written.
 bool finish_output();
 
-// "3.2s", "250 ms" or "3.2", which are seconds, in nanoseconds; nothing for what is no time from 0
-// to 100 years.
+// "3.2s", "250 ms" or "3.2" (seconds), in nanoseconds; nullopt unless it is a time from 0 to 100
+// years.
 [[nodiscard]] std::optional<std::int64_t> time_of(const std::string& text);
 
-// Before anything else: from here on Ctrl-C ends the process and leaves no unfinished files, and
-// output that nobody reads ends it quietly (end_as_others_do).
+// Must be called first: afterwards Ctrl-C ends the process without leaving unfinished files, and
+// output without a reader ends it without a message (end_as_others_do).
 void prepare_process();
-// Ends the process by SIGPIPE, as commands in a pipe end whose reader has left.
+// Ends the process by SIGPIPE, as other commands do when the reader of their pipe has ended.
 void end_as_others_do();
 
-// While one of these lives, Ctrl-C stops the session under control; a second one ends the process.
+// While one of these exists, Ctrl-C stops the session under control; a second one ends the process.
 class Interruptible {
  public:
   explicit Interruptible(Session& session);
@@ -61,11 +61,11 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
 };
 bool interrupted();
-// The next Ctrl-C is the first one again.
+// After this call the next Ctrl-C counts as the first one.
 void forget_interrupt();
 
-// While one of these lives, Ctrl-C never ends the process, and SIGTERM does so at once, with the
-// terminal as it was.
+// While one of these exists, Ctrl-C never ends the process. SIGTERM ends it at once, after
+// restoring the terminal.
 class StayOnInterrupt {
  public:
   StayOnInterrupt();
@@ -74,13 +74,13 @@ class StayOnInterrupt {
   StayOnInterrupt& operator=(const StayOnInterrupt&) = delete;
 };
 
-// Whether standard error is a terminal that can show a line and take it away again.
+// Whether standard error is a terminal on which a line can be shown and removed again.
 [[nodiscard]] bool shows_status();
-// Whether a standard stream is a terminal that moves its cursor and has colours; a dumb one is not.
+// Whether a standard stream is a terminal with cursor motion and colours, not a dumb one.
 [[nodiscard]] bool is_capable_terminal(int file);
-// A line of a terminal's standard error that the next one takes the place of; empty: none.
+// Shows a line on standard error that the next one overwrites; empty: removes it.
 void status_line(std::string_view text);
-// A motion that has ended, as a line of progress.
+// Shows a finished motion as a line of progress.
 void show_move(const MoveReport& move);
 // "held by scara", "on table"; empty if it is neither.
 std::string place_text(const Cell& cell, std::string_view object);

@@ -1,4 +1,4 @@
-// armlet complete and armlet hover: what stands at a position of a file, for editors.
+// armlet complete and armlet hover: information about a position of a file, for editors.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// "12:5"; nothing if it is no position.
+// The position "12:5"; nullopt if the text is none.
 std::optional<Position> position_of(const std::string& text) {
   Position out;
   const char* const end = text.data() + text.size();
@@ -27,7 +27,7 @@ std::optional<Position> position_of(const std::string& text) {
   return out;
 }
 
-// The byte at a position; columns count characters. Behind the end of a line is its end.
+// The byte offset of a position; columns count characters and end at the end of the line.
 std::uint32_t byte_at(const Source& source, Position position) {
   if (position.line > source.line_count()) return static_cast<std::uint32_t>(source.text().size());
   const std::string_view line = source.line(position.line);

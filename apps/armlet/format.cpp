@@ -1,4 +1,4 @@
-// armlet fmt: lays programs out.
+// armlet fmt: formats programs.
 
 #include "armlet/interpreter/format.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::string_view kStandardInput = "-";
 
-// Puts `text` into the file in one step: whoever reads it sees the old text or the new one.
-// Permissions and owner stay. The reason if that was not possible.
+// Replaces the file in one step: a reader sees either the old text or the new one. Permissions and
+// owner stay. Returns the reason if that was not possible.
 std::optional<Error> replace_file(const std::string& path, std::string_view text) {
   Result<NewFile> made = create_file(path);
   if (!made.ok()) return made.error();

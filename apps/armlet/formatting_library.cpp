@@ -1,5 +1,5 @@
-// The parts of the formatting library that are not in its headers, as its own src/format.cc defines
-// them: with them inside, the command loads neither that library nor the C++ library it needs.
+// The functions of the library fmt that are not in its headers, from fmt's own source: with them
+// the command loads neither the shared library fmt nor the C++ library it needs, and starts sooner.
 
 #include <fmt/format-inl.h>
 

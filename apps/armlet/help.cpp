@@ -1,4 +1,4 @@
-// armlet help: the pages of the library.
+// armlet help: the help pages of the library.
 
 #include <fmt/format.h>
 

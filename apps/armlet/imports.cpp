@@ -10,7 +10,7 @@
 namespace armlet::cli {
 namespace {
 
-// As far as the last /, with it.
+// The path up to and including the last /.
 std::string_view folder_of(std::string_view path) {
   return path.substr(0, path.find_last_of('/') + 1);
 }
@@ -47,7 +47,7 @@ class ProgramFolder {
     } else if (folder_->has_file(*clean)) {
       out.why = "only files that end in .rbt are programs";
     }
-    // As a program would write them.
+    // The names as a program would write them.
     const std::string_view ending = is_table ? kTableEnding : ".rbt";
     for (const std::string& other : folder_->names(folder_of(*clean), ending))
       out.others.push_back(std::string(folder_of(path)) + other);

@@ -7,9 +7,9 @@
 
 namespace armlet::cli {
 
-// Reads imported files, and tables of which a program reads the columns when it is checked,
-// relative to the file that imports them. A program gets files of its own folder and of the folders
-// below it, wherever a path leads; links are not followed there.
+// Reads imported files, and tables whose columns the checker needs, relative to the file that
+// imports them. A program can read files of its own folder and the folders below it, whatever the
+// path says; links there are not followed.
 [[nodiscard]] ModuleLoader imports_of(const std::string& program);
 
 }  // namespace armlet::cli

@@ -1,4 +1,4 @@
-// armlet help --lists: what there is, as JSON: for documents that are made from it, and for
+// armlet help --lists: functions, messages and other lists as JSON, for generated documents and for
 // editors.
 
 #include <nlohmann/json.hpp>

@@ -16,7 +16,7 @@ namespace {
 
 using namespace armlet::cli;
 
-// The folders of packages whose meshes a description names.
+// Adds the option for packages whose meshes a description names.
 void add_packages(CLI::App& command, std::vector<std::string>& packages) {
   command
       .add_option("--package", packages,
@@ -55,7 +55,7 @@ void add_program_options(CLI::App& command, ProgramOptions& options) {
   command.add_flag("--json", options.json, "messages as JSON, one object per line");
 }
 
-// Whether the first word is a command; says so if not.
+// Whether the first word is a command; prints a message if not.
 bool knows_command(const CLI::App& app, std::string_view word) {
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands(nullptr)) known.push_back(command->get_name());
@@ -74,7 +74,7 @@ bool knows_command(const CLI::App& app, std::string_view word) {
   return false;
 }
 
-// What the command line asked for.
+// The contents of the command line.
 struct Asked {
   ProgramOptions options;
   PromptOptions prompt;
@@ -107,8 +107,8 @@ void add_prompt_options(CLI::App& app, Asked& asked) {
       ->type_name("FILE");
 }
 
-// What becomes of a run, for all commands that run a program to its end; `needed` is the option
-// that makes a command one of them.
+// Adds the options for outputs of a run, for all commands that run a program to its end; `needed`
+// is the option that makes a command one of them.
 void add_run_outputs(CLI::App& command, Asked& asked, CLI::Option* needed) {
   std::vector<CLI::Option*> all;
   all.push_back(command
@@ -144,7 +144,7 @@ void add_run_outputs(CLI::App& command, Asked& asked, CLI::Option* needed) {
                                 ".arec file; of a laboratory also as a page, an .html file")
                     ->type_name("FILE"));
   for (CLI::Option* each : all) {
-    // A laboratory is recorded without inputs, too, as a page.
+    // A laboratory without inputs can be recorded, too, as a page.
     if (needed != nullptr && each != all.back()) each->needs(needed);
   }
 }
@@ -269,7 +269,7 @@ void add_lab_options(CLI::App& command, Asked& asked) {
   command
       .add_option_function<std::string>(
           "--token", [&lab](const std::string&) { lab.token_on_command_line = true; })
-      ->group("");  // hidden: its message says where a token belongs
+      ->group("");  // hidden: its message explains how to give a token
   command.add_flag("--no-open", lab.no_open, "open no browser; the address is printed");
   CLI::Option* exported =
       command
@@ -362,7 +362,7 @@ int dispatch(int argc, char** argv) {
   for (const Command& command : kCommands) {
     CLI::App* known = app.add_subcommand(command.name, command.help);
     if (argc < 2 || command.name != std::string_view(argv[1])) continue;
-    command.add_options(*known, asked);  // only those, to start sooner
+    command.add_options(*known, asked);  // only the options of this command, to start sooner
     wanted = &command;
   }
   if (argc > 1 && !knows_command(app, argv[1])) return kUsage;
@@ -379,11 +379,11 @@ int dispatch(int argc, char** argv) {
   return prompts ? prompt(asked.prompt) : kUsage;
 }
 
-// Ends without taking down the tables of the parser, which the system reclaims at once.
+// Exits without freeing the tables of the parser, since the system frees them faster.
 [[noreturn]] void leave(int status) {
   end_as_others_do();
 #ifdef __SANITIZE_ADDRESS__
-  std::exit(status);  // looks for leaks
+  std::exit(status);  // so that leaks are found
 #else
   std::fflush(nullptr);
   std::_Exit(status);

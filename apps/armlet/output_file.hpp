@@ -1,5 +1,5 @@
 #pragma once
-// A file that a command leaves when it has ended, in the place of the one before.
+// A file that a command writes and that replaces the old one when the command has ended.
 
 #include <optional>
 #include <string>
@@ -11,21 +11,21 @@ namespace armlet::cli {
 
 class OutputFile {
  public:
-  // what  as messages call it: "trace".
+  // what  the word for it in messages: "trace".
   explicit OutputFile(std::string what) : what_(std::move(what)) {}
 
   void set_path(std::string path) { path_ = std::move(path); }
   [[nodiscard]] bool is_wanted() const { return !path_.empty(); }
-  // Once it is known that it will be written. The texts are files that it must not take the place
-  // of. The exit status, after a message if it is not kDone.
+  // Called once it is known that the file will be written. It must not be one of the files `texts`.
+  // Returns the exit status, after a message if it is not kDone.
   int open(const std::vector<std::string>& texts);
   [[nodiscard]] NewFile& file() { return *file_; }
-  // It is not wanted any more: what was written goes.
+  // Removes the unfinished file; it is not needed any more.
   void give_up() {
     file_.reset();
     path_.clear();
   }
-  // Puts the file in its place. The exit status, as above.
+  // Gives the file its name. Returns the exit status, as above.
   int finish();
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// The log of a session as a file, from which `armlet replay` takes it again.
+// The log of a session as a file, which `armlet replay` replays.
 
 #include <string>
 #include <vector>
@@ -11,10 +11,10 @@ namespace armlet::cli {
 
 class Record {
  public:
-  // The exit status, after a message if this is no name of a record; empty: none is wanted.
+  // Returns the exit status, after a message if this is no file name for a log; empty: no log.
   int choose(const std::string& path);
   [[nodiscard]] bool is_wanted() const { return file_.is_wanted(); }
-  // As OutputFile does.
+  // The same as for OutputFile.
   int open(const std::vector<std::string>& texts);
   int finish(const SessionLog& log);
   void give_up() { file_.give_up(); }

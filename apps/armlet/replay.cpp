@@ -1,4 +1,4 @@
-// armlet replay: a recorded run once more, compared with what was recorded, or up to a time.
+// armlet replay: runs a recorded run again, to compare it with the record, or up to a time.
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ SessionOptions options_of(const SessionLog& log) {
   return options;
 }
 
-// ---- what is there
+// ---- the state of the cell
 
 void show_robots(const Cell& cell) {
   for (int i = 0; i < cell.robot_count(); ++i) {
@@ -127,7 +127,7 @@ int show_instant(Session& session, std::int64_t t_ns) {
   return finish_output() ? kDone : kFailed;
 }
 
-// ---- comparing
+// ---- comparison
 
 int compare(const SessionLog& log, const RunMarks& marks) {
   const auto parting = where_runs_part(log.marks, marks.marks());
@@ -143,7 +143,7 @@ int compare(const SessionLog& log, const RunMarks& marks) {
   return kFailed;
 }
 
-// One entry after the other.
+// Runs one entry after the other.
 RunResult run_all(Session& session, const SessionLog& log) {
   RunResult result;
   std::size_t to_come = 0;
@@ -181,7 +181,7 @@ int replay(const ReplayOptions& options) {
   RunMarks marks;
   const bool is_heard = !options.verify && !to_ns;
   if (options.verify) setup.backends = {&marks};
-  if (to_ns) setup.open = setup.markers = true;  // for the variables
+  if (to_ns) setup.open = setup.markers = true;  // to show the variables
   const Session* replayed = nullptr;
   if (is_heard) {
     setup.output = [](std::string_view text) {

@@ -46,12 +46,12 @@ int list_robots(bool json) {
   return finish_output() ? kDone : kFailed;
 }
 
-// What a name or a file stands for.
+// The robot or hand that a name or file on the command line means.
 struct Found {
   std::shared_ptr<const Robot> arm;
   std::optional<Hand> hand;
   std::optional<Mechanism> file;
-  int exit = kDone;  // after a message, if it is none of these
+  int exit = kDone;  // after a message, if it is neither
 };
 
 int refuse(const std::string& message, int exit) {
@@ -59,7 +59,7 @@ int refuse(const std::string& message, int exit) {
   return exit;
 }
 
-// A mesh that a description names as GLB; null for a kind of file that is not read.
+// A mesh of a description as GLB; null if its format cannot be read.
 Result<std::shared_ptr<const std::string>> read_mesh(const std::string& folder,
                                                      const std::string& mesh,
                                                      const PackageFolders& packages) {
@@ -112,7 +112,7 @@ Found read_description(const RobotOptions& options) {
   return found;
 }
 
-// From the last full stop on, in small letters.
+// The extension: from the last full stop on, in lower case.
 std::string ending_of(const std::string& name) {
   const std::size_t dot = name.rfind('.');
   std::string ending = dot == std::string::npos ? std::string() : name.substr(dot);

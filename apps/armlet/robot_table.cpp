@@ -33,13 +33,13 @@ std::string copying_text(const Robot& robot) {
                      copies == 1 ? "ies" : "y");
 }
 
-// A number of a joint in deg or mm.
+// A joint value in deg or mm.
 std::string shown(bool turns, double value, int digits) {
   return std::isfinite(value) ? format_number(turns ? rad_to_deg(value) : 1000.0 * value, digits)
                               : "-";
 }
 
-// The entry that a row moves: "q2", "q2 + 90", or "-1 q2 + 90" of one that copies.
+// The entry of a row that a joint moves: "q2", "q2 + 90", or "-1 q2 + 90" for a mimic joint.
 std::string moved(const Robot& robot, int k, const std::string& zero) {
   const auto [joint, ratio] = motion_of_row(robot, k);
   std::string q = fmt::format("q{}", joint + 1);
@@ -162,7 +162,7 @@ Json joint_json(const Joint& joint) {
   return json;
 }
 
-// What drives a joint: "f1", "1/3 f1 + 40 deg".
+// The actuator of a joint: "f1", "1/3 f1 + 40 deg".
 std::string drive_text(const Mechanism& m, int joint, bool turns) {
   std::string text;
   for (Eigen::Index a = 0; a < m.spec().coupling.cols(); ++a) {
@@ -177,7 +177,7 @@ std::string drive_text(const Mechanism& m, int joint, bool turns) {
   return text.empty() ? "still" : text;
 }
 
-// Whether an actuator turns, which its first joint shows.
+// Whether an actuator rotates; its first joint decides.
 bool turns(const Mechanism& m, std::size_t actuator) {
   for (int j = 0; j < m.joint_count(); ++j) {
     const int body = m.moving()[static_cast<std::size_t>(j)];
@@ -214,7 +214,7 @@ std::string robot_text(const Robot& robot) {
   return text;
 }
 
-// SI throughout; angles in rad.
+// In SI; angles in rad.
 std::string robot_json(const Robot& robot) {
   const Reach reach = find_reach(robot);
   const ClosedForm& form = closed_form(robot);

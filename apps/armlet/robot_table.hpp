@@ -8,7 +8,7 @@
 
 namespace armlet::cli {
 
-// One letter per joint: R turns, P slides.
+// One letter per joint: R revolute, P prismatic.
 std::string kinds_of(const Robot& robot);
 
 // Rows, limits, reach and kinematics, in degrees and millimetres.
@@ -17,7 +17,7 @@ std::string robot_text(const Robot& robot);
 // The same as one line of JSON, in SI units.
 std::string robot_json(const Robot& robot);
 
-// Actuators and the joints that they move.
+// The actuators of a hand with fingers, and the joints that they move.
 std::string hand_text(const Hand& hand);
 
 }  // namespace armlet::cli

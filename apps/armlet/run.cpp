@@ -1,4 +1,4 @@
-// armlet run: check a program, run it, show each move, sum up.
+// armlet run: checks a program, runs it, shows each move and a summary.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -29,11 +29,11 @@
 namespace armlet::cli {
 namespace {
 
-// The backend of a trace and the file that it writes to, which takes the place of the one before
-// when the run has ended, however it has.
+// The backend of a trace and its file, which replaces the old file when the run has ended, also if
+// it failed.
 class Trace {
  public:
-  // The exit status after a message if there is no such trace.
+  // Returns the exit status, after a message if there is no such trace format.
   int choose(const std::string& path) {
     if (path.empty()) return kDone;
     const TraceFormat* format = trace_format_of(path);
@@ -48,7 +48,7 @@ class Trace {
 
   [[nodiscard]] Backend* backend() const { return backend_.get(); }
 
-  // Once it is known that the program runs. The texts are what it was made of.
+  // Called once the program is known to run. `texts` are its source files.
   int open(const std::vector<std::string>& texts) {
     if (backend_ == nullptr) return kDone;
     if (const int exit = file_.open(texts); exit != kDone) return exit;
@@ -57,7 +57,7 @@ class Trace {
     return kDone;
   }
 
-  // Puts the file in its place. Nothing to say if all of it was written.
+  // Gives the file its name; a message only if it was not written completely.
   int finish() {
     if (backend_ == nullptr) return kDone;
     if (const int exit = file_.finish(); exit != kDone) return exit;
@@ -67,16 +67,16 @@ class Trace {
   }
 
  private:
-  std::ostream out_{nullptr};  // to the file, when that is open
+  std::ostream out_{nullptr};  // writes to the file, once that is open
   std::unique_ptr<Backend> backend_;
   OutputFile file_{"trace"};
   std::optional<FileStream> stream_;
 };
 
-// What a run leaves in files.
+// The output files of a run.
 class Outputs {
  public:
-  // The exit status, after a message if a name is refused.
+  // Returns the exit status, after a message if a name is refused.
   int choose(const RunOptions& options, SessionOptions& session) {
     if (const int exit = trace_.choose(options.trace); exit != kDone) return exit;
     if (const int exit = record_.choose(options.record); exit != kDone) return exit;
@@ -88,7 +88,7 @@ class Outputs {
     return kDone;
   }
 
-  // Once it is known that the program runs. The texts are what it was made of.
+  // Called once the program is known to run. `texts` are its source files.
   int open(const std::vector<std::string>& texts) {
     if (const int exit = trace_.open(texts); exit != kDone) return exit;
     if (const int exit = record_.open(texts); exit != kDone) return exit;
@@ -99,7 +99,7 @@ class Outputs {
   [[nodiscard]] bool wants_moves() const { return storyboard_.is_wanted(); }
   void take(const MoveReport& move, const Cell& cell) { storyboard_.take(move, cell); }
 
-  // Puts the files in their places. Whether all of it was written.
+  // Gives the files their names. Returns whether all of them were written.
   bool finish(const Session& session) {
     const bool has_frames = frames_.finish() == kDone;
     is_traced_ = trace_.finish() == kDone;
@@ -108,7 +108,7 @@ class Outputs {
     const bool recorded = record_.finish(log) == kDone;
     return storyboard_.finish() == kDone && recorded && is_traced_ && has_frames;
   }
-  [[nodiscard]] bool is_traced() const { return is_traced_; }  // behind finish
+  [[nodiscard]] bool is_traced() const { return is_traced_; }  // valid after finish
 
  private:
   Trace trace_;
@@ -119,15 +119,15 @@ class Outputs {
   bool is_traced_ = false;
 };
 
-// The files that a program consists of.
+// The source files of a program.
 std::vector<std::string> texts_of(const RunOptions& options, const SourceSet& sources) {
   std::vector<std::string> texts{options.file, options.program.world};
   for (std::uint32_t i = 0; i < sources.size(); ++i) texts.push_back(sources[i].name());
   return texts;
 }
 
-// Sleeps until wall-clock time has caught up with virtual time, in short pieces so that Ctrl-C is
-// heard. Ctrl-C asks the program once to stop; coming to rest then costs no time.
+// Sleeps until wall-clock time has reached virtual time, in short intervals so that Ctrl-C has
+// effect. Ctrl-C sends one stop request; the deceleration after it does not wait for the clock.
 std::function<bool(std::int64_t)> real_time() {
   const auto start = std::chrono::steady_clock::now();
   return [start, told = false](std::int64_t t_ns) mutable {
@@ -140,7 +140,7 @@ std::function<bool(std::int64_t)> real_time() {
   };
 }
 
-// The figures that the program itself has not saved, and where they went.
+// The figures that the program has not saved itself, and the file that they were saved to.
 class Figures {
  public:
   explicit Figures(const Session& session) {
@@ -149,7 +149,7 @@ class Figures {
     }
   }
 
-  // Leaves them beside the trace: run.csv, run.figures.svg. The exit status.
+  // Saves them beside the trace: run.csv, run.figures.svg. Returns the exit status.
   int save_beside(const std::string& trace) {
     if (unsaved_.empty() || trace.empty()) return kDone;
     path_ = trace.substr(0, trace.rfind('.')) + ".figures.svg";
@@ -236,8 +236,8 @@ int run(const RunOptions& options) {
     const Interruptible guard(session);
     result = script.is_wanted() ? script.play(session) : session.run();
   }
-  // What a program does after Ctrl-C can fail too, for example by its steps: the user has stopped
-  // it all the same.
+  // After Ctrl-C the program may also fail, for example by its step limit: the result is that the
+  // user has stopped it.
   if (interrupted() && result.status == Progress::kFailed) result.status = Progress::kCancelled;
   if (result.error && output_is_read()) show(*result.error, session.sources(), json);
   if (options.plots) draw_figures(session);

@@ -9,8 +9,8 @@
 
 namespace armlet::cli {
 
-// Bodies that the summary lists. What lies on what is searched for each, which takes the square of
-// their number where all lie in one place; and nobody reads more lines.
+// The most bodies that the summary lists. The support of each is searched for, which takes
+// quadratic time if all are close together; and nobody reads more lines.
 constexpr std::size_t kListed = 100;
 
 static std::string seconds(double s) { return fmt::format("{:.2f} s", s); }

@@ -1,5 +1,5 @@
 #pragma once
-// What is said of a run at its end.
+// The summary of a run at its end.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace armlet::cli {
 
-// trace  where one was left; empty: nowhere.
+// trace  the trace file; empty: none.
 void show_summary(const Session& session, const std::string& trace, Progress status);
 
 }  // namespace armlet::cli

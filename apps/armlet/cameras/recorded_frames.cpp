@@ -20,10 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPictureBytes = std::size_t{64} << 20U;  // of a picture
+constexpr std::size_t kMostPictureBytes = std::size_t{64} << 20U;  // of one picture
 constexpr std::array<std::string_view, 3> kPictureEndings{".png", ".jpg", ".jpeg"};
 
-// The files of one camera, in the order of their names.
+// The picture files of one camera, in alphabetical order.
 struct Recorded {
   std::string folder;
   std::vector<std::string> paths;
@@ -35,7 +35,7 @@ bool is_picture(const fs::path& path) {
   return std::ranges::find(kPictureEndings, ending) != kPictureEndings.end();
 }
 
-// The reason if the folder cannot be read, or holds none.
+// An error with the reason if the folder cannot be read or holds no pictures.
 Result<Recorded> pictures_in(const std::string& folder) {
   std::error_code failed;
   Recorded out{folder, {}};

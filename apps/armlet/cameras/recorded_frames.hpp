@@ -1,6 +1,6 @@
 #pragma once
-// Pictures of cameras between a program and the file system: recorded ones that take the place of
-// drawn ones, and files of those that cameras took.
+// Camera pictures in files: recorded pictures that replace rendered ones, and files of the pictures
+// that cameras take.
 
 #include <memory>
 #include <string>
@@ -11,23 +11,23 @@
 
 namespace armlet::cli {
 
-// The files of --camera NAME=FOLDER, as the frames of a session. The exit status after a message if
-// a folder cannot be read or holds no pictures.
+// Sets the frames of a session from --camera NAME=FOLDER. Returns the exit status, after a message
+// if a folder cannot be read or holds no pictures.
 int choose_recorded_frames(const std::vector<std::string>& named, SessionOptions& session);
-// The exit status after a message if the program has no camera of one of those names.
+// The exit status, after a message if the program has no camera with one of these names.
 int check_recorded_frames(const HostFrames& frames, const Session& session);
 
-// The folder of --frames, which is made if it is not there.
+// The folder of --frames; it is made if it does not exist.
 class FrameFolder {
  public:
-  // Nothing is wanted if the path is empty.
-  // next  what the pictures are passed on to with the names of their files; null: nobody.
+  // An empty path: no pictures are written.
+  // next  receives the pictures with the names of their files; null: nobody does.
   void choose(const std::string& path, Backend* next);
-  // Once it is known that the program runs. The exit status, after a message if the folder cannot
-  // be made or opened.
+  // Called once the program is known to run. Returns the exit status, after a message if the folder
+  // cannot be made or opened.
   int open();
   [[nodiscard]] Backend* backend() const { return files_.get(); }
-  // The exit status, after a message if a picture could not be written.
+  // Returns the exit status, after a message if a picture could not be written.
   int finish() const;
 
  private:

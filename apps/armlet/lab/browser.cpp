@@ -16,7 +16,7 @@ extern char** environ;
 namespace armlet::cli {
 namespace {
 
-// A folder that only this user can enter.
+// Makes a folder that only this user can enter.
 std::optional<std::filesystem::path> make_private_folder() {
   for (const char* variable : {"XDG_RUNTIME_DIR", "TMPDIR", ""}) {
     const char* place = *variable == '\0' ? "/tmp" : std::getenv(variable);

@@ -1,14 +1,14 @@
 #pragma once
-// The user's browser, where there is a screen.
+// Opens the user's browser, if there is a display.
 
 #include <filesystem>
 #include <string>
 
 namespace armlet::cli {
 
-// Opens addresses that hold a secret. Browsers are started with what they open on their command
-// line, which every user of the machine can read: that is a file of this user, which leads to the
-// address. It lives as long as this.
+// Opens addresses that contain a secret. Every user of the computer can read the command line of a
+// browser; so the browser gets a file of this user, which redirects to the address. The file exists
+// as long as this object.
 class BrowserOpener {
  public:
   BrowserOpener() = default;
@@ -16,7 +16,7 @@ class BrowserOpener {
   BrowserOpener(const BrowserOpener&) = delete;
   BrowserOpener& operator=(const BrowserOpener&) = delete;
 
-  // Nothing happens where there is no screen, no place for the file or no browser.
+  // Does nothing if there is no display, no folder for the file or no browser.
   void open(const std::string& address);
 
  private:

@@ -18,10 +18,10 @@ namespace armlet::cli {
 namespace {
 
 constexpr std::size_t kMostAside = std::size_t{128} << 20;
-// The laboratory waits for the converter.
+// The laboratory is blocked while the converter runs.
 constexpr int kMostSeconds = 20;
 
-// What a mesh of another format may name.
+// Whether a mesh of another format may refer to a file of this kind.
 bool is_companion(std::string_view name) {
   constexpr std::array<std::string_view, 5> kEndings = {"mtl", "png", "jpg", "jpeg", "bin"};
   std::string ending(name.substr(name.rfind('.') + 1));
@@ -29,7 +29,7 @@ bool is_companion(std::string_view name) {
   return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
-// What has a name in the folder: whatever it is, nothing is put in its place.
+// The file or other entry with a name in the folder; none of them is overwritten.
 lab::NameInUse look_at(const Folder& folder, const std::string& name) {
   Result<std::string> bytes = folder.read(name, lab::kMostFileBytes);
   if (bytes.ok()) return {.is_used = true, .bytes = std::move(bytes).value()};

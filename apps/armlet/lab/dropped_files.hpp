@@ -1,5 +1,5 @@
 #pragma once
-// What is dropped onto a page, beside the program: GLB as it is, meshes of other formats as GLB.
+// Files dropped onto a page and saved beside the program: GLB unchanged, other meshes as GLB.
 
 #include <cstddef>
 #include <filesystem>
@@ -11,14 +11,14 @@ namespace armlet::cli {
 
 class DroppedFiles {
  public:
-  // folder  of the program.
+  // folder  the folder of the program.
   explicit DroppedFiles(std::string folder) : folder_(std::move(folder)) {}
   ~DroppedFiles();
   DroppedFiles(const DroppedFiles&) = delete;
   DroppedFiles& operator=(const DroppedFiles&) = delete;
 
-  // A material, a picture or a buffer is kept for the meshes that come after it, and gives a name
-  // without letters: nothing of it is in the program's folder.
+  // A material, picture or buffer is stored for meshes that come later, and the returned name is
+  // empty: it is not saved in the program's folder.
   //
   // returns  an error whose message is a sentence.
   [[nodiscard]] Result<lab::KeptFile> keep(const std::string& name, const std::string& bytes);
@@ -28,7 +28,7 @@ class DroppedFiles {
   [[nodiscard]] std::optional<Error> put_aside(const std::string& name, const std::string& bytes);
 
   std::string folder_;
-  std::filesystem::path aside_;  // what the converter may read; empty: nothing yet
+  std::filesystem::path aside_;  // folder of the files for the converter; empty: not made yet
   std::size_t bytes_aside_ = 0;
 };
 

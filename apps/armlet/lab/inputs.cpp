@@ -18,7 +18,7 @@ namespace {
 
 using InputJson = nlohmann::json;
 
-// What is wrong with a line.
+// A mistake in a line.
 struct Wrong {
   std::string why;
 };
@@ -76,7 +76,7 @@ InputScript::Set set_in(const InputJson& object) {
   return set;
 }
 
-// Every key but `t` and those of the input is a slip of the pen.
+// A key other than `t` and those of the input is a mistake.
 void refuse_others(const InputJson& object, std::initializer_list<std::string_view> known) {
   for (const auto& [key, value] : object.items()) {
     if (key == "t" || std::ranges::find(known, key) != known.end()) continue;
@@ -111,7 +111,7 @@ InputScript::Line line_of(const InputJson& object) {
   return line;
 }
 
-// ---- doing it
+// ---- applying inputs
 
 Value value_for(const LabControls& controls, const InputScript::Set& set) {
   const LabRow* row = controls.rows() == nullptr ? nullptr : controls.rows()->find(set.field);

@@ -1,5 +1,5 @@
 #pragma once
-// Inputs of a laboratory from a file, played without a page: one JSON object in each line.
+// Inputs of a laboratory from a file, applied without a page: one JSON object in each line.
 //
 //   {"t": 1.2, "set": "clearance", "value": 0.08}
 //   {"t": 2, "press": "pickIt"}
@@ -7,8 +7,8 @@
 //   {"t": 4, "hand": "hand", "values": [0.3, 0.1, 0.2, 0]}
 //   {"t": 5, "show": "angles"}
 //
-// Times are seconds of virtual time and do not decrease; values are SI. Empty lines, and those that
-// begin with #, say nothing.
+// Times are seconds of virtual time and do not decrease; values are SI. Empty lines, and lines that
+// begin with #, are ignored.
 
 #include <cstdint>
 #include <functional>
@@ -23,16 +23,16 @@ namespace armlet::cli {
 
 class InputScript {
  public:
-  // The exit status, after messages if the file cannot be read or is not as it should be. An empty
+  // Returns the exit status, after messages if the file cannot be read or has mistakes. An empty
   // path: no script.
   int read(const std::string& path);
   [[nodiscard]] bool is_wanted() const { return !path_.empty(); }
 
-  // A session that is to be made is a laboratory if there is a script; why a button failed is told.
+  // Makes the new session a laboratory if there is a script; `tell` gets the failures of buttons.
   void listen(SessionOptions& session, std::function<void(const Diagnostic&)> tell);
 
-  // Lets the program run with these inputs, and then until nothing happens any more. It has failed
-  // too if a button has, or, after a message, if an input was refused.
+  // Runs the program with these inputs, and then until nothing more happens. The result is a
+  // failure also if a button failed or, after a message, if an input was refused.
   RunResult play(Session& session) const;
 
   struct Set {
@@ -61,7 +61,7 @@ class InputScript {
 
  private:
   void tell(int line, const std::string& why) const;
-  // Whether all were taken.
+  // Whether all inputs were accepted.
   bool play_lines(Session& session) const;
 
   std::string path_;

@@ -1,5 +1,5 @@
-// armlet lab --export and --record FILE.html: the laboratory as a page that needs no command. The
-// first carries an engine and goes on; the second shows one run again.
+// armlet lab --export and --record FILE.html: the laboratory as a page that needs no command. An
+// exported page contains an engine and can be used; a recorded page shows one run.
 
 #include <fmt/format.h>
 
@@ -32,14 +32,14 @@ int cannot_save(const std::string& why, int exit) {
   return exit;
 }
 
-// ---- the laboratory, asked as a page asks it --------------------------------------------------
+// ---- a client of the laboratory, which sends the messages of a page ---------------------------
 
 class Visitor {
  public:
   explicit Visitor(lab::Laboratory& laboratory)
       : laboratory_(laboratory), page_(laboratory.join()) {}
 
-  // Sends, lets everything be worked off, and gives what came.
+  // Sends a message, lets the laboratory work until it is idle, and returns its messages.
   std::vector<lab::Message> send(const SavedJson& message) {
     laboratory_.receive(page_, message.dump());
     while (!interrupted() && laboratory_.advance()) {
@@ -52,7 +52,7 @@ class Visitor {
     }
   }
 
-  // The last message of a type; null: there is none.
+  // Sends a message and returns the last reply of a type; null: there is none.
   SavedJson ask(const SavedJson& message, std::string_view type) {
     SavedJson found;
     for (const lab::Message& each : send(message)) {
@@ -74,7 +74,7 @@ class Visitor {
   int page_;
 };
 
-// Gives the inputs of a script, whose lines are as in messages. What they show is for the command.
+// Sends the inputs of a script; its lines are messages. The inputs "show" are only for the command.
 void give_inputs(Visitor& visitor, const std::string& path) {
   const std::optional<std::string> text = read_file(path, false);
   if (!text) return;
@@ -106,7 +106,7 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-// As the text of an element of a page: no mark in it ends that.
+// JSON as the text of an element of a page: with no character that ends the element.
 std::string in_page(const SavedJson& json) {
   const std::string plain = json.dump(-1, ' ', false, SavedJson::error_handler_t::replace);
   std::string out;
@@ -121,7 +121,7 @@ std::string with_element(std::string page, std::string_view behind, const std::s
   return page.insert(at + behind.size(), element);
 }
 
-// Puts the files that a description names in front of it.
+// Adds the files that a description names, before it.
 void add_files(const Visitor& visitor, const SavedJson& told, SavedJson& recording) {
   const auto add = [&](const SavedJson& thing, const char* field) {
     const auto name = thing.find(field);
@@ -139,7 +139,7 @@ void add_files(const Visitor& visitor, const SavedJson& told, SavedJson& recordi
   }
 }
 
-// When what a page asks for is looked at: at even times, and where moves begin and end.
+// The times at which data is recorded: at equal intervals, and at the start and end of moves.
 std::vector<double> times_to_look(double t_end, const std::vector<SavedJson>& moves) {
   constexpr int kEven = 240;
   constexpr std::size_t kMost = 600;
@@ -154,7 +154,7 @@ std::vector<double> times_to_look(double t_end, const std::vector<SavedJson>& mo
   return times;
 }
 
-// What changes of an object of JSON, which then becomes the known one.
+// The members of a JSON object that differ from the known one, which then becomes `now`.
 SavedJson changes_of(SavedJson now, SavedJson& known) {
   SavedJson changed = SavedJson::object();
   for (const auto& [name, value] : now.items())
@@ -163,7 +163,7 @@ SavedJson changes_of(SavedJson now, SavedJson& known) {
   return changed;
 }
 
-// What pages ask for at an instant, along a run; each as far as it differs from the one before.
+// The answers to a page at these times of a run, each without what the one before contained.
 SavedJson looks_of(Visitor& visitor, int run, const std::vector<double>& times) {
   SavedJson looks = {{"type", "looks"}, {"run", run}, {"items", SavedJson::array()}};
   SavedJson known = SavedJson::object(), known_values = SavedJson::object();
@@ -207,7 +207,7 @@ std::string recorded_page(Visitor& visitor) {
 
 // ---- a page with an engine --------------------------------------------------------------------
 
-// laboratory.html beside the command, among what a package shares, or where `./dev wasm` leaves it.
+// Searches laboratory.html beside the command, in a package, and where `./dev wasm` writes it.
 std::optional<std::string> find_engine() {
   std::error_code none;
   const std::filesystem::path command = std::filesystem::read_symlink("/proc/self/exe", none);
@@ -282,7 +282,7 @@ int save_lab(const LabOptions& options, const RunOptions& run) {
       options.demo ? std::string(*embedded_texts("demo.rbt")) : read_file(file, run.program.json);
   if (!text) return kNoFile;
   if (InputScript script; script.read(run.inputs) != kDone) return kRejected;
-  // What a page could not run is told as `armlet check` tells it.
+  // Messages about a program that cannot run are shown as by `armlet check`.
   {
     Setup setup = make_setup(run.program, file);
     if (setup.exit != kDone) return setup.exit;

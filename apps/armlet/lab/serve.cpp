@@ -1,4 +1,4 @@
-// armlet lab: shows a program and everything that it does in browsers.
+// armlet lab: shows a program and its runs in browsers.
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ int serve_lab(const LabOptions& options, const RunOptions& run) {
   Setup setup = make_setup(run.program, file);
   if (setup.exit != kDone) return setup.exit;
   const StayOnInterrupt guard;
-  // The demonstration has no folder of its own.
+  // The demonstration program has no folder.
   DroppedFiles dropped(setup.session.folder.string());
   std::function<Result<lab::KeptFile>(const std::string&, std::string)> keep;
   if (!options.demo) {

@@ -1,5 +1,5 @@
 #pragma once
-// The token of a laboratory that is to have the same one each time.
+// The access token of a laboratory, when the user chooses it.
 
 #include <string>
 
@@ -7,19 +7,19 @@
 
 namespace armlet::cli {
 
-// token    of --token-file, else of the variable ARMLET_LAB_TOKEN; empty: none is given.
+// token    from --token-file, else from the variable ARMLET_LAB_TOKEN; empty: none is given.
 // warning  a sentence; empty: there is none.
 struct GivenToken {
   std::string token;
   std::string warning;
-  std::string fault;  // why it cannot be taken; empty: it can
+  std::string fault;  // why it cannot be used; empty: it can
   int exit = kDone;
 };
 
-// A token is never taken from the command line, which every user of the machine can read.
+// A token on the command line is refused, since every user of the computer can read that.
 [[nodiscard]] GivenToken given_token(const LabOptions& options);
 
-// What there is to say of an address that other machines reach; empty: they do not.
+// A warning if other computers can reach this address; empty: they cannot.
 [[nodiscard]] std::string warning_of_host(const std::string& host);
 
 }  // namespace armlet::cli

@@ -1,4 +1,4 @@
-// armlet mesh: a mesh of another format as GLB.
+// armlet mesh: converts a mesh of another format to GLB.
 
 #include "client/convert.hpp"
 
@@ -23,7 +23,7 @@ int refuse_mesh(const std::string& message, int exit) {
   return exit;
 }
 
-// "1mm", "2.54 cm", "0.001" (metres) in metres; nothing for what is no length above zero.
+// The length "1mm", "2.54 cm" or "0.001" (metres) in m; nullopt unless it is a length above zero.
 std::optional<double> length_of(const std::string& text) {
   double value = 0.0;
   const char* const end = text.data() + text.size();
@@ -39,7 +39,7 @@ std::optional<double> length_of(const std::string& text) {
   return std::nullopt;
 }
 
-// What is converted, and for how long, in the last line of a terminal, or as lines.
+// Shows the file, the stage and the duration of a conversion, in one line of a terminal or in many.
 void tell(const std::string& file, const std::string& stage, int seconds) {
   constexpr int kBetweenLines = 10;  // s
   const std::string text = fmt::format("{}: {}, {} s", file, stage, seconds);

@@ -1,5 +1,5 @@
-// Lines edited with libedit, which is loaded when a terminal asks for it: other commands start
-// sooner without it.
+// Lines edited with libedit. The library is loaded only when a terminal needs it, so that other
+// commands start sooner.
 
 #include <histedit.h>
 #include <poll.h>
@@ -52,7 +52,7 @@ struct EditLibrary {
   }
 };
 
-// Loaded at the first call.
+// Loads the library at the first call.
 const EditLibrary& edit_library() {
   static const EditLibrary library;
   return library;
@@ -63,7 +63,7 @@ std::size_t characters(std::string_view text) {
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-// What all the texts begin with.
+// The common prefix of all texts.
 std::string common_start(const std::vector<std::string>& texts) {
   std::string start = texts.front();
   for (const std::string& text : texts) {
@@ -75,7 +75,7 @@ std::string common_start(const std::vector<std::string>& texts) {
   return start;
 }
 
-// In columns, as a terminal of 80 characters shows them.
+// The texts in columns, for a terminal with 80 characters per line.
 std::string list_of(const std::vector<std::string>& texts) {
   std::size_t widest = 0;
   for (const std::string& text : texts) widest = std::max(widest, characters(text));
@@ -91,9 +91,9 @@ std::string list_of(const std::vector<std::string>& texts) {
   return out;
 }
 
-// What terminals send for keys that libedit does not bind by itself, and what the keys do: Home and
+// The codes that terminals send for keys that libedit does not bind, and their functions: Home and
 // End of xterm, the Linux console, rxvt and tmux; arrows with Ctrl or Alt; Page Up and Down, which
-// go to entries that begin like the line; keys that have no use here and would leave letters.
+// go to entries that begin like the line; keys without a function, which would insert characters.
 struct Key {
   const char* sequence;
   const char* action;
@@ -148,7 +148,7 @@ class EditedLines final : public LineSource {
  public:
   EditedLines(Completer complete, std::string history)
       : complete_(std::move(complete)), file_(std::move(history)) {
-    // Lines are UTF-8, whatever the terminal's language is.
+    // Lines are UTF-8, whatever the locale of the terminal is.
     if (std::setlocale(LC_CTYPE, "C.UTF-8") == nullptr) std::setlocale(LC_CTYPE, "");
     history_ = edit_.history_init();
     edit_.history(history_, &event_, H_SETSIZE, kRemembered);
@@ -194,7 +194,7 @@ class EditedLines final : public LineSource {
 
   void remember(const std::string& text) override {
     edit_.history(history_, &event_, H_ENTER, text.c_str());
-    // After each one: a session may end at any moment.
+    // Saved after each line: a session may end at any moment.
     if (!file_.empty()) edit_.history(history_, &event_, H_SAVE, file_.c_str());
   }
 
@@ -222,7 +222,7 @@ EditedLines& EditedLines::of(EditLine* line) {
 char* EditedLines::shown_prompt(EditLine* line) { return of(line).prompt_.data(); }
 unsigned char EditedLines::on_tab(EditLine* line, int /*key*/) { return of(line).complete(); }
 
-// A byte of the keyboard. Nothing: the input has ended, or Ctrl-C was pressed, wherever in here.
+// A byte of the keyboard. Nullopt: the input has ended, or Ctrl-C was pressed.
 std::optional<unsigned char> next_byte() {
   sigset_t interrupts;
   sigset_t before;
@@ -238,7 +238,7 @@ std::optional<unsigned char> next_byte() {
   return byte;
 }
 
-// UTF-8; what is none comes as a question mark.
+// Decodes UTF-8; an invalid byte becomes a question mark.
 int EditedLines::next_character(EditLine* /*line*/, wchar_t* character) {
   const auto first = next_byte();
   if (!first) return interrupted() ? -1 : 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Where the lines of the prompt come from: a terminal that can be edited, or anything else.
+// The source of the lines of the prompt: a terminal with editing, or any other input.
 
 #include <cstddef>
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace armlet::cli {
 
-// What could stand at the cursor. `word_bytes` of the line before it are replaced.
+// Completions at the cursor. They replace the `word_bytes` of the line before it.
 struct Choices {
   std::size_t word_bytes = 0;
   std::vector<std::string> texts{};
@@ -21,20 +21,20 @@ using Completer = std::function<Choices(std::string_view before_cursor)>;
 class LineSource {
  public:
   virtual ~LineSource() = default;
-  // The next line without its end. Nothing: there are no more, or Ctrl-C was pressed
+  // The next line without its end. Nullopt: there are no more, or Ctrl-C was pressed
   // (interrupted()).
   [[nodiscard]] virtual std::optional<std::string> next(std::string_view prompt) = 0;
-  // The line behind the one that was taken, which stays, if it is there already or comes within
-  // `patience_ms`, as in a pipe. Nothing: nobody knows.
+  // The line after the one returned last, without removing it, if it is available within
+  // `patience_ms`, as in a pipe. Nullopt: not known.
   [[nodiscard]] virtual std::optional<std::string_view> peek(int /*patience_ms*/) { return {}; }
-  // A text that can be fetched again with the arrow keys, in this session and in later ones.
+  // Adds a text to the history, which the arrow keys show in this session and in later ones.
   virtual void remember(const std::string& /*text*/) {}
 };
 
-// Lines of standard input as they come. With `prompts` they are asked for.
+// Lines of standard input without editing. With `prompts` a prompt is printed before each.
 [[nodiscard]] std::unique_ptr<LineSource> plain_lines(bool prompts);
-// Lines that are edited in a terminal, with a history that is kept in a file; `history` may be
-// empty. Null: the library for it is not there.
+// Lines edited in a terminal, with a history in the file `history`, which may be empty. Null: the
+// library for it is not installed.
 [[nodiscard]] std::unique_ptr<LineSource> edited_lines(Completer complete,
                                                        const std::string& history);
 

@@ -31,7 +31,7 @@ class PlainLines final : public LineSource {
       if (prompts_) print_out("\n");
       return std::nullopt;
     }
-    std::string line = read_.substr(0, end);  // the last one may have no end
+    std::string line = read_.substr(0, end);  // the last line may have no end
     read_.erase(0, end == std::string::npos ? end : end + 1);
     searched_ = 0;
     if (line.ends_with('\r')) line.pop_back();
@@ -55,9 +55,9 @@ class PlainLines final : public LineSource {
     return end;
   }
 
-  // False: there is no more, or Ctrl-C was pressed.
+  // False: there is no more input, or Ctrl-C was pressed.
   bool read_more() {
-    if (has_ended_) return false;  // a terminal says so once
+    if (has_ended_) return false;  // a terminal reports the end only once
     char piece[4096];
     ssize_t count = -1;
     do {
@@ -72,7 +72,7 @@ class PlainLines final : public LineSource {
   bool prompts_;
   bool has_ended_ = false;
   std::string read_;
-  std::size_t searched_ = 0;  // so far there is no end of a line
+  std::size_t searched_ = 0;  // there is no end of a line before this position
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ void Pace::wait_for(std::int64_t t_ns) const {
 
 namespace {
 
-// Entries that are no part of the program are called so: the one at the start, and those of
+// The name of entries that are not part of the program: the one at the start, and those of
 // commands.
 constexpr std::string_view kAside = "command";
 
@@ -56,7 +56,7 @@ bool wants_to_leave(std::string_view text) {
 
 bool is_typed(const Entry& entry) { return entry.logged.name != kAside; }
 
-// Each line behind a //.
+// The text with // before each line.
 std::string commented(std::string_view text) {
   std::string out;
   while (!text.empty()) {
@@ -67,7 +67,7 @@ std::string commented(std::string_view text) {
   return out;
 }
 
-// The last line documents what is declared in the next one.
+// Whether the last line is documentation of the declaration in the next one.
 bool ends_with_doc(std::string_view text) {
   text.remove_prefix(text.rfind('\n') + 1);
   const std::size_t first = text.find_first_not_of(" \t");
@@ -89,12 +89,12 @@ Prompt::Prompt(const SessionOptions& plain, SessionOptions options, const std::s
       plain_(plain),
       session_(library_engine(), listened(std::move(options))) {}
 
-// What the session tells is shown here.
+// Options with which the prompt shows the events of the session.
 SessionOptions Prompt::listened(SessionOptions options) {
   options.pace = [this](std::int64_t t_ns) {
     show_live(t_ns);
     pace_.wait_for(t_ns);
-    // Ctrl-C asks once to stop; coming to rest then costs no time.
+    // Ctrl-C sends one stop request; the deceleration after it does not wait for the clock.
     return !interrupted() || std::exchange(was_told_, true);
   };
   if (interactive_) {
@@ -123,8 +123,8 @@ std::string Prompt::time() const {
 Prompt::Saved Prompt::program() const {
   Session file(library_engine(), plain_);
   Saved saved;
-  std::string_view last;  // that is no comment
-  std::size_t end = 0;    // of it
+  std::string_view last;  // the last line that is no comment
+  std::size_t end = 0;    // its end
   for (const Entry& entry : session_.entries()) {
     if (!is_typed(entry)) continue;
     std::string text = saved.text;
@@ -155,16 +155,16 @@ void Prompt::greet() {
                        things.empty() ? std::string() : "world: " + things + "   "));
 }
 
-// The entry goes on as long as the same text in a file would. At a terminal nobody knows the line
-// behind it, and two empty lines end what cannot be completed.
+// An entry continues as long as the same text in a file would. At a terminal the following line is
+// not known, and two empty lines end an incomplete entry.
 std::optional<std::string> Prompt::read(LineSource& lines) {
-  constexpr int kPatience_ms = 20;  // for an `else` that is being written into a pipe
+  constexpr int kPatience_ms = 20;  // for an `else` that is still being written into a pipe
   before_.clear();
   int blank = 0;
   while (true) {
     auto line = lines.next(before_.empty() ? "rbt> " : "...> ");
     if (!line && interrupted() && interactive_)
-      return std::string();  // what was typed is forgotten
+      return std::string();  // discards the entry
     if (!line) return before_.empty() ? std::nullopt : std::optional(std::exchange(before_, {}));
     if (before_.empty() && (is_blank(*line) || is_command(*line))) return line;
     before_ += (before_.empty() ? "" : "\n") + *line;
@@ -198,7 +198,7 @@ bool Prompt::enter(const std::string& text, bool shows_value) {
   return run_entry(text, fmt::format("[{}]", ++count_), shows_value);
 }
 
-// ---- back and forth
+// ---- undo and redo
 
 std::optional<LoggedEntry> Prompt::under_way() const {
   const std::size_t done = session_.entries().size();
@@ -254,8 +254,8 @@ std::vector<std::string> Prompt::redo(std::size_t count) {
   return done;
 }
 
-// Lines that were undone are no part of it. Their events were told all the same, so those that
-// count are told once more.
+// Undone lines are not in this log. Their events were reported to listeners, so the remaining lines
+// are run again for the marks.
 SessionLog Prompt::log() const {
   SessionLog log = session_.log();
   log.entries.resize(session_.entries().size());
@@ -316,7 +316,7 @@ void Prompt::show_value() {
   static_cast<void>(finish_output());
 }
 
-// ---- the line under a motion -------------------------------------------------------------------
+// ---- the status line during a motion -----------------------------------------------------------
 
 void Prompt::show_live(std::int64_t t_ns) {
   constexpr std::int64_t kRefresh_ns = 50'000'000;
@@ -339,8 +339,7 @@ void Prompt::end_live() {
   if (std::exchange(has_live_line_, false)) status_line({});
 }
 
-// ---- completion
-// ----------------------------------------------------------------------------------
+// ---- completion ---------------------------------------------------------------------------------
 
 Choices Prompt::complete(std::string_view before_cursor) {
   std::string_view expression = before_cursor;
@@ -366,12 +365,11 @@ Choices Prompt::complete(std::string_view before_cursor) {
   return choices;
 }
 
-// ---- the command
-// -----------------------------------------------------------------------------------
+// ---- the command --------------------------------------------------------------------------------
 
 namespace {
 
-// Below the folder that the system has for the state of programs; empty: there is none.
+// The history file, in the user's folder for the state of programs; empty: there is none.
 std::string history_file() {
   namespace fs = std::filesystem;
   const char* state = std::getenv("XDG_STATE_HOME");

@@ -27,7 +27,7 @@ namespace {
 
 struct PromptCommand {
   std::string_view name;
-  std::string_view argument;  // as help shows it; in brackets if it may be left out
+  std::string_view argument;  // as help shows it; in brackets if it is optional
   std::string_view help;
   bool (*run)(Prompt& prompt, std::string_view argument);
 };
@@ -49,7 +49,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-// ---- what there is ------------------------------------------------------------------------------
+// ---- information --------------------------------------------------------------------------------
 
 bool show_errors(const Analysis& analysis) {
   bool any = false;
@@ -123,7 +123,7 @@ bool show_where(Prompt& prompt, std::string_view) {
   return true;
 }
 
-// Units that are written often, besides the simple ones.
+// Compound units that are used often, besides the simple ones.
 constexpr std::array<std::string_view, 12> kCombined{"mm/s",   "m/s",   "deg/s",   "rad/s",
                                                      "mm/s^2", "m/s^2", "deg/s^2", "rad/s^2",
                                                      "mm^2",   "m^2",   "N/mm",    "kg*m^2"};
@@ -132,7 +132,7 @@ std::string in_unit(double si, double factor, std::string_view unit) {
   return fmt::format("{:.10g} {}", si / factor, unit);
 }
 
-// The value is `ans`, as if it had been typed alone.
+// The value is assigned to `ans`, as if the expression had been typed alone.
 bool show_units(Prompt& prompt, std::string_view expression) {
   if (!prompt.enter_aside(std::string(expression))) return false;
   const std::optional<EntryValue> shown = prompt.session().shown();
@@ -184,7 +184,7 @@ std::string doc_above(std::string_view text, std::size_t at) {
   return doc;
 }
 
-// A name of the session with its `///`, or a page of the library.
+// Shows a name of the session with its `///`, or a page of the library.
 bool show_page(Prompt& prompt, std::string_view name) {
   const auto analysis = prompt.session().analyse(std::string(name), "line");
   const auto place = analysis->definition(0);
@@ -198,10 +198,9 @@ bool show_page(Prompt& prompt, std::string_view name) {
 
 bool explain_code(Prompt&, std::string_view code) { return explain(std::string(code)) == kDone; }
 
-// ---- back and forth
-// -------------------------------------------------------------------------------
+// ---- undo and redo ------------------------------------------------------------------------------
 
-// A number from 1 on; nothing after a message.
+// A number from 1 on; nullopt after a message.
 std::optional<std::size_t> count_of(std::string_view text) {
   std::size_t count = 1;
   if (text.empty()) return count;
@@ -211,7 +210,7 @@ std::optional<std::size_t> count_of(std::string_view text) {
   return std::nullopt;
 }
 
-// What entries are, in one line each.
+// The entries in one line each.
 std::string first_lines(const std::vector<std::string>& entries) {
   std::string out;
   for (const std::string& text : entries) out += "\n  " + text.substr(0, text.find('\n'));
@@ -238,7 +237,7 @@ bool redo(Prompt& prompt, std::string_view argument) {
   return true;
 }
 
-// Where the session is, in time and among the lines.
+// The present time of the session, and the entry it is in or after.
 std::string place_of(Prompt& prompt) {
   const auto named = [](const LoggedEntry& entry) {
     return fmt::format("{}: {}", entry.name, entry.text.substr(0, entry.text.find('\n')));
@@ -309,8 +308,7 @@ bool set_speed(Prompt& prompt, std::string_view argument) {
   return true;
 }
 
-// ---- files
-// ------------------------------------------------------------------------------------------
+// ---- files --------------------------------------------------------------------------------------
 
 bool save(Prompt& prompt, std::string_view path) {
   if (!path.ends_with(".rbt")) return refuse("a program is a .rbt file: write :save NAME.rbt");
