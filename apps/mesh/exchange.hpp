@@ -1,5 +1,5 @@
 #pragma once
-// What the command and the converter, two processes, say to each other over one socket.
+// The messages between the command and the converter, two processes, over one socket.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,14 +8,14 @@
 
 namespace armlet::mesh {
 
-// The process that reads files of others has no more than this.
+// The limits of the process that reads files of unknown origin.
 //
 // memory   bytes of address space.
 // cpu      s of computing.
 // wall     s from start to end.
 // file     bytes of one file; all files that one conversion reads have at most twice as many.
-// files    names that it may ask for.
-// result   bytes of the GLB; more are not read as a mesh.
+// files    number of files that it may request.
+// result   bytes of the GLB; larger ones cannot be read as a mesh.
 struct ConvertLimits {
   std::size_t memory = std::size_t{3} << 30;
   int cpu = 60;
@@ -25,9 +25,9 @@ struct ConvertLimits {
   std::size_t result = std::size_t{128} << 20;
 };
 
-// From the converter: it wants a file, has got so far, has made the GLB, or gives a reason.
-// From the command: a file, or why there is none (kAbsent: there is no such file; kOutside: its
-// name leads out of the folder; kUnusable: it is there and cannot be read).
+// From the converter: requests a file, reports progress, sends the GLB, or a reason. From the
+// command: a file, or the reason why there is none (kAbsent: there is no such file; kOutside: its
+// name leads out of the folder; kUnusable: it exists and cannot be read).
 enum class Say : std::uint8_t {
   kWant = 'W',
   kStage = 'S',
@@ -41,11 +41,11 @@ enum class Say : std::uint8_t {
 
 inline constexpr std::size_t kSayHeader = 5;
 
-// The header of a message: what it is, and the length of the text behind it.
+// The header of a message: its kind, and the length of the text after it.
 std::string say_header(Say what, std::size_t length);
 std::size_t said_length(const char* header);
 
-// A text of a file as it can be shown: one line of UTF-8, with ? for other bytes.
+// A text of a file in a form that can be shown: one line of UTF-8, with ? for other bytes.
 std::string shown_text(std::string_view text);
 
 }  // namespace armlet::mesh

@@ -16,7 +16,7 @@ constexpr std::size_t kMostNames = std::size_t{1} << 20;  // bytes
 
 namespace fs = std::filesystem;
 
-// The text up to the end of its line, which is taken away with it; nothing if no line ends.
+// Removes the first line from the text and returns it; nullopt if no line ends.
 std::optional<std::string> take_line(std::string_view& text) {
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
@@ -43,8 +43,8 @@ Cache::Cache(std::string folder, std::string key, std::uintmax_t most)
   if (opened.ok()) folder_.emplace(std::move(opened).value());
 }
 
-// Others may do the same at this moment: a file that is gone is no failure, and a reader that finds
-// its names without the result has found nothing.
+// Other processes may do the same at this moment: a missing file is no failure, and a reader that
+// finds the names but not the result has found nothing.
 void Cache::make_room() const {
   struct File {
     fs::file_time_type used;
@@ -72,7 +72,7 @@ void Cache::make_room() const {
 }
 
 void Cache::mark_used(const std::string& name) const {
-  std::error_code failed;  // then it counts as older than it is
+  std::error_code failed;  // then the file counts as older than it is
   fs::last_write_time(fs::path(path_) / name, fs::file_time_type::clock::now(), failed);
 }
 
@@ -117,7 +117,7 @@ void Cache::keep(const std::vector<Asked>& asked, const std::string& glb) const 
     if (each.name.find('\n') != std::string::npos) return;
     names += each.name + "\n";
   }
-  // The result first: whoever reads the names finds it.
+  // The result is written first, so that a reader of the names finds it.
   if (folder_->save(result_name(asked), glb)) return;
   (void)folder_->save(key_ + ".names", names);
   make_room();

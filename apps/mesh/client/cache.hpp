@@ -1,6 +1,6 @@
 #pragma once
-// What was converted before, found by what it was made from and trusted only if it is what was
-// kept.
+// Results of earlier conversions, found by their inputs and used only if their hash is still
+// right.
 
 #include <cstdint>
 #include <functional>
@@ -12,27 +12,27 @@
 
 namespace armlet::mesh {
 
-// A file that a conversion has asked for.
+// A file that a conversion has requested.
 struct Asked {
   std::string name;  // as the mesh names it
-  std::string hash;  // of what it got
+  std::string hash;  // of the contents it got
 };
 std::string hash_of(const Sibling& sibling);
 
-// All files of the folder together have so many bytes at most.
+// The most bytes that all files of the folder may have together.
 inline constexpr std::uintmax_t kMostCached = std::uintmax_t{1} << 30;
 
-// Two files for a conversion: KEY.names lists the files that it asked for and the hash of the
-// result; HASH.glb is the result, HASH being that of the mesh, of these files and of the converter.
-// What was used last a long time ago makes room for what is kept.
+// Two files for a conversion: KEY.names lists the files that it requested and the hash of the
+// result; HASH.glb is the result, where HASH is the hash of the mesh, these files and the
+// converter. If the cache is full, the least recently used files are removed.
 class Cache {
  public:
-  // folder  is made if it is not there; empty, or one that cannot be made: nothing is kept.
-  // key     hash of the mesh, of the converter and of what it is told.
-  // most    bytes of all its files together.
+  // folder  is made if it does not exist; empty, or if it cannot be made: nothing is stored.
+  // key     hash of the mesh, the converter and its arguments.
+  // most    bytes of all files together.
   Cache(std::string folder, std::string key, std::uintmax_t most = kMostCached);
 
-  // What was made from the same files, if all of it is as it was.
+  // The result for the same files, if none of them has changed.
   [[nodiscard]] std::optional<std::string> find(
       const std::function<Sibling(const std::string& name)>& find) const;
   void keep(const std::vector<Asked>& asked, const std::string& glb) const;

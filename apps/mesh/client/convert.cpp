@@ -15,9 +15,9 @@
 namespace armlet::mesh {
 namespace {
 
-constexpr std::size_t kMostProgram = std::size_t{64} << 20;  // bytes of the converter
+constexpr std::size_t kMostProgram = std::size_t{64} << 20;  // bytes of the converter program
 
-// The files that a mesh has asked for, each looked at once.
+// The files that a mesh has requested, each read once.
 class Answers {
  public:
   Answers(const Siblings& siblings, const ConvertLimits& limits)

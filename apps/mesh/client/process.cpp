@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 Error failed(std::string why) { return Error{"mesh", std::move(why)}; }
 
-// A process at the other end of a socket. Ends with this.
+// The converter process at the other end of a socket. It ends with this object.
 class Converter {
  public:
   explicit Converter(const ConverterRun& run) {
@@ -38,7 +38,7 @@ class Converter {
     std::vector<char*> argv;
     for (std::string& each : words) argv.push_back(each.data());
     argv.push_back(nullptr);
-    // Nothing of the environment: no library of ours asks it for anything but paths.
+    // The process gets no environment: its libraries need none, and may use paths from it.
     char plain[] = "LC_ALL=C";
     char* const environment[] = {plain, nullptr};
     posix_spawn_file_actions_t files;
@@ -50,7 +50,7 @@ class Converter {
 #endif
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    // The signals as they are at the start of a program, whatever this process does with them.
+    // Resets the signal handling, whatever this process has changed.
     sigset_t none, all;
     sigemptyset(&none);
     sigfillset(&all);
@@ -86,7 +86,7 @@ class Converter {
       process_ = -1;
     }
   }
-  // Gives a process that has closed its socket a second to end by itself, so that it can say how.
+  // Gives a process that has closed its socket a second to end by itself, for its exit status.
   void let_end() {
     constexpr int kPasses = 100;
     for (int k = 0; k < kPasses && process_ > 0; ++k) {
@@ -106,7 +106,7 @@ class Converter {
   std::string reason_;
 };
 
-// The talk with a converter: bytes in both directions, until the deadline.
+// The communication with a converter: bytes in both directions, until the deadline.
 class Talk {
  public:
   Talk(const ConverterRun& run, Converter& converter)
@@ -134,7 +134,7 @@ class Talk {
  private:
   struct Message {
     Say what;
-    std::string_view text;  // of in_
+    std::string_view text;  // a part of in_
   };
 
   void say(Say what, std::string_view text) {
@@ -147,7 +147,7 @@ class Talk {
     say(found.state, found.text);
   }
 
-  // The first message that has come whole.
+  // The first complete message.
   std::optional<Message> next() {
     if (in_.size() < kSayHeader) return std::nullopt;
     const std::size_t length = said_length(in_.data());
@@ -160,7 +160,7 @@ class Talk {
     return Message{static_cast<Say>(in_[0]), std::string_view(in_).substr(kSayHeader, length)};
   }
 
-  // Some bytes to and fro; false if the other end is gone or time is up.
+  // Sends and receives some bytes; false if the other end is closed or time is up.
   bool transfer() {
     pollfd wait{converter_.socket(), static_cast<short>(POLLIN | (out_.empty() ? 0 : POLLOUT)), 0};
     const auto left =
@@ -173,7 +173,7 @@ class Talk {
       cancelled_ = true;
       return false;
     }
-    constexpr long kBetweenLooks = 50;  // ms, at the clock and whether it is cancelled
+    constexpr long kBetweenLooks = 50;  // ms, between checks of the clock and of cancellation
     const int ready = poll(&wait, 1, static_cast<int>(std::min<long>(left, kBetweenLooks)));
     report();
     if (ready < 0) return errno == EINTR;
@@ -211,7 +211,7 @@ class Talk {
     run_.progress(stage_, seconds);
   }
 
-  // Why there is no answer.
+  // The reason why there is no answer.
   Error broken() {
     if (cancelled_) return failed("its conversion was cancelled");
     if (late_) {

@@ -1,5 +1,5 @@
 #pragma once
-// The converter as a process: started, answered, and ended when it exceeds its limits.
+// The converter as a process: starts it, answers it, and ends it when it exceeds its limits.
 
 #include <functional>
 #include <string>
@@ -15,9 +15,9 @@ namespace armlet::mesh {
 //
 // arguments  of the program, without its limits.
 // input      bytes of the mesh.
-// find       gives a file that the mesh names.
-// progress   null, or called with what the converter does, about once a second from the first on.
-// is_cancelled  null, or asked many times a second.
+// find       returns a file that the mesh names.
+// progress   null, or called about once a second with the stage of the conversion.
+// is_cancelled  null, or called many times a second.
 struct ConverterRun {
   std::string program;
   std::vector<std::string> arguments;
@@ -28,9 +28,9 @@ struct ConverterRun {
   ConvertLimits limits;
 };
 
-// The GLB, or the reason as a sentence without an end: what the converter says, which limit it
-// exceeded, that it was cancelled, or that it ended by a signal. The process has ended in each
-// case.
+// The GLB, or the reason as a sentence without a full stop: the converter's message, the limit that
+// it exceeded, that it was cancelled, or that it ended by a signal. The process has ended in all
+// cases.
 [[nodiscard]] Result<std::string> run_converter(const ConverterRun& run);
 
 }  // namespace armlet::mesh

@@ -1,7 +1,7 @@
 #include "client/sha256.hpp"
 
 #include <fmt/format.h>
-// The functions of one hash alone: those for all of them bring in five megabytes.
+// Only the functions of this hash: the general interface would add five megabytes.
 #define OPENSSL_SUPPRESS_DEPRECATED
 #include <openssl/sha.h>
 

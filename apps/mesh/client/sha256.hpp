@@ -1,11 +1,11 @@
 #pragma once
-// The hash SHA-256, by which what is kept is found again and recognised.
+// The hash SHA-256, by which stored results are found and checked.
 
 #include <memory>
 #include <string>
 #include <string_view>
 
-struct SHA256state_st;  // of OpenSSL
+struct SHA256state_st;  // from OpenSSL
 
 namespace armlet::mesh {
 
@@ -16,9 +16,9 @@ class Sha256 {
   ~Sha256();
 
   void add(std::string_view bytes);
-  // The bytes and how many they are, so that what follows is kept apart from them.
+  // Adds the bytes and their number, so that they cannot be confused with the text that follows.
   void add_text(std::string_view text);
-  // 64 digits to the base 16. Nothing is added after it.
+  // The hash as 64 hexadecimal digits. Nothing can be added after this call.
   [[nodiscard]] std::string digits();
 
  private:

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 1024;
-constexpr int kMostSiblings = 10'000;  // of a folder that are compared
+constexpr int kMostSiblings = 10'000;  // most entries of a folder that are compared
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -23,7 +23,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// "Tex%201.png" is "Tex 1.png".
+// Decodes percent signs: "Tex%201.png" is "Tex 1.png".
 std::string percent_read(std::string_view name) {
   const auto digit = [](char c) {
     if (c >= '0' && c <= '9') return c - '0';
@@ -43,7 +43,7 @@ std::string percent_read(std::string_view name) {
   return out;
 }
 
-// "http:", "C:".
+// Whether the name begins with "http:" or "C:".
 bool has_scheme(std::string_view name) {
   if (name.empty() || !is_letter(name.front())) return false;
   for (const char c : name) {

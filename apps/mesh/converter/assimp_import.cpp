@@ -18,8 +18,8 @@
 #include "converter/file_checks.hpp"
 #include "converter/importers.hpp"
 
-// Debian's Assimp ends the process where it finds that it is wrong; found here first, this function
-// takes the place of its own.
+// Debian's Assimp ends the process when one of its assertions fails; this function is linked first
+// and replaces that.
 namespace Assimp {
 [[gnu::visibility("default")]] void aiAssertViolation(const char* claim, const char*, int) {
   throw armlet::ArgumentError(fmt::format("Assimp did not expect !({})", claim));
@@ -32,7 +32,7 @@ namespace {
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-// ---- files: the mesh, and what the command gives
+// ---- files: the mesh, and the files that the command supplies
 
 class GivenStream : public Assimp::IOStream {
  public:
@@ -75,9 +75,9 @@ class GivenFiles : public Assimp::IOSystem {
   }
   void Close(Assimp::IOStream* stream) override { delete stream; }
 
-  // What the mesh names besides pictures and cannot have.
+  // Files other than pictures that the mesh names and that are missing.
   [[nodiscard]] const std::vector<std::string>& missed() const { return missed_; }
-  // The reason why a file that is there cannot be read; empty: none.
+  // The reason why a file that exists cannot be read; empty: none.
   [[nodiscard]] const std::string& unusable() const { return unusable_; }
 
  private:
@@ -85,7 +85,7 @@ class GivenFiles : public Assimp::IOSystem {
     if (name == input_.name) return &input_.bytes;
     const GivenFile& given = files_.find(name);
     if (given.state == Say::kFile) {
-      // Only materials of OBJ are read; they are as foreign as the mesh.
+      // Only materials of OBJ are read; they are checked, as the mesh is.
       if (input_.format == "obj") check_lines(given.text, name);
       return &given.text;
     }
@@ -104,7 +104,7 @@ class GivenFiles : public Assimp::IOSystem {
   mutable std::string unusable_;
 };
 
-// ---- what Assimp has made
+// ---- the scene of Assimp
 
 Matrix4d matrix(const aiMatrix4x4& m) {
   Matrix4d out;
@@ -115,10 +115,10 @@ Matrix4d matrix(const aiMatrix4x4& m) {
 
 Vector3d vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
-// From the axes of Assimp's scene to z up.
+// The rotation from the axes of Assimp's scene to z up.
 //
-// 3DS has z up, as do the files of other formats that say nothing; Assimp turns 3DS and DAE, which
-// says what is up, to y up.
+// 3DS has z up, and so have files of other formats that do not say. Assimp rotates 3DS and DAE,
+// which gives its axis, to y up.
 Matrix4d upright(const Input& input) {
   Matrix4d y_to_z = Matrix4d::Identity();
   y_to_z.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
@@ -175,8 +175,8 @@ class SceneReader {
           texture = text.C_Str();
       }
     }
-    // A picture is shown as it is: what a colour beside it would do differs from program to
-    // program.
+    // A picture is shown unchanged: programs differ in how they combine a colour with
+    // it.
     if (!texture.empty() || mesh.HasVertexColors(0)) color.head<3>().setOnes();
     const int index = to_.material(name, color, texture, two_sided);
     return materials_.emplace(mesh.mMaterialIndex, index).first->second;
@@ -216,7 +216,7 @@ class SceneReader {
     }
   }
 
-  // The transposed inverse times the determinant, which a flat transformation has too.
+  // The inverse transpose times the determinant, which exists for singular matrices too.
   static Eigen::Matrix3d cofactors(const Eigen::Matrix3d& m) {
     Eigen::Matrix3d out;
     out.col(0) = m.col(1).cross(m.col(2));
@@ -230,7 +230,7 @@ class SceneReader {
   std::map<unsigned, int> materials_;
 };
 
-// Of all readers that Assimp has, the one for this ending: none other is to be tried on the bytes.
+// Keeps only the reader of Assimp for this extension: the others must not be tried on the bytes.
 void keep_one_reader(Assimp::Importer& importer, const std::string& format) {
   const std::size_t count = importer.GetImporterCount();
   std::vector<Assimp::BaseImporter*> others;
@@ -256,7 +256,7 @@ void import_with_assimp(const Input& given_input, Files& files, SceneBuilder& sc
   }
   Assimp::Importer importer;
   keep_one_reader(importer, input.format);
-  auto* given = new GivenFiles(input, files);  // the importer's
+  auto* given = new GivenFiles(input, files);  // owned by the importer
   importer.SetIOHandler(given);
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);

@@ -27,7 +27,7 @@ bool limit(int what, rlim_t most) {
 
 #ifdef __linux__
 
-// What computing, memory and two open files need. Everything else fails with EPERM.
+// The system calls for computing, memory and two open files. All others fail with EPERM.
 constexpr long kAllowed[] = {
     SYS_read,         SYS_write,     SYS_readv,          SYS_writev,        SYS_recvfrom,
     SYS_sendto,       SYS_close,     SYS_fstat,          SYS_lseek,         SYS_mmap,
@@ -48,7 +48,7 @@ constexpr unsigned kMachine = 0;
 
 // source  Linux kernel, Documentation/userspace-api/seccomp_filter.rst.
 bool filter_calls() {
-  if (kMachine == 0) return true;  // the limits alone
+  if (kMachine == 0) return true;  // only the limits
   std::vector<sock_filter> rules;
   const auto load = [&](unsigned at) { rules.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, at)); };
   const auto leave = [&](unsigned with) { rules.push_back(BPF_STMT(BPF_RET | BPF_K, with)); };
@@ -60,8 +60,8 @@ bool filter_calls() {
     rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(each), 0, 1));
     leave(SECCOMP_RET_ALLOW);
   }
-  // abort() signals the process itself; no other one may be signalled. Arguments have 64 bits, of
-  // which the kernel takes the lower half of a process; all machines above are little-endian.
+  // abort() signals the process itself; it may signal no other one. Arguments have 64 bits, of
+  // which the kernel uses the lower half for a process; all machines above are little-endian.
   rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(SYS_tgkill), 0, 3));
   load(offsetof(seccomp_data, args));
   rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(getpid()), 0, 1));
@@ -80,7 +80,7 @@ bool filter_calls() { return true; }
 
 std::string confine(std::size_t memory, int cpu) {
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // of the command that asked for this
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends with the command that started it
 #ifdef SYS_close_range
   syscall(SYS_close_range, 3U, ~0U, 0U);
 #endif
@@ -89,9 +89,9 @@ std::string confine(std::size_t memory, int cpu) {
   if (!limit(RLIMIT_AS, memory)) return std::strerror(errno);
 #endif
   const auto seconds = static_cast<rlim_t>(cpu);
-  const rlimit computing{seconds, seconds + 5};  // a signal, and the end if it is not heard
+  const rlimit computing{seconds, seconds + 5};  // a signal, then the kernel kills the process
   if (setrlimit(RLIMIT_CPU, &computing) != 0) return std::strerror(errno);
-  // Three files are open, the last that may be: any other is one too many.
+  // No file beyond the three that are open can be opened.
   if (!limit(RLIMIT_NOFILE, 3) || !limit(RLIMIT_FSIZE, 0) || !limit(RLIMIT_CORE, 0))
     return std::strerror(errno);
 #ifndef __SANITIZE_ADDRESS__

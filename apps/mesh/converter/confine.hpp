@@ -1,16 +1,16 @@
 #pragma once
-// What a process that reads files of others is kept from.
+// The restrictions of the process that reads files of unknown origin.
 
 #include <cstddef>
 #include <string>
 
 namespace armlet::mesh {
 
-// From now on this process computes and talks over the files 0 and 1, and nothing else: it can open
-// no file, start no program, make no connection and no thread, and ends when it exceeds `memory`
-// bytes of address space or `cpu` seconds. Libraries that load others have to have done so.
+// From now on this process can only compute and communicate over the files 0 and 1: it can open no
+// file, start no program, no connection and no thread, and ends when it exceeds `memory` bytes of
+// address space or `cpu` seconds. Libraries that load others must have done so before.
 //
-// returns  why it could not be confined; empty: it is.
+// returns  the reason if it could not be restricted; empty: it is.
 [[nodiscard]] std::string confine(std::size_t memory, int cpu);
 
 }  // namespace armlet::mesh

@@ -10,8 +10,8 @@
 namespace armlet::mesh {
 namespace {
 
-// OBJ: corners of faces name positions, places on the picture and normals that stand above them,
-// from 1 on, or from -1 on backwards. Assimp passes over those of the last two that are not there.
+// OBJ: corners of faces refer to positions, texture coordinates and normals in earlier lines, by
+// index from 1 on, or from -1 backwards. Assimp ignores missing ones of the last two kinds.
 class ObjCheck {
  public:
   void look(std::string_view line) {
@@ -59,7 +59,7 @@ class ObjCheck {
 
 void check_obj(std::string_view text) {
   ObjCheck check;
-  std::string joined;  // of lines that a \ at the end continues
+  std::string joined;  // of lines that are continued by a \ at the end
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     std::string_view line = text.substr(at, end - at);
@@ -85,7 +85,7 @@ std::size_t little_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-// 3DS: chunks, each with the length of what is in it.
+// 3DS: chunks, each with the length of its contents.
 void check_3ds(std::string_view bytes) {
   if (bytes.size() < 6 || bytes[0] != 0x4d || bytes[1] != 0x4d)
     refuse("it is no 3DS file: it does not begin with its main chunk");

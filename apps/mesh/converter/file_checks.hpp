@@ -1,5 +1,5 @@
 #pragma once
-// What is looked at before a library reads a file: what it would take too much of, or fall over.
+// Checks before a library reads a file, of contents that would need too much time or crash it.
 
 #include <string>
 #include <string_view>
@@ -11,24 +11,24 @@ namespace armlet::mesh {
 
 // throws  ArgumentError.
 void check_before_assimp(const Input& input);
-// No entities, no loops of references, elements in one another that a recursion can follow.
+// No entities, no loops of references, and elements nested not too deeply for a recursion.
 //
 // throws  ArgumentError.
 void check_dae(std::string_view text);
-// As many elements as the header says, each whole, with indices of vertices that are there.
+// As many elements as the header says, each complete, with indices of existing vertices.
 //
 // throws  ArgumentError.
 void check_ply(std::string_view bytes);
-// Text in lines, without bytes that no text has.
+// Text in lines, without control bytes.
 //
 // throws  ArgumentError.
 void check_lines(std::string_view text, std::string_view name);
 
-// An STL file, text or binary, as a binary one of exactly its triangles. A binary file is one whose
-// length is what its header says, whatever it begins with, and one that does not begin with
+// An STL file, text or binary, as a binary one with exactly its triangles. A file is binary if
+// its length is what its header says, whatever it begins with, or if it does not begin with
 // `solid`.
 //
-// notes   gets what was passed over.
+// notes   gets the parts that were ignored.
 // throws  ArgumentError that says which word is missing, or both numbers of triangles.
 std::string plain_stl(std::string_view bytes, std::vector<std::string>& notes);
 

@@ -57,7 +57,7 @@ void Files::tell_stage(std::string_view stage) { say(Say::kStage, stage); }
 
 void Files::finish(std::string_view glb) {
   say(Say::kDone, glb);
-  _exit(0);  // libraries are not taken down: what they keep may be damaged
+  _exit(0);  // libraries are not shut down: their data may be damaged
 }
 
 void Files::fail(std::string_view why) {

@@ -1,5 +1,5 @@
 #pragma once
-// The files of a conversion, as the command at the other end of the socket gives them.
+// The files of a conversion, which the command at the other end of the socket sends.
 
 #include <map>
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace armlet::mesh {
 
-// A file, or why there is none.
+// A file, or the reason why there is none.
 struct GivenFile {
   Say state = Say::kAbsent;
   std::string text;  // its bytes (kFile), or the reason
 };
 
-// The end of the socket that this process has. Where the other end is gone, the process ends.
+// This process's end of the socket. If the other end is closed, the process ends.
 class Files {
  public:
-  // The mesh itself, which comes first.
+  // The mesh itself, which is sent first.
   [[nodiscard]] std::string take_input();
-  // What the mesh names; asked for once.
+  // A file that the mesh names; requested once.
   [[nodiscard]] const GivenFile& find(const std::string& name);
 
   void tell_stage(std::string_view stage);
-  // Either of these is the last word: the process ends.
+  // Sends the result, or the reason of a refusal, and ends the process.
   [[noreturn]] void finish(std::string_view glb);
   [[noreturn]] void fail(std::string_view why);
 

@@ -1,4 +1,4 @@
-// glTF as one GLB: what it names is put inside, and nothing else is changed.
+// glTF as one GLB: the files that it names are included, and nothing else is changed.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ constexpr int kDeepestJson = 64;
 constexpr std::size_t kMostBytes = std::size_t{128} << 20;  // of the binary part
 constexpr std::size_t kMostListed = 100'000;                // buffers, views, images
 
-// A PNG of one white pixel, in the place of a picture that is left out.
+// A PNG of one white pixel, which replaces a picture that is left out.
 constexpr unsigned char kWhite[] = {
     0x89, 'P',  'N',  'G',  '\r', '\n', 0x1a, '\n', 0,    0,    0,    13,   'I',  'H',
     'D',  'R',  0,    0,    0,    1,    0,    0,    0,    1,    8,    0,    0,    0,
@@ -99,7 +99,7 @@ class Packer {
     if (!json_.is_object()) refuse("it is broken: its text is no JSON object");
   }
 
-  // Null if it is not there.
+  // The list with this name; null if it does not exist.
   Json& list(const char* name) {
     Json& all = json_[name];
     if (all.is_null()) {
@@ -126,7 +126,7 @@ class Packer {
     return found->get<std::size_t>();
   }
 
-  // What an address stands for; nothing, and a note or a refusal, if it is not there.
+  // The bytes at an address; nullopt, and a note or a refusal, if there are none.
   std::optional<std::string> bytes_at(const Json& address, bool is_picture) {
     if (!address.is_string()) refuse("a `uri` is no text");
     const auto& text = address.get_ref<const std::string&>();
@@ -225,7 +225,7 @@ class Packer {
   Json json_;
   std::string_view own_;
   std::string binary_;
-  std::vector<std::pair<std::size_t, std::size_t>> places_;  // in binary_, and lengths
+  std::vector<std::pair<std::size_t, std::size_t>> places_;  // offsets in binary_, and lengths
   std::vector<std::string> notes_;
 };
 

@@ -1,4 +1,4 @@
-// Pictures: which kinds are taken, and what is looked at before one is.
+// Pictures: the formats that are accepted, and the checks before one is used.
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The formats, one door each: behind it is the library that reads them.
+// One function per format or library; each hides the library that reads it.
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace armlet::mesh {
 
-// What is to be read.
+// The file to read.
 //
 // up  'y' or 'z': the axis of the file that points up; 0: as the format says.
 struct Input {
@@ -29,11 +29,11 @@ void prepare_vrml();
 void import_with_assimp(const Input& input, Files& files, SceneBuilder& scene);
 // VRML 2.0, by Coin.
 void import_vrml(const Input& input, Files& files, SceneBuilder& scene);
-// The text with each ImageTexture called MovieTexture: it has the same fields, and Coin opens the
-// file of the one while it reads, and never that of the other.
+// The text with each ImageTexture renamed to MovieTexture, which has the same fields: Coin opens
+// the file of an ImageTexture while it reads, but never that of a MovieTexture.
 //
-// throws  ArgumentError for what would make Coin open a file, run a script, or call itself too
-//         deeply, films among it.
+// throws  ArgumentError for contents with which Coin would open a file, run a script, or recurse
+//         too deeply; films are among them.
 std::string safe_vrml(std::string_view text);
 // glTF and GLB as one GLB.
 //

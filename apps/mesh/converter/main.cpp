@@ -1,5 +1,5 @@
-// armlet-mesh: makes a GLB of a mesh in another format. Started by armlet, with which it talks over
-// its standard input and output (exchange.hpp); it opens nothing itself.
+// armlet-mesh: makes a GLB of a mesh in another format. It is started by armlet and communicates
+// with it over standard input and output (exchange.hpp); it opens no files itself.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace {
 using namespace armlet;
 using namespace armlet::mesh;
 
-constexpr int kArguments = 7;  // the program's own name, and what process.cpp gives
+constexpr int kArguments = 7;  // the program's own name, and the arguments from process.cpp
 constexpr int kUsage = 64;
 
 template <class T>
@@ -30,7 +30,7 @@ T number(const char* text) {
   return value;
 }
 
-// The surface as programs read it: what is refused there is refused here.
+// Reads the result as programs do: a mesh that they would refuse is refused here.
 void check_result(const std::string& glb) {
   const Result<TriangleMesh> read = read_glb(glb);
   if (!read.ok()) throw ArgumentError(read.error().message);

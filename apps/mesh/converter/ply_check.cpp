@@ -1,5 +1,5 @@
-// PLY, looked at before Assimp reads it: Assimp believes the header, and goes on reading where the
-// file has ended or a line has fewer numbers.
+// Checks PLY before Assimp reads it: Assimp trusts the header, and reads beyond the end of the file
+// or of a line with fewer numbers.
 //
 // source  G. Turk, The PLY polygon file format, 1994.
 
@@ -18,9 +18,9 @@
 namespace armlet::mesh {
 namespace {
 
-constexpr double kMostOfList = 32'767;  // corners of a face, as Assimp takes them
+constexpr double kMostOfList = 32'767;  // most corners of a face in Assimp
 
-// A type and its size in bytes; kinds: 'i' with a sign, 'u' without, 'f'.
+// A type and its size in bytes; kinds: 'i' signed, 'u' unsigned, 'f'.
 struct Type {
   std::size_t size = 0;
   char kind = 0;
@@ -53,7 +53,7 @@ struct Element {
 struct Header {
   std::vector<Element> elements;
   bool is_text = false;
-  bool high_first = false;  // the highest byte of a number
+  bool high_first = false;  // numbers are big-endian
 };
 
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -88,7 +88,7 @@ Property property_of(const std::vector<std::string_view>& words) {
   return made;
 }
 
-// Takes the header from the text.
+// Removes the header from the text and returns it.
 Header take_header(std::string_view& text) {
   Header header;
   if (words_of(take_line(text)) != std::vector<std::string_view>{"ply"})
@@ -129,7 +129,7 @@ class Body {
 
   void check() {
     for (const Element& each : header_.elements) {
-      // Without properties an element has no bytes, and any number of them is there.
+      // An element without properties has no bytes, so its count cannot be checked.
       if (each.properties.empty() && each.count > 0)
         refuse(fmt::format("its elements \"{:.40}\" have no properties", each.name));
       for (std::size_t i = 0; i < each.count; ++i) {
@@ -184,7 +184,7 @@ class Body {
     }
   }
 
-  // A whole number; 0 for others, whose value nobody asks for.
+  // A whole number; 0 for other numbers, whose value is not needed.
   double take(const Type& type, const Element& element, std::size_t index) {
     if (bytes_.size() < type.size) cut(element, index);
     std::uint64_t value = 0;

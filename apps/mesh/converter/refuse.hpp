@@ -6,7 +6,7 @@
 
 namespace armlet::mesh {
 
-// A file is not converted because of WHY.
+// Refuses to convert a file, with the reason `why`.
 [[noreturn]] inline void refuse(const std::string& why) { throw ArgumentError(why); }
 
 }  // namespace armlet::mesh

@@ -88,7 +88,7 @@ SceneBuilder::Key SceneBuilder::key_of(const Corner& corner, const Vector3d& nor
   }
   Key key{};
   for (int k = 0; k < 3; ++k) {
-    // 0.0F + x: of the two zeros, one.
+    // 0.0F + x makes -0 and +0 equal.
     key[static_cast<std::size_t>(k)] = 0.0F + static_cast<float>(p[k]);
     key[static_cast<std::size_t>(3 + k)] = 0.0F + static_cast<float>(normal[k]);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Triangles of any origin as a scene that can be written as GLB, each number checked.
+// Collects triangles of any origin, with checks of each number, to a scene that is written as GLB.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -18,9 +18,10 @@ namespace armlet::mesh {
 // A corner of a triangle.
 //
 // position  units of the file, z up.
-// normal    of any length; zero: follows from the triangle.
-// on_image  0 to 1 from the lower left corner of the picture, v up, as OBJ, VRML and DAE have it.
-// color     red, green, blue, opacity as on a screen (sRGB).
+// normal    of any length; zero: computed from the triangle.
+// on_image  texture coordinates, 0 to 1 from the lower left corner of the picture, v up, as in OBJ,
+//           VRML and DAE.
+// color     red, green, blue, opacity in sRGB.
 struct Corner {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -28,30 +29,31 @@ struct Corner {
   std::optional<Eigen::Vector4d> color{};
 };
 
-// The picture of a name, checked: PNG or JPEG, whole as far as its parts say, at most 8192 pixels
-// wide and high and 32 MB.
+// The picture with a name, after checks: PNG or JPEG, complete according to its header, at most
+// 8192 pixels wide and high, and 32 MB.
 //
-// returns  nothing and a note if it is not there or of another kind.
-// throws   ArgumentError if it is there and cannot be used.
+// returns  nullopt and a note if it does not exist or has another format.
+// throws   ArgumentError if it exists and cannot be used.
 std::optional<GlbImage> load_image(Files& files, const std::string& name,
                                    std::vector<std::string>& notes);
-// throws  as load_image, for bytes that are at hand.
+// throws  as load_image, for bytes in memory.
 void check_image(std::string_view bytes, const std::string& name);
 
 class SceneBuilder {
  public:
-  // unit  m in one unit of the file.
+  // unit  length of one unit of the file, m.
   SceneBuilder(Files& files, double unit) : files_(files), unit_(unit) {}
 
-  // A colour of a screen.
-  //
+  // color    in sRGB.
   // texture  the name of a picture; empty: none.
-  // returns  the index of the material; the same one for the same values.
+  // returns  the index of the material; equal materials have the same
+  //          index.
   int material(const std::string& name, const Eigen::Vector4d& color, const std::string& texture,
                bool two_sided);
   void note(std::string text);
 
-  // throws  ArgumentError for numbers that are none or beyond 10 km, and for too many triangles.
+  // throws  ArgumentError for numbers that are not finite or beyond 10 km, and for too many
+  //         triangles.
   void add_triangle(int material, const std::array<Corner, 3>& corners);
 
   [[nodiscard]] std::size_t triangles() const { return triangles_; }
@@ -59,7 +61,7 @@ class SceneBuilder {
   [[nodiscard]] GlbScene finish(const std::string& name) &&;
 
  private:
-  // Of the vertices that are there already, in single precision.
+  // The key by which equal vertices are found, in single precision.
   using Key = std::array<float, 12>;
   struct Hash {
     std::size_t operator()(const Key& key) const;

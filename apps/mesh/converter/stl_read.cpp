@@ -1,5 +1,5 @@
-// STL files as they are met: text with words in any case, several solids and names of any kind, and
-// binary files whose header begins with "solid" or that have bytes behind their last triangle.
+// STL files as they occur: text with words in any case, several solids and names of any kind, and
+// binary files whose header begins with "solid" or that have bytes after their last triangle.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kHeader = 84, kTriangle = 50, kCount = 80;
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-// What fills a file behind its text: zeros, and the sign by which DOS ends files.
+// Padding after the text of a file: zeros, and the character that ends files of DOS.
 bool is_padding(char c) { return c == '\0' || c == '\x1a' || is_blank(c); }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -42,12 +42,12 @@ std::uint32_t count_in(std::string_view bytes) {
   return count;
 }
 
-// Words of a text, with the line of the last one.
+// The words of a text, with the line number of the last one.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
 
-  // Empty at the end of the text.
+  // Returns an empty word at the end of the text.
   std::string_view next() {
     while (at_ < text_.size() && is_blank(text_[at_])) pass();
     const std::size_t begin = at_;
@@ -76,7 +76,7 @@ std::optional<float> number_in(std::string_view word) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size() || error == std::errc::invalid_argument) return {};
-  // Too large a number is infinite, and refused as a coordinate.
+  // A number that is too large becomes infinite, and is refused as a coordinate.
   if (error == std::errc::result_out_of_range) value = std::abs(value) > 1.0 ? INFINITY : 0.0;
   return static_cast<float>(value);
 }
@@ -86,7 +86,7 @@ class TextReader {
   TextReader(std::string_view text, std::vector<std::string>& notes)
       : words_(text), notes_(notes) {}
 
-  // As the bytes of a binary file.
+  // Returns the triangles as the bytes of a binary file.
   std::string read() {
     bool is_open = false;
     for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
@@ -119,7 +119,7 @@ class TextReader {
 
   void note_missing_end() { notes_.emplace_back("`endsolid` is missing: it may be cut off"); }
 
-  // What stands between `facet` and `endfacet`.
+  // Reads the contents between `facet` and `endfacet`.
   void read_facet() {
     std::array<float, 12> numbers{};
     std::size_t corners = 0;
@@ -150,14 +150,14 @@ class TextReader {
     add(numbers);
   }
 
-  // The last word of a text that was cut off may be the half of one.
+  // The last word of a truncated text may be incomplete.
   void refuse_word(std::string_view word) {
     const std::size_t line = words_.line();
     if (words_.next().empty()) refuse("it is cut off: `endfacet` is missing");
     refuse(fmt::format("line {} has \"{}\" in a facet", line, shown(word)));
   }
 
-  // A normal that is no direction is left out: it follows from the corners.
+  // A normal of length zero or not finite is left out and computed from the corners.
   void read_normal(std::array<float, 12>& numbers) {
     bool is_direction = true;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
-// Words of VRML 2.0, looked at before Coin reads the file: Coin opens what `Inline` names while it
-// parses, and calls itself for each brace.
+// Checks words of VRML 2.0 before Coin reads the file: Coin opens the files of `Inline` while it
+// parses, and recurses for each brace.
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kDeepestNode = 200;
 
-// What reads other files or runs programs, also by the names that Coin knows besides.
+// Nodes that read other files or run programs, including other names that Coin accepts.
 constexpr std::array<std::string_view, 11> kRefused = {
     "Inline",       "EXTERNPROTO", "Script", "File",       "WWWInline", "InlineLOD",
     "MovieTexture", "AudioClip",   "SoFile", "VRMLInline", "VRMLScript"};
@@ -39,7 +39,7 @@ void check_header(std::string_view text) {
   if (!first.starts_with("#VRML V2.0 utf8")) refuse("its first line is not #VRML V2.0 utf8");
 }
 
-// Behind the end of a text in quotes.
+// The position after the end of a quoted text.
 std::size_t skip_quoted(std::string_view text, std::size_t at) {
   for (std::size_t k = at + 1; k < text.size(); ++k) {
     if (text[k] == '\\') {
@@ -51,10 +51,10 @@ std::size_t skip_quoted(std::string_view text, std::size_t at) {
   refuse(fmt::format("line {}: a text in quotes does not end", line_of(text, at)));
 }
 
-// Which nodes and prototypes are open where a word stands, and what prototypes make.
-//
-// Coin follows USE inside of the node of that name, and a prototype in itself, until its stack
-// ends.
+// The nodes and prototypes that enclose a word, and the number of
+// nodes that prototypes make. Coin follows USE inside of the node with
+// that name, and a prototype inside of itself, until its stack
+// overflows.
 class Names {
  public:
   explicit Names(std::string_view text) : text_(text) {}
@@ -67,7 +67,7 @@ class Names {
     Bracket made;
     if (bracket == '{') {
       made.node = std::exchange(node_, {});
-      // The body of a prototype is the first {...} behind its [...] on the same level.
+      // The body of a prototype is the first {...} after its [...] at the same level.
       if (!prototype_.empty() && brackets_.size() == level_)
         made.prototype = std::exchange(prototype_, {});
     }
@@ -115,9 +115,9 @@ class Names {
  private:
   static constexpr double kMostMade = 10'000;
   struct Bracket {
-    std::string node;       // that it is the inside of
-    std::string prototype;  // that it is the body of
-    double made = 0.0;      // nodes that prototypes make in it
+    std::string node;       // name of the node with this bracket
+    std::string prototype;  // name of the prototype with this body
+    double made = 0.0;      // nodes that prototypes make inside
   };
 
   std::string_view text_;

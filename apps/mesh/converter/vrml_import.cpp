@@ -41,13 +41,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// ---- what Coin says while it reads
+// ---- messages of Coin while it reads
 
-std::string first_error;  // Coin's callbacks come without a place of their own to note them
+std::string first_error;  // Coin's callbacks have no argument to store them
 
 void note_error(const SoError* error, void*) {
   const std::string text = error->getDebugString().getString();
-  // Nothing moves here, so events that go nowhere are no fault.
+  // Nothing moves here, so routes of events without a target do not matter.
   if (!first_error.empty() || text.find("ROUTE") != std::string::npos) return;
   first_error = text;
   for (char& c : first_error) {
@@ -55,9 +55,9 @@ void note_error(const SoError* error, void*) {
   }
 }
 
-// ---- the graph, looked at before anything follows it
+// ---- checks of the graph before it is traversed
 
-// Looks at every node once, refuses loops, and counts what is shown, also by being used again.
+// Visits every node once, refuses loops, and counts the visible nodes, also those that are reused.
 class GraphCheck {
  public:
   void look(SoNode* node) {
@@ -91,7 +91,7 @@ class GraphCheck {
     if (auto* extrusion = dynamic_cast<SoVRMLExtrusion*>(node)) check_extrusion(*extrusion);
   }
 
-  // Every index is -1 or below `count`.
+  // Checks that every index is -1 or below `count`.
   static void check_indices(const SoMFInt32& list, int count, const char* name, const char* what) {
     for (int i = 0; i < list.getNum(); ++i) {
       if (list[i] < -1 || list[i] >= count) {
@@ -125,7 +125,8 @@ class GraphCheck {
                                 const char* what) {
       if (count == 0) return;
       check_indices(list, count, name, what);
-      // As many as corners with the ends of polygons, as polygons, or as the largest index asks.
+      // One per corner including the ends of polygons, or one per polygon, or up to the largest
+      // index.
       const int listed = list.getNum();
       const int wanted = per_vertex ? faces.coordIndex.getNum() : polygons;
       const bool by_index = listed > 0;
@@ -209,7 +210,7 @@ class Collector {
   static SoCallbackAction::Response begin_shape(void* self, SoCallbackAction*, const SoNode* node) {
     auto& me = *static_cast<Collector*>(self);
     if (!me.fault_.empty()) return SoCallbackAction::ABORT;
-    // No exception passes through Coin.
+    // No exception may leave a callback of Coin.
     try {
       me.begin(*static_cast<const SoVRMLShape*>(node));
     } catch (const std::exception& error) {
@@ -219,7 +220,7 @@ class Collector {
     return SoCallbackAction::CONTINUE;
   }
 
-  // Coin gives places on a picture only where one is shown.
+  // Coin provides texture coordinates only if a texture is shown.
   static SoCallbackAction::Response begin_geometry(void* self, SoCallbackAction* action,
                                                    const SoNode*) {
     if (!static_cast<Collector*>(self)->texture_.empty())
@@ -305,7 +306,7 @@ class Collector {
     to_.add_triangle(material_, corners);
   }
 
-  // Curved shapes end where they begin, to the last digit.
+  // Makes the end of a curved shape equal to its start in all digits.
   static void snap(SbVec3f& p) {
     constexpr float kSteps = 1 << 20;
     for (int k = 0; k < 3; ++k) {

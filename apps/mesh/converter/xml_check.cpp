@@ -1,5 +1,5 @@
-// DAE, looked at before Assimp reads it: Assimp follows references without asking whether they come
-// back to where they began, and calls itself for each element.
+// Checks DAE before Assimp reads it: Assimp follows references without a check for loops, and
+// recurses for each element.
 
 #include <fmt/format.h>
 #include <tinyxml2.h>
@@ -20,7 +20,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr int kDeepestElement = 64;
-// What Assimp reads without asking whether it is there.
+// Attributes that Assimp reads without a check that they exist.
 constexpr std::pair<std::string_view, const char*> kNeeded[] = {
     {"float_array", "id"},        {"float_array", "count"}, {"accessor", "source"},
     {"accessor", "count"},        {"input", "semantic"},    {"input", "source"},
@@ -29,11 +29,11 @@ constexpr std::pair<std::string_view, const char*> kNeeded[] = {
     {"instance_effect", "url"},   {"visual_scene", "id"},   {"instance_visual_scene", "url"},
     {"material", "id"},           {"effect", "id"},         {"image", "id"},
     {"triangles", "count"},       {"polylist", "count"},    {"polygons", "count"}};
-constexpr double kMostNodes = 1e6;  // each as often as it is used
+constexpr double kMostNodes = 1e6;  // each counted as often as it is used
 
 constexpr std::string_view kBlank = " \t\r\n";
 
-// The value of an attribute; empty if it is not there.
+// The value of an attribute; empty if it does not exist.
 std::string attribute(const XMLElement& element, const char* name) {
   const char* const value = element.Attribute(name);
   return value == nullptr ? std::string() : value;
@@ -44,8 +44,8 @@ std::string_view text_of(const XMLElement& element) {
   return text == nullptr ? std::string_view() : text;
 }
 
-// Things that name others: none may come back to itself, and what the first ones show, each as
-// often as it is named, is bounded.
+// Elements that refer to others: references may not form a loop, and the number of nodes shown,
+// each counted as often as it is used, is bounded.
 class References {
  public:
   int add() {
@@ -120,7 +120,7 @@ class DaeCheck {
     refuse(fmt::format("it has more than {} elements in one another", kDeepestElement));
   }
 
-  // node  around it; -1: none.
+  // node  the enclosing node; -1: none.
   void look_into(const tinyxml2::XMLNode& parent, int depth, int node) {
     if (depth > kDeepestElement) refuse_depth();
     for (const auto* each = parent.FirstChild(); each != nullptr; each = each->NextSibling()) {
@@ -159,7 +159,7 @@ class DaeCheck {
     return node;
   }
 
-  // Of an effect: a sampler names a surface, which names a picture.
+  // In an effect, a sampler refers to a surface, which refers to a picture.
   void look_at_references(const XMLElement& element, std::string_view name, int node) {
     if (name == "instance_node" && node >= 0) {
       nodes_.uses(node, without_hash(attribute(element, "url")));
@@ -178,7 +178,7 @@ class DaeCheck {
     }
   }
 
-  // Assimp takes what is below zero for zero, and does not come past what is no number.
+  // Assimp reads negative counts as zero, and fails at text that is not a number.
   static void look_at_numbers(const XMLElement& element, std::string_view name) {
     const bool whole = name != "float_array";
     const std::string_view allowed = whole ? "0123456789 \t\r\n" : "0123456789 \t\r\n+-.eENaIiNnFf";
