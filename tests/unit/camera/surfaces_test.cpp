@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "armlet/model/catalog.hpp"
 #include "armlet/model/robot_scene.hpp"
