@@ -37,16 +37,16 @@ class Journal {
   void set_keeps_files(bool keeps) { keeps_files_ = keeps; }
   [[nodiscard]] bool keeps_files() const { return keeps_files_; }
 
-  // ---- inputs of the host The next input of the run that is replayed; null: there are no
-  // more.
+  // ---- inputs of the host
+  // The next input of the run that is replayed; null: there are no more.
   [[nodiscard]] const Input* next() const;
   void pass() { ++inputs_; }
   // A new input that was just applied, or is to be applied at the start.
   void add(Input input);
   void expect(Input input) { entry_->inputs.push_back(std::move(input)); }
 
-  // ---- questions of the run The reply in the log; otherwise that of `outside`, which is
-  // recorded.
+  // ---- questions of the run
+  // The reply in the log; otherwise that of `outside`, which is recorded.
   Reply ask(std::string question, const std::function<Reply()>& outside);
   // The same for saving a file; if it is not written, the run can load it nevertheless.
   Reply save(std::string_view name, std::string_view content,
