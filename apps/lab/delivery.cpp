@@ -1,4 +1,4 @@
-// What a page has not been told yet.
+// Messages that a page has not received yet.
 
 #include <algorithm>
 #include <utility>
@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kItemsInMessage = 2000;
 constexpr std::size_t kBytesInRows = 256 * 1024;
 
-// Messages up to a number of bytes.
+// A list of messages of limited size in bytes.
 class Parcel {
  public:
   explicit Parcel(std::size_t most) : most_(most) {}
@@ -29,7 +29,7 @@ class Parcel {
   std::vector<Message> messages_;
 };
 
-// The rest of a list, in pieces.
+// Adds the rest of a list, in several messages.
 template <class Write>
 void add_items(Parcel& parcel, std::size_t& known, std::size_t size, const Write& write) {
   while (known < size && !parcel.is_full()) {
@@ -52,7 +52,7 @@ void add_rows(Parcel& parcel, std::uint32_t kind, int run, const std::vector<Row
   }
 }
 
-// The head of a run comes first, and in its last state when everything else has been told.
+// The head of a run is sent first, and again in its last state when everything else has been sent.
 void add_run(Parcel& parcel, const RunRecord& run, KnownOfRun& known) {
   if (known.changes == 0) {
     RunRecord begun;

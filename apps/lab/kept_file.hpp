@@ -1,5 +1,5 @@
 #pragma once
-// Files that are dropped onto a page and kept beside its program: none takes the place of another.
+// Saves files dropped onto a page beside its program, without overwriting another file.
 
 #include <array>
 #include <functional>
@@ -10,24 +10,24 @@
 
 namespace armlet::lab {
 
-// What has a name in the folder. `bytes` are those of a file that can be read.
+// The entry with a name in the folder. `bytes` are its contents if it is a readable file.
 struct NameInUse {
   bool is_used = false;
   std::string bytes{};
 };
 
-// Where a mesh is kept, and how large it is along x, y and z, m.
+// The name of a saved mesh, and its size along x, y and z, m.
 struct KeptFile {
   std::string name{};
   std::array<double, 3> size{};
 };
 
-// Keeps a file under its name, or under "part-2.glb" and so on where something else has that. A
-// file of the same bytes is used again. Only GLB files are kept.
+// Saves a file under its name, or under "part-2.glb" and so on if another entry has that name. A
+// file with the same bytes is used again. Only GLB files are saved.
 //
-// look    what has a name.
-// save    writes a file under a name that nothing has; the reason if it cannot be.
-// returns where it is, or why it is not kept, as a sentence.
+// look    returns the entry with a name.
+// save    writes a file under a new name; returns the reason if it cannot be written. returns the
+//         saved file, or why it is not saved, as a sentence.
 [[nodiscard]] Result<KeptFile> keep_beside(
     const std::string& name, const std::string& bytes,
     const std::function<NameInUse(const std::string&)>& look,

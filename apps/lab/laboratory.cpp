@@ -10,7 +10,7 @@ namespace armlet::lab {
 
 namespace {
 
-// Pictures are drawn once for all runs, and looks into them, that come to the same.
+// Runs, and looks into them, that lead to the same picture share it, so that it is rendered once.
 SessionOptions with_pictures(SessionOptions options, std::size_t most_bytes) {
   options.pictures = std::make_shared<KeptPictures>(most_bytes);
   return options;

@@ -1,6 +1,6 @@
 #pragma once
-// A laboratory: one program, its runs, and the pages that look at them. It speaks the messages of
-// docs/lab-protocol.md and knows no socket, no thread and no file:
+// A laboratory: one program, its runs, and the pages that show them. It exchanges the messages of
+// docs/lab-protocol.md and uses no socket, no thread and no file:
 //
 //     Laboratory laboratory({.session = ..., .file = "cell.rbt", .text = ...});
 //     const int page = laboratory.join();
@@ -8,9 +8,9 @@
 //     while (laboratory.advance()) {}
 //     for (const Message& each : laboratory.take_messages(page, 1'000'000)) send(each);
 //
-// A page that takes its messages slowly costs nothing: what it has not been told is read from the
-// record of the run when it asks. All functions are called from one thread at a time; only
-// interrupt() may come from any.
+// A slow page needs no memory: messages are made from the record of the run when the page takes
+// them. All functions are called from one thread at a time; only interrupt() may be called from
+// any thread.
 
 #include <cstdint>
 #include <functional>
@@ -27,7 +27,7 @@
 namespace armlet::lab {
 
 // session  robot, world, imports and folder of all runs.
-// bounds   of each run. `most_runs` and `most_bytes` are kept; the oldest go first.
+// bounds   of each run. `most_runs` runs with `most_bytes` are kept; the oldest are dropped.
 struct LaboratoryOptions {
   SessionOptions session{};
   std::string file = "program.rbt";
@@ -38,11 +38,11 @@ struct LaboratoryOptions {
   std::size_t most_runs = 24;
   std::size_t most_bytes = std::size_t{192} << 20U;
   int most_pages = 64;
-  std::size_t most_picture_bytes = std::size_t{96} << 20U;  // of cameras, kept for all runs
-  std::size_t most_kept_bytes = std::size_t{512} << 20U;    // of files that pages send
-  // Keeps a file beside the program, under this name or, where another file has it, one like it,
-  // which is returned; or says why not, as a sentence. Null: nothing can be kept. A name without
-  // letters: it is kept for what comes later.
+  std::size_t most_picture_bytes = std::size_t{96} << 20U;  // of cameras, for all runs together
+  std::size_t most_kept_bytes = std::size_t{512} << 20U;    // of files sent by pages
+  // Saves a file beside the program, under this name or a similar one if another file has it;
+  // returns the saved file, or an error that is a sentence. Null: files cannot be saved. An empty
+  // name in the result: the file is stored for a mesh that comes later.
   std::function<Result<KeptFile>(const std::string& name, std::string bytes)> keep_file{};
 };
 
@@ -53,29 +53,29 @@ class Laboratory {
   Laboratory(const Laboratory&) = delete;
   Laboratory& operator=(const Laboratory&) = delete;
 
-  // A page that has connected; -1: there are as many as there may be.
+  // Adds a page and returns its number; -1: there are `most_pages` already.
   int join();
   void leave(int page);
-  // One message of a page. Whatever it holds, the laboratory goes on.
+  // Handles one message of a page. No message, however wrong, stops the laboratory.
   void receive(int page, std::string_view message);
-  // Whether answers pile up that the page does not take: what it sends is better left waiting.
+  // Whether the page has not taken many answers; its next messages should then wait.
   [[nodiscard]] bool is_full(int page) const;
 
   // Works for some milliseconds. Returns whether there is more to do.
   bool advance();
 
-  // What the page has not been told yet, as far as it fits into so many bytes, but at least one
-  // message.
+  // The messages for the page that are due, as many as fit into this number of bytes, but at least
+  // one.
   [[nodiscard]] std::vector<Message> take_messages(int page, std::size_t most_bytes);
 
-  // Ends what advance() or receive() does at the moment, if that takes too long; from any thread.
+  // Ends the present work of advance() or receive() if it takes too long; from any thread.
   void interrupt() noexcept;
 
-  // The bytes of a file that pages draw, by its name in a description; from any thread. Null: there
-  // is none, or no run is left that shows it.
+  // The bytes of a file that pages draw, by its name in a description; from any thread. Null: no
+  // run that still exists shows such a file.
   [[nodiscard]] FileBytes file(std::string_view name) const;
 
-  // The newest text that a page has sent.
+  // The newest text sent by a page.
   [[nodiscard]] const std::string& text() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What a laboratory consists of; private to its sources.
+// The state of a laboratory; private to its sources.
 
 #include <deque>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace armlet::lab {
 
-// A wish to see an instant, or to step to one.
+// A request to show an instant, or to step to one.
 struct Look {
   int page = 0;
   Seq seq;
@@ -23,8 +23,8 @@ struct Look {
   LookAt place{};
   std::optional<StepHow> step;
   bool moves_cursor = false;
-  bool looks_only = false;  // the values of elements come with the instant
-  std::string picture{};    // of this element, and nothing else; empty: not that
+  bool looks_only = false;  // does not move the cursor; the answer has the values of elements too
+  std::string picture{};    // request for only the picture of this element; empty: none
   bool has_stepped = false;
 };
 
@@ -54,11 +54,11 @@ struct Laboratory::State {
   void handle(Page& page, Seq seq, const GiveControl& give);
   void refuse(Page& page, Seq seq, std::string_view reason, std::string_view message);
   void refuse(Page& page, Seq seq, const InputFault& fault);
-  // Whether the page may change something; otherwise it is told why not.
+  // Whether the page may change something; if not, it gets a refusal.
   bool has_control(Page& page, Seq seq);
 
   // ---- text and runs (text_and_runs.cpp)
-  // Takes the text and, if it `goes` and is right, begins its run; otherwise it is checked only.
+  // Takes the text and, if `goes` and it has no mistakes, begins its run; otherwise only checks it.
   void take_text(std::string given, std::int64_t version, bool goes);
   [[nodiscard]] const Analysis& analysis();
   [[nodiscard]] RunRecord* find_run(int number);
@@ -68,17 +68,17 @@ struct Laboratory::State {
   void drop_run(int run);
   void drop_old_runs();
   void end_live_run(const std::string& why);
-  // The log of a run as far as it has come; null: it is not known yet.
+  // The log of a run so far; null: there is none yet.
   [[nodiscard]] const SessionLog* log_of(RunRecord& run);
   [[nodiscard]] LiveRun* live_run(const RunRecord& run) {
     return live != nullptr && live_number == run.number ? live.get() : nullptr;
   }
   bool advance_run();
   bool advance_plots();
-  // Begins a run that is `parent` until a time, and then has the input.
+  // Begins a run that equals `parent` until a time and then gets the input.
   void begin_fork(RunRecord& parent, std::int64_t t_ns, const GiveInput& input);
   void end_fork();
-  // After the log of the run has become another one.
+  // Must be called when the log of the run has changed.
   void forget_looks_of(const RunRecord& run);
   void note_parting(RunRecord& run);
 
@@ -88,13 +88,13 @@ struct Laboratory::State {
   void begin_look();
   void end_look();
   void answer_picture(Page& page);
-  // The run to look into at a time; null: the page was told why not.
+  // The run to show at a time; null: the page got a refusal.
   [[nodiscard]] RunRecord* run_to_see(Page& page, Seq seq, std::optional<int> number, double t);
 
-  // ---- what pages are told (delivery.cpp)
+  // ---- messages to pages (delivery.cpp)
   [[nodiscard]] std::vector<Message> take_messages(Page& page, std::size_t most_bytes);
 
-  // Keeps what interrupt() is to stop.
+  // Registers the session that interrupt() stops.
   class Busy {
    public:
     Busy(State& state, Session& session);
@@ -107,7 +107,7 @@ struct Laboratory::State {
   };
 
   LaboratoryOptions options;
-  std::shared_ptr<TakenFiles> imported;  // shared with the loader of sessions
+  std::shared_ptr<TakenFiles> imported;  // shared with the loaders of sessions
   SessionOptions session_options;
   Pages pages;
   Versions versions;
@@ -115,7 +115,7 @@ struct Laboratory::State {
   struct Text {
     std::string now;
     std::int64_t version = 0;
-    int from = 0;  // the page; 0: none
+    int from = 0;  // the page that sent it; 0: none
     bool runs = false;
     std::vector<TextMessage> diagnostics;
     std::shared_ptr<const Analysis> analysis;
@@ -133,7 +133,7 @@ struct Laboratory::State {
 
   std::unique_ptr<PlotReader> plots;
   std::vector<int> runs_with_plots;  // whose plots have been read
-  struct Asked {                     // who waits for the input of a fork
+  struct Asked {                     // the page that waits for the result of its input
     int page = 0;
     Seq seq;
     int shown_before = 0;
@@ -154,7 +154,7 @@ struct Laboratory::State {
   std::optional<Cursor> cursor;
   struct Breakpoints {
     std::vector<int> lines;
-    std::vector<int> known;  // lines of the newest run that can have one
+    std::vector<int> known;  // lines of the newest run that can have a breakpoint
   } breakpoints;
 
   std::mutex busy_mutex;

@@ -1,5 +1,5 @@
 #pragma once
-// The pages of a laboratory: which there are, who is in control, and what each has been told.
+// The pages of a laboratory, the page that has control, and the messages that each has received.
 
 #include <cstdint>
 #include <deque>
@@ -15,17 +15,17 @@
 
 namespace armlet::lab {
 
-// How much of a run a page knows.
+// The parts of a run that a page has received.
 struct KnownOfRun {
   std::uint64_t changes = 0;
   std::uint64_t described = 0;
   std::uint64_t figures = 0;
   std::size_t moves = 0, ways = 0, stretches = 0, lines = 0, events = 0, texts = 0, advice = 0,
               drawn = 0;
-  std::vector<std::size_t> robots, objects, elements, forces, contacts, drawings;  // rows
+  std::vector<std::size_t> robots, objects, elements, forces, contacts, drawings;  // row counts
 };
 
-// Counts of what there is to be told besides runs; a page that knows another count is told again.
+// Counts of changes of data other than runs; a page with another count gets that data again.
 struct Versions {
   std::uint64_t control = 0;
   std::uint64_t text = 0;
@@ -38,14 +38,14 @@ struct Versions {
 
 struct Page {
   int number = 0;
-  std::string key;  // that nobody else knows
+  std::string key;  // known only to this page
   bool is_greeted = false;
   std::deque<Message> answers;
   std::size_t answer_bytes = 0;
   Versions known;
   std::map<int, KnownOfRun> runs;  // by number
-  std::set<int> wanted;            // runs that it has asked for
-  // A file that it sends, as far as it has come.
+  std::set<int> wanted;            // runs that it has requested
+  // The received part of a file that it sends.
   struct Sent {
     std::string name;
     std::string bytes;
@@ -54,30 +54,30 @@ struct Page {
 
 class Pages {
  public:
-  // Answers that may wait before a page is full.
+  // Bytes of waiting answers from which on a page is full.
   static constexpr std::size_t kMostAnswerBytes = 4'000'000;
 
   explicit Pages(int most) : most_(most) {}
 
-  // -1: there are too many.
+  // -1: there are too many pages.
   int join();
   void leave(int page);
   [[nodiscard]] Page* find(int page);
   void answer(Page& page, Message message);
   void forget_run(int run);
-  // Of the files that all of them have left.
+  // Bytes of saved files, also of pages that have left.
   [[nodiscard]] std::size_t kept_bytes() const { return kept_bytes_; }
   void count_kept(std::size_t bytes) { kept_bytes_ += bytes; }
 
   // ---- control
   [[nodiscard]] bool is_holder(int page) const { return control_.holder == page; }
-  // Shows it to the others; it has the control if nobody else has it, or if it knows the key of who
-  // has: then it is the same page, which has been loaded again.
+  // Adds the page to the list that all pages show. It gets control if no page has it, or if its key
+  // is that of the page with control: then it is the same page, reloaded.
   void enter(int page, std::string_view key);
-  // Takes it if nobody has it; otherwise the wish is kept until who has it gives it or leaves.
-  // Whether it has it now.
+  // Gets control if no page has it; otherwise the request waits until the page with control gives
+  // it away or leaves. Returns whether it has control now.
   bool take(int page);
-  // To nobody without a page. False: there is no such page.
+  // Without a page: no page has control. False: there is no such page.
   bool give(std::optional<int> page);
   [[nodiscard]] const ControlState& control() const { return control_; }
   [[nodiscard]] std::uint64_t control_changes() const { return changes_; }

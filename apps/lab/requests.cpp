@@ -1,4 +1,4 @@
-// What a laboratory does with each message of a page.
+// How a laboratory handles each message of a page.
 
 #include <fmt/format.h>
 
@@ -32,8 +32,8 @@ std::map<std::string, std::vector<std::string>> words_of_language() {
   return words;
 }
 
-// The name of a file as one that every folder takes and a program can write: of the last part of
-// it letters, digits, points, lines and hyphens, at most 60 of them, the first no point.
+// A file name that is valid in every folder and in programs: of the last part of the given name at
+// most 60 letters, digits, points, underscores and hyphens; the first one is no point.
 std::string file_name(std::string_view given) {
   given = given.substr(given.find_last_of("/\\") + 1);
   std::string name;
@@ -185,7 +185,7 @@ void Laboratory::State::handle(Page& page, Seq seq, const Step& step) {
 
 void Laboratory::State::ask_to_look(Look wish) {
   if (!wish.step) {
-    // Of several instants that a page wants to see only the newest counts.
+    // Only the newest of several instants that a page requests is shown.
     Page* page = pages.find(wish.page);
     std::erase_if(looks.waiting, [&](const Look& each) {
       if (each.page != wish.page || each.step || each.picture != wish.picture) return false;
@@ -234,7 +234,7 @@ void Laboratory::State::handle(Page& page, Seq seq, const AskInverse& ask) {
                   fmt::format("A seed for \"{}\" has {} numbers, not {}.", ask.robot, model->n(),
                               how.seed.size()));
   }
-  // An arm with fewer joints keeps what it can of the orientation that it has.
+  // An arm with fewer joints keeps its orientation as far as it can.
   if (model->n() < 6) how.task = IkTask::kPositionFirst;
   const IkResult found = solve_ik(*model, ask.T_world_tool, how);
   InverseAnswer answer{.is_ok = found.ok(), .q = numbers_of(found.q), .reason = {}, .nearest = {}};

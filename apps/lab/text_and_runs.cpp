@@ -1,4 +1,4 @@
-// The text of a laboratory, its runs, and looks into them.
+// The text of a laboratory, its runs, and their states at an instant.
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ std::string what_changed(std::string_view before, std::string_view now) {
   return "the same text";
 }
 
-// The robot, the field or the button.
+// The name of the robot, the field or the button of an input.
 std::string name_of(const InputWhat& input) {
   return std::visit(Overload{[](const SetField& each) { return each.name; },
                              [](const PressButton& each) { return each.name; },
@@ -219,8 +219,8 @@ void Laboratory::State::begin_fork(RunRecord& parent, std::int64_t t_ns, const G
   show(last_run);
 }
 
-// The page is told whether the input was taken. A refused one leaves no run behind, and one slider
-// that is pulled leaves one.
+// Reports to the page whether the input was accepted. A refused one leaves no run, and the many
+// inputs of one slider leave one.
 void Laboratory::State::end_fork() {
   const Asked asked = *std::exchange(fork_asked, std::nullopt);
   Page* page = pages.find(asked.page);
@@ -245,7 +245,7 @@ void Laboratory::State::end_fork() {
   show(find_run(asked.shown_before) != nullptr ? asked.shown_before : runs.back()->number);
 }
 
-// Reads the plots of the shown run when it has come to its end.
+// Reads the plots of the shown run when that has ended.
 bool Laboratory::State::advance_plots() {
   RunRecord* run = shown_run();
   if (run == nullptr || run->state == RunState::kRunning || !run->lab || !run->lab->has_block)
@@ -263,7 +263,7 @@ bool Laboratory::State::advance_plots() {
     const Busy guard(*this, plots->session());
     goes_on = plots->advance();
   } catch (const std::exception&) {
-    goes_on = false;  // what could be read is there
+    goes_on = false;  // the readable points are done
   }
   if (!goes_on) {
     runs_with_plots.push_back(run->number);
@@ -282,7 +282,7 @@ void Laboratory::State::note_parting(RunRecord& run) {
 
 // ---- looks ----------------------------------------------------------------------------------
 
-// A step begins where the cursor is.
+// A step begins at the cursor.
 void Laboratory::State::begin_look() {
   while (!looks.now && !looks.waiting.empty()) {
     looks.now = std::move(looks.waiting.front());

@@ -10,7 +10,7 @@ constexpr std::uint64_t kBase = 85;
 
 char sign_of(std::uint64_t digit) { return static_cast<char>(digit + (digit < 20 ? 40 : 42)); }
 
-// 85: it is no sign.
+// 85: the character is not a digit.
 std::uint64_t digit_of(char sign) {
   if (sign < '(' || sign > '~' || sign == '<' || sign == '=') return kBase;
   return static_cast<std::uint64_t>(sign - (sign < '<' ? 40 : 42));
@@ -61,7 +61,7 @@ bool is_text(std::string_view bytes) {
     for (std::size_t k = 1; k <= more; ++k) {
       if ((at(i + k) & 0xC0U) != 0x80) return false;
     }
-    // Longer than need be, beyond U+10FFFF, or half of a pair.
+    // Overlong, beyond U+10FFFF, or half of a surrogate pair.
     if ((c == 0xE0 && at(i + 1) < 0xA0) || (c == 0xED && at(i + 1) > 0x9F) ||
         (c == 0xF0 && at(i + 1) < 0x90) || (c == 0xF4 && at(i + 1) > 0x8F))
       return false;

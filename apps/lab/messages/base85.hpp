@@ -1,6 +1,6 @@
 #pragma once
-// Bytes as text: four of them as five digits to the base 85, the signs from ( to ; and from > to ~.
-// Of fewer bytes at the end as many digits and one are written. A page reads the same
+// Bytes as text: four bytes are five digits to the base 85, the characters from ( to ; and from >
+// to ~. A remainder of n bytes at the end becomes n + 1 digits. A page reads the same code
 // (page/src/alone/packed.ts).
 
 #include <optional>
@@ -10,10 +10,10 @@
 namespace armlet::lab {
 
 [[nodiscard]] std::string to_base85(std::string_view bytes);
-// Nothing: it is no such text.
+// Nullopt: the text is not valid.
 [[nodiscard]] std::optional<std::string> from_base85(std::string_view text);
 
-// Whether bytes are UTF-8 without zeros, so that a message can carry them as they are.
+// Whether bytes are UTF-8 without zeros, so that a message can contain them unchanged.
 [[nodiscard]] bool is_text(std::string_view bytes);
 
 }  // namespace armlet::lab

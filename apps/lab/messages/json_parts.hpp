@@ -1,5 +1,5 @@
 #pragma once
-// Parts that several messages have. Only for the sources that write JSON.
+// Parts that several messages contain. Only for the sources that write JSON.
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -40,11 +40,11 @@ inline OrderedJson pose_json(const Eigen::Isometry3d& T) {
   return {p.x(), p.y(), p.z(), turn.w(), turn.x(), turn.y(), turn.z()};
 }
 OrderedJson json_of(const TextMessage& message);
-// Numbers in SI; what has a name of its own as a text.
+// Numbers in SI; values of other types as texts.
 OrderedJson value_json(const Value& value);
 OrderedJson values_json(const std::vector<ElementValue>& values);
 
-// Numbers that are not finite become null, bytes that are no text a sign for that.
+// Numbers that are not finite become null, invalid UTF-8 a replacement character.
 inline Message message_of(const OrderedJson& json) {
   return {json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace), false};
 }

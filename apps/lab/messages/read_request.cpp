@@ -1,4 +1,4 @@
-// Messages of pages from JSON.
+// Reads messages of pages from JSON.
 
 #include <fmt/format.h>
 
@@ -204,7 +204,7 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
   throw Wrong{fmt::format("There is no message of the type \"{}\".", type.substr(0, 40))};
 }
 
-// Whether brackets lie deeper in each other than messages need.
+// Whether brackets are nested deeper than messages need.
 bool is_too_deep(std::string_view message) {
   int depth = 0;
   bool in_text = false;

@@ -1,5 +1,5 @@
 #pragma once
-// What pages send (docs/lab-protocol.md), as values.
+// Messages sent by pages (docs/lab-protocol.md), as values.
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -16,30 +16,30 @@ namespace armlet::lab {
 
 inline constexpr std::size_t kMostMessageBytes = 1'000'000;
 inline constexpr std::size_t kMostTextBytes = 512'000;
-inline constexpr std::size_t kMostFileBytes = std::size_t{32} << 20U;  // that a page sends
+inline constexpr std::size_t kMostFileBytes = std::size_t{32} << 20U;  // of a file from a page
 
 struct Hello {
-  std::string key{};  // of the page as it was before; empty: it is new
+  std::string key{};  // of the page before it was reloaded; empty: it is new
 };
 struct SetText {
   std::string text;
   std::int64_t version = 0;
-  bool runs = true;  // otherwise it is only checked
+  bool runs = true;  // false: the text is only checked
 };
-// A question about the text at a place.
+// A question about the text at a position.
 struct AskText {
   enum class What : std::uint8_t { kComplete, kHover, kSignature, kDefinition };
   What what = What::kHover;
   TextPlace at{};
 };
 struct FormatText {};
-// looks  the cursor stays where it is, whoever asks.
+// looks  the cursor does not move, whichever page asks.
 struct GoTo {
   double t = 0.0;  // s
   std::optional<int> run{};
   bool looks = false;
 };
-// The picture of an element at an instant.
+// A request for the picture of an element at an instant.
 struct AskPicture {
   std::string element;
   double t = 0.0;  // s
@@ -53,7 +53,7 @@ struct SetBreakpoints {
   std::vector<int> lines;
 };
 
-// What a user does to a run.
+// Inputs of a user to a run.
 struct SetField {
   std::string name;
   std::variant<double, bool, std::string> value{};  // a number in SI units
@@ -75,7 +75,7 @@ struct SetHand {
 };
 using InputWhat = std::variant<SetField, PressButton, SetJoints, SetHand>;
 struct GiveInput {
-  std::optional<double> t{};  // nothing: at the end of the run
+  std::optional<double> t{};  // nullopt: at the end of the run
   InputWhat what;
 };
 
@@ -95,13 +95,13 @@ struct FetchRun {
   int run = 0;
 };
 struct StopRun {};
-// Everything that another laboratory needs to go on with this one.
+// A request for all data with which another laboratory can continue this one.
 struct AskExport {};
-// The bytes of a file that is drawn.
+// A request for the bytes of a file that is drawn.
 struct AskFile {
   std::string name;
 };
-// A piece of a file that is to be kept beside the program.
+// A piece of a file to be saved beside the program.
 //
 // first, last  the file begins, or ends, with this piece.
 struct SendFile {
@@ -123,16 +123,16 @@ struct Request {
       what;
 };
 
-// A message that cannot be read, with its number as far as that could be read.
+// A message that cannot be read, with its number if that could be read.
 struct Unreadable {
   std::optional<std::int64_t> seq{};
   std::string why;  // a sentence
 };
 
-// Reads a text message; never throws for what it holds.
+// Reads a text message; never throws, whatever the message contains.
 [[nodiscard]] std::variant<Request, Unreadable> read_request(std::string_view message);
 
-// A pose of seven numbers; nothing if they are none.
+// A pose from seven numbers; nullopt if they are not a pose.
 [[nodiscard]] std::optional<Eigen::Isometry3d> pose_of(const std::vector<double>& numbers);
 
 }  // namespace armlet::lab

@@ -1,6 +1,6 @@
 #pragma once
-// A laboratory that was exported: `laboratory` of the message "exported" (docs/lab-protocol.md), as
-// far as whoever opens it needs it. The runs in it are taken again by the worker's script.
+// An exported laboratory: `laboratory` of the message "exported" (docs/lab-protocol.md), without
+// its runs. The script of the worker replays the runs.
 
 #include <map>
 #include <optional>
@@ -21,7 +21,7 @@ struct SavedLaboratory {
   std::map<std::string, std::string> files;
 };
 
-// returns  an error, a sentence, for everything that is none, or is of another edition.
+// returns  an error, a sentence, if the JSON is no exported laboratory or is from another version.
 [[nodiscard]] Result<SavedLaboratory> read_saved(std::string_view json, std::string_view version);
 
 }  // namespace armlet::lab

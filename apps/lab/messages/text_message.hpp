@@ -1,5 +1,5 @@
 #pragma once
-// A message about a program with its places resolved, so that it needs the texts no longer.
+// A message about a program with resolved positions, so that it no longer needs the texts.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace armlet::lab {
 
-// span  nothing: not in the main text but in `file`.
+// span  nullopt: the mark is not in the main text but in `file`.
 struct MarkedPlace {
   std::optional<TextSpan> span{};
   std::string file{};
@@ -26,8 +26,8 @@ struct TextFix {
   bool is_sure = false;
   std::vector<Replacement> edits{};
 };
-// when       circumstances of what happened in a run, as a sentence; t, its time, s.
-// unreached  the goal that could not be reached, if it is about one.
+// when       circumstances of an event in a run, as a sentence; t: its time, s.
+// unreached  the goal that could not be reached, if the message is about one.
 struct TextMessage {
   bool is_error = true;
   std::string code{};
@@ -41,7 +41,7 @@ struct TextMessage {
   std::optional<UnreachedGoal> unreached{};
 };
 
-// A fix that would change another file is left out.
+// Fixes that would change another file are left out.
 [[nodiscard]] TextMessage resolved(const Diagnostic& diagnostic, const SourceSet& sources);
 
 }  // namespace armlet::lab

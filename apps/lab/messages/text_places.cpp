@@ -8,7 +8,7 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-// Characters of four bytes are pairs of UTF-16.
+// Characters of four bytes are surrogate pairs in UTF-16.
 int units_of(char first) { return static_cast<unsigned char>(first) >= 0xF0U ? 2 : 1; }
 
 }  // namespace

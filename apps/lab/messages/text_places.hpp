@@ -19,14 +19,14 @@ struct TextSpan {
   bool operator==(const TextSpan&) const = default;
 };
 
-// The place of a byte; one behind the end is the end, one inside of a character its start.
+// The position of a byte; beyond the end: the end; inside of a character: its start.
 [[nodiscard]] TextPlace place_of(const Source& source, std::uint32_t byte);
-// The byte of a place. Behind the end of a line is its end, behind the last line the end of the
-// text; a place inside of a character is its start.
+// The byte of a position; beyond the end of a line: the end of the line; after the last line: the
+// end of the text; inside of a character: the start of the character.
 [[nodiscard]] std::uint32_t byte_of(const Source& source, TextPlace place);
-// Nothing if it does not lie in the main text.
+// Nullopt if the span is not in the main text.
 [[nodiscard]] std::optional<TextSpan> span_of(const SourceSet& sources, Span span);
-// Units of UTF-16 in a text.
+// The length of a text in UTF-16 units.
 [[nodiscard]] int utf16_length(std::string_view text);
 
 }  // namespace armlet::lab

@@ -1,4 +1,4 @@
-// What robots, objects and elements of a run are, for pages.
+// Descriptions of robots, objects and elements of a run, for pages.
 
 #include <cmath>
 
@@ -42,8 +42,8 @@ std::vector<LinkShape> shapes_of(const std::shared_ptr<const Robot>& model) {
   return model == nullptr ? std::vector<LinkShape>() : link_shapes(*model);
 }
 
-// The bodies with which collisions are found, in the frames of shapes; those that are meshes are
-// drawn as such.
+// The simplified shapes for collision checks, in the frames of the links; shapes that are meshes
+// are drawn as meshes.
 OrderedJson solids_json(const std::shared_ptr<const Robot>& model, const RobotInfo& info) {
   OrderedJson out = OrderedJson::array();
   if (model == nullptr || model->spec().role != RobotRole::kArm) return out;
@@ -79,7 +79,7 @@ OrderedJson solids_json(const std::shared_ptr<const Robot>& model, const RobotIn
   return out;
 }
 
-// What the motor of a joint gives at most; null: nobody knows.
+// The largest force of the motor of a joint; null: unknown.
 OrderedJson max_force_json(const std::shared_ptr<const Robot>& model, int joint) {
   if (model == nullptr || !std::isfinite(model->joint(joint).max_effort)) return {};
   return model->joint(joint).max_effort;

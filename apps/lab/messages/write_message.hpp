@@ -22,7 +22,7 @@ namespace armlet::lab {
 
 using Seq = std::optional<std::int64_t>;
 
-// One piece of what a page gets.
+// One message to a page.
 struct Message {
   std::string bytes;
   bool is_binary = false;
@@ -60,11 +60,11 @@ struct ControlState {
                                       const std::vector<TextMessage>& problems);
 [[nodiscard]] Message write_breakpoints(Seq to, const std::vector<int>& lines,
                                         const std::vector<int>& known);
-// values  of elements, where they are not told by themselves; null: they are.
+// values  of elements, if they are part of this message; null: they have a message of their own.
 [[nodiscard]] Message write_instant(Seq to, const SeenInstant& instant, bool is_cursor,
                                     const std::vector<ElementValue>* values = nullptr);
 
-// nearest  joints and pose, where there is no solution.
+// nearest  joint values and pose nearest to the goal, if there is no solution.
 struct InverseAnswer {
   struct Nearest {
     std::vector<double> q;
@@ -95,7 +95,7 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 [[nodiscard]] Message write_shown(int run);
 [[nodiscard]] Message write_run(const RunRecord& run);
 [[nodiscard]] Message write_description(const RunRecord& run);
-// Pieces of lists, from `first` and at most so many.
+// Parts of lists, from index `first`, at most `count` items.
 [[nodiscard]] Message write_moves(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_ways(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_stretches(const RunRecord& run, std::size_t first, std::size_t count);
@@ -105,23 +105,23 @@ using RunList = std::vector<std::unique_ptr<RunRecord>>;
 [[nodiscard]] Message write_notes(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_advice(const RunRecord& run, std::size_t first, std::size_t count);
 [[nodiscard]] Message write_figure(const RunRecord& run, const RecordedFigure& figure);
-// What elements show at an instant.
+// The contents of elements at an instant.
 [[nodiscard]] Message write_elements(Seq to, int run, double t,
                                      const std::vector<ElementValue>& values);
 [[nodiscard]] Message write_taken(Seq to, int run);
-// The bytes of a file that a page has asked for in its message number `to`.
+// The bytes of a file that a page has requested in its message number `to`.
 inline constexpr std::uint32_t kFileMessage = 6;
 [[nodiscard]] Message write_file(std::uint32_t to, std::string_view bytes);
-// The picture of an element that a page has asked for in its message number `to`, with its marks.
+// The picture of an element that a page has requested in its message number `to`, with its marks.
 inline constexpr std::uint32_t kPictureMessage = 8;
 [[nodiscard]] Message write_picture(std::uint32_t to, const LabPicture& picture);
-// The file that a page has sent is kept under this name.
+// The answer to a page whose file was saved: its name.
 [[nodiscard]] Message write_kept(Seq to, const KeptFile& kept);
-// A laboratory as it goes on elsewhere.
+// A laboratory in the form in which another one can continue it.
 //
-// world  given by the user; null: the command's own.
-// text   the newest; it need not have run.
-// files  what the program imports and loads, by their paths from its folder.
+// world  given by the user; null: the default one of the command.
+// text   the newest text; it need not have run.
+// files  that the program imports and loads, by their paths from its folder.
 struct Exported {
   std::string version;
   std::string robot;
@@ -134,7 +134,7 @@ struct Exported {
   int shown = 0;
 };
 [[nodiscard]] Message write_exported(Seq to, const Exported& exported);
-// kind  1 robot, 2 object, 3 element, 4 forces, 5 contact, 7 shapes that are only shown.
+// kind  1 robot, 2 object, 3 element, 4 forces, 5 contact, 7 drawings.
 [[nodiscard]] Message write_rows(std::uint32_t kind, int run, std::size_t index, const Rows& rows,
                                  std::size_t first, std::size_t count);
 

@@ -9,7 +9,7 @@
 namespace armlet::lab {
 namespace {
 
-// Depths as grey pixels, the nearest white; black where nothing is seen.
+// Depths as grey pixels, the nearest white; black where there is no depth.
 std::vector<std::uint8_t> grey_of_depths(const Image& image) {
   const std::span<const float> depths = image.depths();
   float near = 0.0F, far = 0.0F;

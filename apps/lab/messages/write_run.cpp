@@ -56,7 +56,7 @@ OrderedJson piece(std::string_view type, const RunRecord& run, std::size_t first
   return {{"type", type}, {"run", run.number}, {"first", first}, {"items", OrderedJson::array()}};
 }
 
-// The unit of all numbers of a value, or, where they differ, those of its parts.
+// The unit of all numbers of a value, or, if they differ, the units of its parts.
 OrderedJson units_json(const Value& value) {
   OrderedJson parts;
   if (const auto* number = value.get_if<Value::Number>()) return si_unit(number->dim);
@@ -267,7 +267,7 @@ Message write_kept(Seq to, const KeptFile& kept) {
   return message_of(out);
 }
 
-// The lists of what was asked of the outside are not in it: `files` are its answers.
+// The replies in the logs are left out: `files` contains them.
 Message write_exported(Seq to, const Exported& exported) {
   OrderedJson out = answer("exported", to);
   OrderedJson laboratory = {{"format", 1},

@@ -17,10 +17,10 @@ namespace {
 constexpr std::int64_t kPlotStep_ns = 10'000'000;
 constexpr std::int64_t kPlotPoints = 2000;
 constexpr int kPointsInSlice = 40;
-constexpr std::int64_t kWayPoints = 250;  // of features in a picture
+constexpr std::int64_t kWayPoints = 250;  // of paths of features in a picture
 constexpr std::size_t kMostColumns = 64;
 
-// A number as the field takes it.
+// The number in the type of the field.
 Value value_for(const LabRow* row, const SetField& set) {
   if (const double* number = std::get_if<double>(&set.value)) {
     if (row != nullptr && row->type == LabFieldType::kInt && *number == std::floor(*number) &&
@@ -44,7 +44,7 @@ std::optional<LabElements> lab_of(Session& session, std::optional<LabElements> k
   const LabControls controls(session);
   const LabRows* rows = controls.rows();
   const auto robots = static_cast<std::size_t>(session.host()->cell().robot_count());
-  // The default grows with the robots of the cell: two sliders and two plots for each.
+  // The default page has two sliders and two plots for each robot of the cell, so it can grow.
   if (rows == nullptr && known && known->rows.rows.size() >= 4 * robots) return known;
   LabElements lab{.rows = rows == nullptr ? default_lab_rows(session.host()->cell()) : *rows,
                   .ranges = {},
@@ -162,7 +162,7 @@ bool PlotReader::advance() {
     const bool views = points_++ % views_every_ == 0 || next_ns_ == end_ns_;
     read_all(to_seconds(next_ns_), views);
     if (progress != Progress::kPaused) return false;
-    if (views && draws_) i = kPointsInSlice;  // a picture takes as long as many points
+    if (views && draws_) i = kPointsInSlice;  // a picture takes as long as that many points
     next_ns_ = next_ns_ < end_ns_ ? std::min(next_ns_ + step_ns_, end_ns_) : end_ns_ + 1;
   }
   return true;

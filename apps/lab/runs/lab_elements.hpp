@@ -1,5 +1,5 @@
 #pragma once
-// The elements of a laboratory's page: what they are, what they show, what is done at them.
+// The elements of a laboratory's page: their descriptions, contents and inputs.
 
 #include <memory>
 #include <optional>
@@ -11,32 +11,32 @@
 
 namespace armlet::lab {
 
-// The elements that a run has come to; `known` if nothing has changed.
+// The elements of a run so far; `known` if they have not changed.
 [[nodiscard]] std::optional<LabElements> lab_of(Session& session, std::optional<LabElements> known);
 
-// Does to the run what somebody did at its page. Why not, if it is refused.
+// Applies an input of a user to the run. Returns the reason if it is refused.
 [[nodiscard]] std::optional<Error> apply_input(Session& session, const InputWhat& input);
 
-// What an element shows at an instant.
+// The content of an element at an instant.
 struct ElementValue {
   std::string name;
   Value value{};
-  std::string fault{};  // why there is none
+  std::string fault{};  // why there is no value
 };
-// Of all fields, hands, tables and texts that change.
+// The values of all fields, sliders of the tool pose, tables, and texts that change.
 [[nodiscard]] std::vector<ElementValue> element_values(Session& session, const LabElements& lab);
 
-// Numbers of a value in the order in which they stand in it, SI; false: it holds something else.
+// Adds the numbers of a value in their order, SI; false: it holds a value of another type.
 [[nodiscard]] bool add_numbers(const Value& value, std::vector<double>& numbers);
-// The units of the numbers that add_numbers gives.
+// Adds the units of the numbers that add_numbers adds.
 void add_units(const Value& value, std::vector<std::string>& units);
 
-// Takes a run once more, unheard, and reads its plots and the features of its views at even times.
+// Replays a run silently and reads its plots and the features of its views at equal intervals.
 class PlotReader {
  public:
   PlotReader(const SessionOptions& options, RunRecord& record);
 
-  // Reads some. Returns whether there are more.
+  // Reads some points. Returns whether there are more.
   bool advance();
   [[nodiscard]] int run() const { return record_.number; }
   [[nodiscard]] Session& session() { return *session_; }
@@ -50,7 +50,7 @@ class PlotReader {
   std::int64_t step_ns_ = 0;
   std::int64_t end_ns_ = 0;
   std::int64_t points_ = 0;
-  std::int64_t views_every_ = 1;  // of the points, views are read at one of so many
+  std::int64_t views_every_ = 1;  // views are read at every n-th point, n this number
   bool draws_ = false;            // a view needs a picture for its features
 };
 

@@ -126,7 +126,7 @@ void LiveRun::come_to_end(Progress progress) {
                                                   : RunState::kStopped;
   if (const auto& error = session_->result().error; error && progress != Progress::kDone) {
     record_.error = resolved(*error, session_->sources());
-    // An earlier goal, which the program went on without, is not what this is about.
+    // An earlier goal, after which the program continued, is not the cause of this failure.
     const UnreachedGoal* goal = session_->host()->unreached();
     if (error->code == "R0601" && goal != nullptr && goal->t_ns == now_ns())
       record_.error->unreached = *goal;
@@ -138,7 +138,7 @@ void LiveRun::come_to_end(Progress progress) {
 void LiveRun::finish_record() {
   recording_.on_end();
   record_.log = session_->log();
-  // As if it ended here: a run that is at rest can go on.
+  // As if the run ended here; a run that is at rest can continue.
   RunMarks ended = marks_;
   if (session_->is_at_rest()) {
     for (const Figure& figure : session_->host()->figures())

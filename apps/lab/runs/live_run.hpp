@@ -1,5 +1,5 @@
 #pragma once
-// A run under way: a session that is let run in slices, and the record that it fills.
+// A running run: a session that runs in slices, and the record that it fills.
 
 #include <cstdint>
 #include <memory>
@@ -9,20 +9,20 @@
 
 namespace armlet::lab {
 
-// What ends a run that does not end by itself.
+// The limits for a run that does not end by itself.
 struct RunBounds {
   std::int64_t time_ns = 600'000'000'000;
   std::uint64_t steps = 500'000'000;
 };
 
-// How much is done at a time.
+// The number of steps of a slice.
 inline constexpr std::uint64_t kSliceSteps = 100'000;
 
-// The options of every session of a laboratory: what `options` says, with markers and variables
-// that can be looked at.
+// The options of every session of a laboratory: `options` with markers, and with variables that can
+// be read.
 [[nodiscard]] SessionOptions session_options(SessionOptions options, const RunBounds& bounds);
 
-// Why an input was refused.
+// The reason why an input was refused.
 struct InputFault {
   std::string why;
   std::optional<UnreachedGoal> unreached{};
@@ -30,24 +30,24 @@ struct InputFault {
 
 class LiveRun {
  public:
-  // The record and the files outlive it.
+  // The record and the files must outlive it.
   LiveRun(const SessionOptions& options, const RunBounds& bounds, RunRecord& record,
           ShownFiles& files);
 
-  // Whether the text can run; the messages are in session().problems().
+  // Returns whether the text can run; the messages are in session().problems().
   bool begin(const std::string& text, const std::string& name);
 
-  // The run of a log up to a time, and then an input that makes it another one.
+  // Replays the run of a log up to a time, and then applies an input that makes it another run.
   void begin_fork(const SessionLog& log, std::int64_t t_ns, InputWhat input);
-  // Does something to the run where it stands; it then goes on. Why not, if it is refused.
+  // Applies an input at the present instant; the run then continues. Returns the reason if refused.
   [[nodiscard]] std::optional<InputFault> give(const InputWhat& input);
-  // Whether a fork has come to its input, and why that was refused.
+  // Whether a fork has reached its input, and why that was refused.
   [[nodiscard]] bool has_forked() const { return !fork_; }
   [[nodiscard]] const std::optional<InputFault>& fork_fault() const { return fork_fault_; }
 
   // Runs a slice. Returns whether there is more to do.
   bool advance();
-  // Ends it here, as a limit does.
+  // Ends the run here, as a limit does.
   void stop(std::string why);
   [[nodiscard]] bool is_over() const { return record_.state != RunState::kRunning; }
 
@@ -71,7 +71,7 @@ class LiveRun {
     std::int64_t t_ns = 0;
     InputWhat input;
   };
-  std::optional<Fork> fork_;  // to come
+  std::optional<Fork> fork_;  // not reached yet
   std::optional<InputFault> fork_fault_;
 };
 

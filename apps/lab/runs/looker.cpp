@@ -98,7 +98,7 @@ void Looker::set_breakpoints() {
   static_cast<void>(session_->set_breakpoints(std::move(places)));
 }
 
-// Whether the budget was used up by steps, so that the place has not been reached.
+// Whether the steps of the budget were used up before the goal was reached.
 bool Looker::run_slice(Budget budget) {
   const std::uint64_t before = session_->vm() == nullptr ? 0 : session_->result().steps;
   budget.steps = kSliceSteps;
@@ -120,7 +120,7 @@ bool Looker::advance() {
       goes_on = run_slice({.until_ns = target_.t_ns});
       break;
     case Aim::kStatements:
-      // Nothing has begun at the start, also where nothing has run yet.
+      // At the start no statement has begun, also before anything has run.
       if (*target_.statements > begun())
         goes_on = run_slice({.statements = *target_.statements - begun()});
       break;
@@ -165,7 +165,7 @@ bool Looker::is_step_done() const {
     if (task.name != from_.task) continue;
     const std::size_t depth = task.calls.size();
     if (how_ == StepHow::kOut) return depth < from_.depth;
-    // Statements of other tasks come in between.
+    // Statements of other tasks may run in between.
     const bool has_moved = tasks.size() == 1 || depth != from_.depth || task.calls.empty() ||
                            !(task.calls.front().at == from_.at);
     return depth <= from_.depth && has_moved;

@@ -1,5 +1,5 @@
 #pragma once
-// Looks into a run at an instant: takes the run once more, unheard, until it is there.
+// Shows a run at an instant: replays it silently up to there.
 
 #include <cstdint>
 #include <memory>
@@ -16,13 +16,13 @@
 
 namespace armlet::lab {
 
-// What there is at an instant of a run.
+// The state of a run at an instant.
 //
 // line, span  of the statement that has begun last or is about to begin; 0: none has.
-// statements  that have begun.
+// statements  number of statements that have begun.
 struct SeenInstant {
   // scope  0: the top level; then the calls of the task, from outside to inside.
-  // value  nothing: it has none yet.
+  // value  nullopt: it has none yet.
   struct Variable {
     int scope = 0;
     std::string name{}, type{};
@@ -49,43 +49,43 @@ struct SeenInstant {
   SeenThings things{};
 };
 
-// Where a run is to be looked at: after everything that happens until a time, or where so many
-// statements have begun and the next one has not.
+// An instant of a run: after all events up to a time, or after this number of statements has begun
+// and before the next one.
 struct LookAt {
   std::int64_t t_ns = 0;
   std::optional<std::uint64_t> statements{};
   bool operator==(const LookAt&) const = default;
 };
 
-// One at a time: a new place replaces the one before.
+// Goes to one instant at a time: a new one replaces the one before.
 class Looker {
  public:
   explicit Looker(SessionOptions options);
   ~Looker();
 
-  // Begins to go to a place of the run with this number and log. From a place before it in the same
-  // run it goes on.
+  // Begins to go to an instant of the run with this number and log. From an earlier instant of the
+  // same run it continues.
   void go_to(int run, const SessionLog& log, LookAt place);
-  // Begins a step from where it is; breakpoints end it as well.
+  // Begins a step from the present instant; breakpoints end it as well.
   void step(StepHow how, const std::vector<int>& breakpoints);
-  // Goes on for a while. Returns whether there is more to do.
+  // Works for a while. Returns whether there is more to do.
   bool advance();
   [[nodiscard]] bool is_under_way() const { return aim_ != Aim::kNothing; }
   [[nodiscard]] bool is_at(int run) const { return session_ != nullptr && run_ == run; }
 
   [[nodiscard]] SeenInstant look();
-  // Where it is now, to come back to.
+  // The present instant, in a form to which go_to can return.
   [[nodiscard]] LookAt place();
-  // Forgets the run, whose log has become another one.
+  // Must be called when the log of the run has changed.
   void forget();
-  // Of the run that is looked at; there is one after go_to.
+  // The session of the run; it exists after go_to.
   [[nodiscard]] Session& session() { return *session_; }
   [[nodiscard]] bool was_cancelled() const {
     return session_ != nullptr && session_->result().status == Progress::kCancelled;
   }
 
  private:
-  // kStatement: to the end of the statement in whose middle it is.
+  // kStatement: to the end of the present statement.
   enum class Aim : std::uint8_t { kNothing, kTime, kStatements, kStatement, kStep, kBreakpoint };
   struct Focus {
     std::string task;
@@ -96,7 +96,7 @@ class Looker {
   void restart(const SessionLog& log);
   bool run_slice(Budget budget);
   [[nodiscard]] bool has_ended() const;
-  // Whether nothing happens any more: it has ended, or waits for an input.
+  // Whether nothing more happens: the run has ended, or waits for an input.
   [[nodiscard]] bool is_over() const;
   [[nodiscard]] std::int64_t now_ns() const;
   [[nodiscard]] std::uint64_t begun() const;
@@ -115,7 +115,7 @@ class Looker {
   StepHow how_ = StepHow::kInto;
   Focus from_{};
   std::vector<int> breakpoints_;
-  bool is_between_ = true;  // statements: none is under way where it stands
+  bool is_between_ = true;  // no statement is being executed
 };
 
 }  // namespace armlet::lab

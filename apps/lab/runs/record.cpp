@@ -57,7 +57,7 @@ std::vector<double> RunRecord::joints_at(int robot, double t) const {
   const Rows& rows = robot_rows[index];
   std::size_t first = 0;
   std::size_t count = rows.count();
-  while (count > 0) {  // the first row behind t
+  while (count > 0) {  // binary search for the first row after t
     const std::size_t half = count / 2;
     if (rows.rows(first + half, 1)[0] <= t) {
       first += half + 1;

@@ -1,5 +1,5 @@
 #pragma once
-// What is known of a run: everything that pages show of it, in lists that only grow.
+// The record of a run: all data that pages show of it, in lists that only grow.
 
 #include <array>
 #include <cstdint>
@@ -33,7 +33,7 @@ struct ObjectFiles {
   std::string texture;
 };
 
-// A robot has another tool, or stands elsewhere, from a time on.
+// From a time on, a robot has another tool or another base pose.
 struct RobotChange {
   double t = 0.0;
   RobotInfo robot;
@@ -46,9 +46,9 @@ struct RecordedRobot {
   std::vector<std::string> pictures;  // names of the files of info.pictures
 };
 
-// A way around what stood in the way, as it was planned at `t`; it takes `duration`, s.
+// A path around obstacles, as it was planned at `t`; it takes `duration`, s.
 //
-// path  of the tool point, in the world, at even times.
+// path  of the tool point, in the world, at equal time intervals.
 // arms  joint values at some times in between.
 struct RecordedWay {
   int robot = 0;
@@ -69,7 +69,7 @@ struct RecordedMove {
   bool stopped = false;
   Eigen::Vector3d p_end = Eigen::Vector3d::Zero();  // of the tool point, in the world
 };
-// What a task did, or a signal was, for a time that has ended.
+// An interval in which a task executed one statement, or a signal had one value.
 //
 // name   of the task, empty for the program itself, or of the signal.
 // span   the statement of the task.
@@ -87,14 +87,14 @@ struct RecordedLine {
   double t = 0.0;
   int line = 0;
 };
-// `what` is "added" or that of an event.
+// `what` is "added" or the word of an event.
 struct RecordedChange {
   double t = 0.0;
   std::string what;
   int object = 0;
   int robot = -1;
 };
-// element  the button whose function says so; empty: the program does.
+// element  the button whose function printed it; empty: the program printed it.
 struct RecordedText {
   double t = 0.0;
   NoteKind kind = NoteKind::kOutput;
@@ -108,10 +108,10 @@ struct RecordedFigure {
   std::string svg;
 };
 
-// What is on the page of a laboratory.
+// The elements of the page of a laboratory.
 //
-// ranges     of the axes of each row, m or rad; none but for sliders of a hand.
-// has_block  otherwise these are the elements of a program that says nothing of a page.
+// ranges     of the axes of each row, m or rad; only for sliders of the tool pose.
+// has_block  false: these are the default elements of a program without a `lab` block.
 struct LabElements {
   LabRows rows;
   std::vector<std::vector<std::array<double, 2>>> ranges;
@@ -124,7 +124,7 @@ struct LabElements {
 
 enum class RunState : std::uint8_t { kRunning, kDone, kFailed, kStopped };
 
-// What somebody did to a run.
+// An input of a user to a run.
 struct RunInput {
   double t = 0.0;
   InputWhat what;
@@ -136,18 +136,18 @@ struct RunHead {
   RunState state = RunState::kRunning;
   double t_end = 0.0;
   std::string label;
-  std::string world;  // its name; empty: the program has asked for none
+  std::string world;  // its name; empty: the program has used none
   std::optional<int> parent;
   std::optional<double> parts_at;
   std::int64_t text_version = 0;
   std::vector<RunInput> inputs;
   std::string hash;
   std::optional<TextMessage> error;
-  std::vector<TextMessage> advice;  // that it gave, with times; only the first of very many
-  RecordedDrawings drawings;        // shapes that are only shown
+  std::vector<TextMessage> advice;  // with times; only the first of very many
+  RecordedDrawings drawings;        // shapes without effect
   RecordedCameras cameras;
-  std::uint64_t changes = 1;    // counts what has happened to the fields above
-  std::uint64_t described = 0;  // to the robots and objects
+  std::uint64_t changes = 1;    // counts changes of the fields above
+  std::uint64_t described = 0;  // counts changes of robots and objects
   std::uint64_t figure_changes = 0;
 };
 
@@ -157,8 +157,8 @@ struct RunRecord : RunHead {
   std::vector<ObjectFiles> object_files;
   std::vector<std::optional<TextSpan>> object_places;  // where the program makes them
   std::vector<Rows> robot_rows;
-  std::vector<Rows> force_rows;    // t and what the motors give, of robots with masses
-  std::vector<Rows> contact_rows;  // t and Cell::contact_wrench, from where something is touched
+  std::vector<Rows> force_rows;    // t and the motor forces, of robots with masses
+  std::vector<Rows> contact_rows;  // t and Cell::contact_wrench, from the first contact on
   std::vector<Rows> object_rows;
   std::vector<RecordedMove> moves;
   std::vector<RecordedWay> ways;
@@ -172,42 +172,42 @@ struct RunRecord : RunHead {
   std::size_t file_bytes = 0;      // of files that no other run had
 
   SessionLog log;              // when it has ended
-  std::vector<RunMark> marks;  // the same
+  std::vector<RunMark> marks;  // when it has ended
 
   [[nodiscard]] std::size_t bytes() const;
-  // Where the program was at a time; 0: it has not begun.
+  // The line of the program at a time; 0: it has not begun.
   [[nodiscard]] int line_at(double t) const;
   [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
-  // What the robot is at a time.
+  // The model of the robot at a time.
   [[nodiscard]] std::shared_ptr<const Robot> model_at(int robot, double t) const;
   // Joint values of a robot at a time: those of the last row until then.
   [[nodiscard]] std::vector<double> joints_at(int robot, double t) const;
 };
 
-// Listens to a session and fills a record. The record and the files outlive it.
+// Receives the events of a session and fills a record. The record and the files must outlive it.
 class Recording : public Backend {
  public:
   Recording(RunRecord& record, ShownFiles& files) : record_(record), files_(files) {}
 
-  // The session that it listens to, before its run.
+  // Sets the session before its run.
   void listen_to(Session& session) { session_ = &session; }
   void on(const Event& event) override;
-  // From on_move, `advice` and on_press of the session.
+  // Called from on_move, `advice` and on_press of the session.
   void on_move(const MoveReport& report);
   void on_advice(const Diagnostic& advice);
   void on_press(const PressReport& report);
-  // From `pace` of the session: time is about to pass, so that what the program has come to lasts.
+  // Called from `pace` of the session before the clock advances: records what holds until then.
   void on_wait();
-  // What the run has come to when it ends: loads that have changed since time passed.
+  // Called at the end of the run: records loads that have changed since the clock advanced last.
   void on_end();
-  // Reads off what the cell knows beside its events: models of the robots, the name of the world.
+  // Reads data that events do not contain: models of the robots, the name of the world.
   void look_at_models();
-  // Cameras, and how many pictures they took.
+  // Reads the cameras, and the number of pictures that they took.
   void look_at_cameras();
-  // The same of the pictures of a page.
+  // Replaces the pictures of elements by names of files.
   void keep_pictures(LabElements& lab);
-  // The same of objects: where the program declares those that were there when the run began. While
-  // the session has paused.
+  // Reads where the program declares the objects that existed at the start of the run. Only while
+  // the session is paused.
   void look_at_objects();
 
  private:
@@ -239,20 +239,20 @@ class Recording : public Backend {
     RecordedMove move;
     std::vector<double> last_row;
   };
-  // What the motors of a robot have given last.
+  // The last row of motor forces of a robot.
   //
-  // loaded  the arm with its load then, if it stood; otherwise null.
+  // loaded  the arm with its payload at that time, if it was at rest; otherwise null.
   struct Forces {
     std::shared_ptr<const Robot> loaded;
     std::vector<double> last_row;
   };
-  // When what a robot touches was looked at last, and whether it was anything.
+  // The last time at which contact forces of a robot were read, and whether there were any.
   struct Touch {
     double t = 0.0;
     bool is_touching = false;
   };
 
-  // A stretch that goes on.
+  // An interval that has not ended.
   struct Going {
     RecordedStretch::Kind kind = RecordedStretch::Kind::kTask;
     std::string name;
@@ -264,8 +264,8 @@ class Recording : public Backend {
       return place() == other.place() && value == other.value;
     }
   };
-  // Positions of stretches, those of tasks and signals of the same name and place beside each
-  // other.
+  // The order of intervals in which those of tasks and signals with the same name and statement are
+  // neighbours.
   static std::vector<std::size_t> order_of(const std::vector<Going>& all);
   void end_stretch(const Going& going, double t);
 
@@ -275,9 +275,9 @@ class Recording : public Backend {
   std::vector<std::size_t> going_order_;  // order_of(going_)
   Session* session_ = nullptr;
   std::vector<Motion> motions_;  // of each robot
-  std::vector<Forces> forces_;   // the same
-  std::vector<Touch> touches_;   // the same
-  std::size_t looked_at_ = 0;    // objects
+  std::vector<Forces> forces_;   // of each robot
+  std::vector<Touch> touches_;   // of each robot
+  std::size_t looked_at_ = 0;    // number of objects whose declarations were read
 };
 
 }  // namespace armlet::lab

@@ -42,7 +42,7 @@ void Recording::look_at_cameras() {
     const int next = static_cast<int>(known.list.size());
     try {
       known.list.push_back(recorded(cell, cameras.at(next)));
-    } catch (const ArgumentError&) {  // what it was on is not there any more
+    } catch (const ArgumentError&) {  // its carrier was removed
       known.list.push_back({.name = cameras.at(next).name, .lens = {}, .object = {}});
     }
     ++record_.described;

@@ -10,9 +10,9 @@
 
 namespace armlet::lab {
 
-// A camera that the program has.
+// A camera of the program.
 //
-// robot, link  which carry it; link is counted as in Mount; -1: the world or an object does.
+// robot, link  that carry it; link is counted as in Mount; -1: it is in the world or on an object.
 // object       that carries it; empty: none.
 struct RecordedCamera {
   std::string name;
@@ -23,7 +23,7 @@ struct RecordedCamera {
   Eigen::Isometry3d T_on_camera = Eigen::Isometry3d::Identity();
 };
 
-// taken  how many pictures all of them took.
+// taken  the number of pictures that all of them took.
 struct RecordedCameras {
   std::vector<RecordedCamera> list;
   std::uint64_t taken = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Shapes of a run that are only shown.
+// Shapes of a run that are displayed but have no effect.
 
 #include <array>
 #include <cstddef>
@@ -15,19 +15,19 @@
 
 namespace armlet::lab {
 
-// What a shape is while only its place and its sizes change.
+// The properties of a shape that stay the same while its pose and sizes change.
 struct RecordedDrawing {
   double t = 0.0;  // when it was drawn first
   DrawingInfo info;
   std::optional<TextSpan> span;
 };
 
-// All shapes of a run, each as often as it became another one, and in one list of rows where they
-// were: t, number, x, y, z, qw, qx, qy, qz, and three sizes, which are zero from where it is gone.
+// All shapes of a run, with a new entry when one gets other properties, and one list of rows with
+// their poses: t, number, x, y, z, qw, qx, qy, qz, and three sizes, all zero after its removal.
 class RecordedDrawings {
  public:
   void take(const DrawingChanged& changed, double t, const std::optional<TextSpan>& here);
-  // The last row of each shape that was left out.
+  // Adds the last row of each shape if it was left out.
   void flush();
 
   [[nodiscard]] const std::vector<RecordedDrawing>& list() const { return list_; }
@@ -38,14 +38,14 @@ class RecordedDrawings {
 
  private:
   static constexpr std::size_t kColumns = 12;
-  // Beyond so many rows half of those of each shape are left out, and again half for as many more.
+  // Beyond this number of rows only every second of each shape is kept, then every fourth ...
   static constexpr std::size_t kMostRows = 300'000;
   static constexpr std::size_t kMostShapes = 50'000;
   using Row = std::array<double, kColumns>;
 
-  // What makes it another one: name, kind, text, colour, and what it is on.
+  // The properties of a shape: name, kind, text, colour, and what it is mounted on.
   using Key = std::tuple<std::string, std::string, std::string, std::string, int, int, std::string>;
-  // Rows that were left out since the last one, and the newest of them.
+  // The number of rows left out since the last one, and the newest of them.
   struct LeftOut {
     std::size_t count = 0;
     std::optional<Row> newest{};
@@ -56,8 +56,8 @@ class RecordedDrawings {
   std::vector<RecordedDrawing> list_;
   std::vector<Rows> rows_{Rows(kColumns)};
   std::vector<LeftOut> left_out_;             // of each shape of the list
-  std::map<Key, std::size_t> numbers_;        // in the list
-  std::map<std::string, std::size_t> shown_;  // by name: the number of the one that is shown
+  std::map<Key, std::size_t> numbers_;        // index in the list
+  std::map<std::string, std::size_t> shown_;  // by name: index of the present entry
 };
 
 }  // namespace armlet::lab

@@ -1,7 +1,7 @@
-// What the motors give in a run, as its record has it.
+// The motor forces in the record of a run.
 //
-// Rows are read straight between two of them. Where forces jump, because a motion begins or ends or
-// a load changes, the row before is told once more at that instant.
+// Pages interpolate linearly between two rows. Where forces jump, because a motion begins or ends
+// or a load changes, the row before is repeated at that instant.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ std::vector<double> row_of(double t, const Eigen::VectorXd& forces) {
   return row;
 }
 
-// Forces that are no numbers, of masses or speeds near the end of their range, have no row.
+// Forces that are not finite, from masses or speeds near the limit of doubles, have no row.
 std::vector<double> forces_row(double t, const Cell& cell, int robot, std::span<const double> q,
                                std::span<const double> qd, std::span<const double> qdd) {
   const CellRobot& arm = cell.robot(robot);
@@ -56,7 +56,7 @@ void Recording::take_forces(const JointSample& sample) {
              has_begun);
 }
 
-// Of robots that stand, if they moved or carried something else before.
+// Adds forces of robots at rest, if they moved or had another payload before.
 void Recording::take_forces_at_rest(double t) {
   const Host* host = session_->host();
   const int count = std::min(host->cell().robot_count(), static_cast<int>(forces_.size()));
@@ -71,7 +71,7 @@ void Recording::take_forces_at_rest(double t) {
   }
 }
 
-// Rows are read straight between two of them: before a touch and behind it there is one of zeros.
+// Pages interpolate linearly between two rows: a row of zeros precedes and follows each contact.
 void Recording::take_contacts(int robot, double t) {
   const Host* host = session_ == nullptr ? nullptr : session_->host();
   if (host == nullptr || robot >= host->cell().robot_count() || host->cell().robot(robot).on >= 0)

@@ -1,4 +1,4 @@
-// What tasks do and signals are, from one wait of the run to the next.
+// Statements of tasks and values of signals, from one wait of the run to the next.
 
 #include <algorithm>
 #include <numeric>
@@ -14,7 +14,7 @@ constexpr std::size_t kMostStretches = 50'000;
 
 }  // namespace
 
-// Time is about to pass: until the next wait everything stays as it is now.
+// Called before the clock advances: everything stays the same until the next wait.
 void Recording::take_stretches(double t) {
   if (session_ == nullptr || session_->vm() == nullptr || session_->host() == nullptr) return;
   std::vector<Going> now;
@@ -29,7 +29,7 @@ void Recording::take_stretches(double t) {
     now.push_back(
         {.kind = RecordedStretch::Kind::kSignal, .name = name, .at = {}, .value = value, .t0 = t});
   if (now.empty() && going_.empty()) return;
-  // Both in the same order, so that one pass finds what goes on; of those alike each is taken once.
+  // Both lists have the same order, so that one pass finds equal intervals; each is matched once.
   std::vector<std::size_t> order = order_of(now);
   std::vector<bool> goes_on(going_.size());
   auto next = order.begin();

@@ -1,4 +1,4 @@
-// Planned ways in the record of a run.
+// Planned paths around obstacles in the record of a run.
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr int kPathPoints = 61;
 constexpr int kArms = 5;
 
-// Joint values at `count` even times of the motion, from `first` of its duration to `last`.
+// Joint values at `count` equal intervals of the motion, from `first` to `last` of its duration.
 std::vector<Eigen::VectorXd> positions(const Trajectory& motion, int count, double first,
                                        double last) {
   std::vector<Eigen::VectorXd> all;

@@ -1,4 +1,4 @@
-// From the events of a run to its record.
+// Converts the events of a run to its record.
 
 #include <algorithm>
 #include <array>
@@ -36,14 +36,14 @@ void Recording::on(const Event& event) {
              event);
 }
 
-// The place of the task that runs, or has run last.
+// The statement of the task that runs, or has run last.
 std::optional<TextSpan> Recording::here() const {
   if (session_ == nullptr || session_->vm() == nullptr) return std::nullopt;
   const Span at = running_at(*session_->vm());
   return at.empty() ? std::nullopt : span_of(session_->sources(), at);
 }
 
-// A button that fails ends only what it has begun itself.
+// The failure of a button ends only the task that it has started.
 void Recording::on_press(const PressReport& report) {
   if (!report.failure) return;
   const TextMessage told = resolved(*report.failure, session_->sources());
@@ -72,7 +72,7 @@ void Recording::on_end() {
   if (session_->host() == nullptr) return;
   const double t = to_seconds(session_->host()->now_ns());
   take_forces_at_rest(t);
-  // What lasts is told as far as the run has come; one that goes on tells the rest.
+  // An open interval is recorded up to the present end; if the run continues, so does the interval.
   for (Going& each : going_) {
     end_stretch(each, t);
     each.t0 = t;
@@ -98,7 +98,7 @@ void Recording::take(const BeginRun& begin) {
 
 void Recording::take(const RobotAdded& added) { add_robot(added.robot); }
 
-// A file counts where it is new; other runs that show it cost nothing.
+// Only new files count; a file that another run shows already needs no memory.
 std::string Recording::keep_file(FileBytes& bytes) {
   if (bytes == nullptr) return {};
   const FileBytes given = bytes;
@@ -173,7 +173,7 @@ void Recording::take(const JointSample& sample) {
   take_contacts(sample.robot, t);
 }
 
-// A motion is told with its last sample; the report of a move comes behind it.
+// A motion is recorded at its last sample; the report of the move comes after that.
 void Recording::end_motion(int robot) {
   Motion& motion = motions_[static_cast<std::size_t>(robot)];
   if (motion.number >= 0) {
@@ -192,7 +192,7 @@ void Recording::on_move(const MoveReport& report) {
   motion.move.t1 = report.start + report.duration;
   motion.move.text = report.function;
   motion.move.stopped = report.stopped;
-  // The task whose move has ended goes on now; when it began, another one may have run last.
+  // The task whose move has ended continues now; at its start another task may have run last.
   if (const std::optional<TextSpan> place = here()) motion.move.span = place;
   end_motion(*robot);
 }

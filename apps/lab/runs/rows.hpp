@@ -7,15 +7,15 @@
 
 namespace armlet::lab {
 
-// Rows of numbers over time, `columns` each. Of long ones only some are kept: of every further
-// kMost rows half as many as of those before.
+// Rows of numbers over time, `columns` each. Long lists are thinned: of each further kMost rows,
+// half as many are kept as of those before.
 class Rows {
  public:
   static constexpr std::size_t kMost = 60'000;
 
   explicit Rows(std::size_t columns) : columns_(columns) {}
 
-  // `is_kept`: whatever the number of rows is.
+  // `is_kept`: the row is kept in any case.
   void add(std::span<const double> row, bool is_kept = false);
 
   [[nodiscard]] std::size_t columns() const { return columns_; }

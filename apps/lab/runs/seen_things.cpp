@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t kMostFrames = 200;
 constexpr std::size_t kMostTouching = 8;  // of a robot
 constexpr std::size_t kMostPresses = 64;
-constexpr double kReach = 0.25;  // m: what is farther away is not near
+constexpr double kReach = 0.25;  // m: pairs farther apart are not shown
 
-// The object that carries the frame, through the frames that it is on; empty: none.
+// The object that carries the frame, directly or by other frames; empty: none.
 std::string carrier_of(const World& world, const NamedFrame* frame) {
   while (frame != nullptr && frame->base == FrameBase::kFrame) frame = world.find_frame(frame->on);
   return frame != nullptr && frame->base == FrameBase::kObject ? frame->on : std::string();
@@ -37,7 +37,7 @@ std::vector<SeenFrame> frames_of(const World& world) {
   return all;
 }
 
-// A hand is drawn behind the last link, and so is the flange.
+// A gripper is drawn at the last link, and so is the flange.
 int link_of(const Cell& cell, const CellBody& body) {
   const bool is_behind = is_hand(body.role) || body.role == LinkShapeRole::kFlange;
   return body.robot >= 0 && is_behind ? cell.robot(body.robot).model->rows() + 1 : body.frame;

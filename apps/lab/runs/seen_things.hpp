@@ -1,5 +1,5 @@
 #pragma once
-// What a page draws of the cell at an instant, beside arms and objects.
+// Data of the cell at an instant that a page draws, besides arms and objects.
 
 #include <Eigen/Geometry>
 #include <string>
@@ -11,7 +11,7 @@ namespace armlet::lab {
 
 // A frame with a name.
 //
-// object  that it moves with; empty: it stands in the world.
+// object  that carries it; empty: it is fixed in the world.
 // T       its pose in the frame of the object, or in the world.
 struct SeenFrame {
   std::string name;
@@ -19,9 +19,9 @@ struct SeenFrame {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
 };
 
-// Two things that touch, or the nearest ones of a robot (armlet/cell/clearance.hpp).
+// Two bodies that touch, or the nearest ones of a robot (armlet/cell/clearance.hpp).
 //
-// robot, other_robot    whose part it is, or who carries it; -1: nobody.
+// robot, other_robot    the robot that the body belongs to or that carries it; -1: none.
 // object, other_object  its name; empty: it is a part of the robot.
 // body, other           "link 3 of `arm`".
 // link, other_link      of a part of a robot: what joint `link` moves, counted from 1; 0: the base.
@@ -36,16 +36,16 @@ struct SeenClearance {
   std::string other;
   double distance = 0.0;     // m, below zero if they overlap
   bool is_at_least = false;  // they may overlap by more
-  bool is_felt = false;      // it is the hand that presses into the other one, which it feels
+  bool is_felt = false;      // the tool presses into the other one: a contact force
   Eigen::Vector3d p_body = Eigen::Vector3d::Zero();
   Eigen::Vector3d p_other = Eigen::Vector3d::Zero();
 };
 
-// A place where a robot presses on something.
+// A point at which a robot presses on something.
 //
-// robot, object  whose body it is, and what it presses on; `object` is empty where that is another
-//                body of a robot.
-// p, force       in the world: where, and what the other one exerts there, m and N.
+// robot, object  the robot, and the object that it presses on; `object` is empty if that is a body
+//                of a robot.
+// p, force       in the world: the point, m, and the contact force on the robot, N.
 struct SeenPress {
   int robot = -1;
   std::string object;

@@ -20,7 +20,7 @@ std::string ShownFiles::keep(FileBytes& bytes) {
       bytes = std::move(known);
       return name;
     }
-    name += 'z';  // others with the same hash
+    name += 'z';  // other files with the same hash
   }
 }
 

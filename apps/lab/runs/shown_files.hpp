@@ -1,5 +1,5 @@
 #pragma once
-// The files that pages draw, meshes and pictures, under names that follow from their bytes.
+// The files that pages draw, meshes and pictures, under names computed from their bytes.
 
 #include <map>
 #include <memory>
@@ -11,13 +11,13 @@ namespace armlet::lab {
 
 using FileBytes = std::shared_ptr<const std::string>;  // shared by the runs that show the file
 
-// All functions may be called from any thread. A file is there as long as a run keeps its bytes.
+// All functions may be called from any thread. A file exists as long as a run keeps its bytes.
 class ShownFiles {
  public:
-  // The name of a file: digits and letters. Where the same bytes are kept already, `bytes` becomes
+  // The name of a file: digits and letters. If the same bytes are stored already, `bytes` is set to
   // those.
   std::string keep(FileBytes& bytes);
-  // Null: there is none of this name.
+  // Null: there is no file with this name.
   [[nodiscard]] FileBytes find(std::string_view name) const;
 
  private:

@@ -12,13 +12,13 @@ std::string clean(const std::filesystem::path& path) {
   return path.lexically_normal().generic_string();
 }
 
-// "points.csv" of "load points.csv"; nothing if it is another question.
+// "points.csv" of "load points.csv"; empty if it is another question.
 std::string_view rest_of(std::string_view question, std::string_view word) {
   return question.starts_with(word) ? question.substr(word.size()) : std::string_view();
 }
 
-// Where the mesh of a link lies that is asked for as "link1.glb of arms/arm.urdf", or as "link1.glb
-// of " by the program itself. What is outside of the folder, and a package around it, is looked for
+// The path of a mesh of a link that is requested as "link1.glb of arms/arm.urdf", or as "link1.glb
+// of " by the program itself. A mesh outside of the folder, with its package, is searched for
 // inside (find_mesh).
 std::string path_of_mesh(std::string_view asked) {
   const std::size_t of = asked.rfind(" of ");

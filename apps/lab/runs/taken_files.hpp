@@ -1,6 +1,6 @@
 #pragma once
-// The files that the programs of a laboratory import and load, so that it can go on where these are
-// not.
+// The files that the programs of a laboratory import and load, so that it can continue where these
+// do not exist.
 
 #include <map>
 #include <memory>
@@ -12,9 +12,9 @@ namespace armlet::lab {
 
 class TakenFiles {
  public:
-  // What `import "path"` in the file `from`, as it is named, has given.
+  // Adds the result of `import "path"` in the file with the name `from`.
   void add_import(const std::string& path, const std::string& from, const ImportedText& given);
-  // What the run of a log has loaded and had not saved before.
+  // Adds the files that the run of a log has loaded and had not saved before.
   void add_loaded(const SessionLog& log);
   // Texts by their paths from the folder of the program.
   [[nodiscard]] const std::map<std::string, std::string>& all() const { return files_; }
@@ -24,7 +24,7 @@ class TakenFiles {
   std::map<std::string, std::string> paths_;  // of imported files, by their names
 };
 
-// The same options, with what is imported noted in `files`, which sessions share.
+// The same options with a loader that adds imports to `files`, which sessions share.
 [[nodiscard]] SessionOptions noting(SessionOptions options, std::shared_ptr<TakenFiles> files);
 
 }  // namespace armlet::lab

@@ -1,4 +1,4 @@
-// The page as it was built, carried by the command.
+// The built page, as a part of the command.
 
 #include "server.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The HTTP server of civetweb, loaded when a laboratory is served: no other command waits for it.
+// The HTTP server civetweb, loaded only to serve a laboratory: other commands start sooner.
 
 #include <civetweb.h>
 

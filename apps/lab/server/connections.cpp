@@ -10,7 +10,7 @@ namespace armlet::lab {
 namespace {
 
 constexpr std::size_t kMostWaiting = 64;          // messages of one page
-constexpr std::size_t kMostAtOnce = 1024 * 1024;  // bytes that are handed out at a time
+constexpr std::size_t kMostAtOnce = 1024 * 1024;  // bytes of messages that are taken at a time
 
 }  // namespace
 
@@ -30,7 +30,7 @@ bool Connection::receive(std::string_view piece, bool is_last) {
   if (!is_last) return true;
   {
     std::unique_lock lock(mutex_);
-    // The socket is read no further until the laboratory has taken something.
+    // The socket is not read until the laboratory has taken a message.
     changed_.wait(lock, [this] { return inbox_.size() < kMostWaiting || is_closed_; });
     if (is_closed_) return false;
     inbox_.push_back(std::move(begun_));
@@ -51,7 +51,7 @@ bool Connection::give_up() {
 }
 
 void Connection::close() {
-  if (give_up()) on_message_();  // that it has gone
+  if (give_up()) on_message_();  // reports that the page has left
   if (sender_.joinable() && sender_.get_id() != std::this_thread::get_id()) sender_.join();
 }
 
@@ -100,7 +100,7 @@ void Connection::send_all() {
   }
 }
 
-// ---- all of them ----------------------------------------------------------------------------
+// ---- all pages ------------------------------------------------------------------------------
 
 void Connections::wake() {
   {
@@ -136,7 +136,7 @@ bool Connections::is_full() {
   return all_.size() >= kMost || is_over_;
 }
 
-// One message of each page, so that none keeps the others waiting. Whether there were any.
+// Passes on one message of each page, so that no page waits for another. Whether there were any.
 bool Connections::hand_in() {
   std::vector<std::shared_ptr<Connection>> present;
   {
@@ -186,7 +186,7 @@ void Connections::work() {
     }
     busy_since_ = steady_time_ns();
     is_busy = hand_in();
-    if (is_busy) hand_out();  // who has asked does not wait for the run too
+    if (is_busy) hand_out();  // a page that has asked need not wait for the run
     is_busy = laboratory_.advance() || is_busy;
     hand_out();
     busy_since_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The pages that are connected, between the threads of their sockets and the one of the laboratory.
+// The connected pages, between the threads of their sockets and the thread of the laboratory.
 
 #include <atomic>
 #include <condition_variable>
@@ -19,28 +19,28 @@
 
 namespace armlet::lab {
 
-// One page. Its socket's thread puts messages in and waits while too many lie there; a thread of
-// its own sends what comes out, as slowly as the page takes it.
+// One page. The thread of its socket adds messages, and waits while there are too many; a second
+// thread sends messages at the speed of the page.
 class Connection {
  public:
-  // send        writes a message to the socket; false: it cannot be reached any more.
-  // on_message  called when something has arrived or was sent, and when it has closed.
+  // send        writes a message to the socket; false: the connection is lost.
+  // on_message  called when a message has arrived or was sent, and when the connection has closed.
   Connection(std::function<bool(const Message&)> send, std::function<void()> on_message);
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
   // ---- the thread of the socket
-  // A piece of a message. False: it is too long, and the connection is to be closed.
+  // A piece of a message. False: it is too long, and the connection must be closed.
   bool receive(std::string_view piece, bool is_last);
-  // Nothing is sent from here on, and nothing arrives.
+  // After this nothing is sent or received.
   void close();
-  // The same, without waiting for a message that is on its way; from any thread. Whether it was
+  // The same, without waiting for a message that is being sent; from any thread. Whether it was
   // open.
   bool give_up();
 
   // ---- the thread of the laboratory
-  // The oldest message; nothing: there is none.
+  // The oldest message; nullopt: there is none.
   [[nodiscard]] std::optional<std::string> next();
   [[nodiscard]] bool wants_messages();
   void send(std::vector<Message> messages);
@@ -63,18 +63,18 @@ class Connection {
   std::thread sender_;
 };
 
-// All of them, and the loop in which the laboratory works.
+// All pages, and the loop in which the laboratory works.
 class Connections {
  public:
   explicit Connections(Laboratory& laboratory) : laboratory_(laboratory) {}
 
-  // Null: there are as many as there may be.
+  // Null: there are too many already.
   std::shared_ptr<Connection> add(std::function<bool(const Message&)> send);
   [[nodiscard]] bool is_full();
-  // Works until `end()`, in the thread that calls it.
+  // Works until `end()` is called, in the calling thread.
   void work();
   void end();
-  // Since when the laboratory is at one piece of work, steady time in ns; 0: it is at none.
+  // The start of the present piece of work of the laboratory, steady time in ns; 0: it is idle.
   [[nodiscard]] std::int64_t busy_since() const { return busy_since_.load(); }
 
  private:

@@ -24,7 +24,7 @@ bool is_connected_to(int socket, const std::string& address, int port) {
          service == std::to_string(port) && name == address;
 }
 
-// -1: none is connected to that end.
+// The socket connected to that address and port; -1: there is none.
 int find_socket(const std::string& address, int port) {
   rlimit most{};
   if (getrlimit(RLIMIT_NOFILE, &most) != 0) return -1;

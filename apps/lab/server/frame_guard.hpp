@@ -1,8 +1,8 @@
 #pragma once
-// How much of a frame has been read that is not whole yet.
+// Limits the size of incomplete WebSocket frames.
 //
-// civetweb takes a frame of up to 2 GB into memory before anybody can refuse it. So the bytes that
-// the process has read from the socket since the last piece of a message are watched from outside.
+// civetweb reads a frame of up to 2 GB into memory before it can be refused. Therefore this class
+// watches how many bytes the process has read from the socket since the last piece of a message.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,21 +13,21 @@ namespace armlet::lab {
 
 class FrameGuard {
  public:
-  // address, port  the other end, which says which of the sockets of this process it is.
+  // address, port  of the other end; they identify the socket among those of this process.
   FrameGuard(const std::string& address, int port);
 
   // ---- the thread of the socket
-  // A piece of a message has come out.
+  // Called when a piece of a message has been received.
   void came_out();
-  // The socket is about to be closed: its number may soon belong to another.
+  // Called before the socket is closed: its number may soon belong to another one.
   void release();
 
   // ---- any thread
-  // Ends the connection if more than so many bytes wait for the end of their frame. Whether it did.
+  // Closes the connection if an incomplete frame has more bytes. Returns whether it did.
   bool cut_beyond(std::size_t bytes);
 
  private:
-  // Bytes that the process has read from the socket.
+  // The bytes that the process has read from the socket.
   [[nodiscard]] std::uint64_t read_bytes() const;
 
   std::mutex mutex_;

@@ -8,7 +8,7 @@
 namespace armlet::lab {
 namespace {
 
-// Takes as long for every token, right or wrong.
+// Compares in the same time for every token, right or wrong.
 bool is_same_secret(std::string_view one, std::string_view other) {
   unsigned differences = one.size() == other.size() ? 0U : 1U;
   for (std::size_t i = 0; i < one.size(); ++i) {
@@ -36,7 +36,7 @@ bool is_of(std::string_view text, std::string_view letters) {
   return !text.empty() && text.find_first_not_of(letters) == std::string_view::npos;
 }
 
-// "192.168.0.3" or "[::1]": nobody can let such a name point elsewhere.
+// "192.168.0.3" or "[::1]": no DNS server can redirect such a name.
 bool is_address(std::string_view name) {
   if (name.starts_with('[') && name.ends_with(']'))
     return is_of(name.substr(1, name.size() - 2), "0123456789abcdefABCDEF:.");
@@ -83,7 +83,7 @@ std::string new_token() {
 }
 
 std::string fault_of_token(std::string_view token) {
-  // 22 of 64 letters are 132 bits, if they are chosen by chance.
+  // 22 of 64 letters are 132 bits, if they are chosen at random.
   if (token.size() < 22 || token.size() > 200)
     return fmt::format("a token has 22 to 200 characters, and this one {}", token.size());
   constexpr std::string_view kLetters =

@@ -19,7 +19,7 @@ namespace armlet::lab {
 namespace {
 
 constexpr std::int64_t kMostWork_ns = 10'000'000'000;
-// Of a frame that is not whole; more than a message may have, and what is read ahead.
+// Of an incomplete frame: more than a message may have, and the bytes that are read ahead.
 constexpr std::size_t kMostFrameBytes = kMostMessageBytes + 64'000;
 
 std::string_view text_of(const char* text) { return text == nullptr ? "" : text; }
@@ -39,7 +39,7 @@ std::string_view reason(int status) {
   }
 }
 
-// What pages may load and run: themselves, and nothing from elsewhere.
+// What pages may load and run: only parts of themselves.
 std::string security_headers(std::string_view host, std::string_view page) {
   return fmt::format(
       "Content-Security-Policy: default-src 'none'; {1}; style-src 'unsafe-inline'; "
@@ -77,7 +77,7 @@ class Server {
   }
 
  private:
-  // Ends what takes too long and frames that are too large, and waits for the end.
+  // Stops work that takes too long, closes connections with too large frames, waits for the end.
   void watch() {
     while (!options_.is_over()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -97,10 +97,10 @@ class Server {
                                     ports.c_str(),
                                     "num_threads",
                                     "128",
-                                    "request_timeout_ms",  // also of those who ask for nothing
+                                    "request_timeout_ms",  // also for connections without a request
                                     "3000",
                                     "websocket_timeout_ms",
-                                    "5000",  // five pings without an answer are the end
+                                    "5000",  // after five pings without an answer
                                     "enable_websocket_ping_pong",
                                     "yes",
                                     "enable_directory_listing",
@@ -114,7 +114,7 @@ class Server {
                                     nullptr};
     mg_callbacks callbacks{};
     callbacks.begin_request = [](mg_connection* connection) {
-      // The library is loaded once, and this is a pointer into it.
+      // The library is loaded once; the server keeps a pointer to it.
       static const Civetweb web;
       return static_cast<Server*>(web.get_user_data(connection))->answer(connection);
     };
@@ -155,7 +155,7 @@ class Server {
                         .origin = header("Origin"),
                         .is_socket = !header("Upgrade").empty()};
     const std::optional<Refusal> refused = refusal(door_, asking);
-    if (!refused && asking.is_socket) return 0;  // it goes on to the socket
+    if (!refused && asking.is_socket) return 0;  // the WebSocket handler takes it
     if (refused) {
       reply(connection, refused->status, "text/plain; charset=utf-8", refused->why + "\n", asking);
       return refused->status;
@@ -165,7 +165,7 @@ class Server {
     return 200;
   }
 
-  // What pages draw. A name stands for the same bytes for ever, so browsers may keep them.
+  // Files that pages draw. A name always means the same bytes, so browsers may cache them.
   int give_file(mg_connection* connection, const Asking& asking) {
     const FileBytes bytes = laboratory_.file(parameter(asking.query, "name"));
     const int status = bytes == nullptr ? 404 : 200;

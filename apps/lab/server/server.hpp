@@ -1,5 +1,5 @@
 #pragma once
-// Shows a laboratory to browsers: one page, and a WebSocket for each that is open.
+// Serves a laboratory to browsers: one page, and a WebSocket for each open page.
 
 #include <functional>
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace armlet::lab {
 
-// host      the address to listen at.
-// port      0: any that is free.
-// token     that pages have to know (http_guard.hpp).
+// host      the address of the server.
+// port      0: any free port.
+// token     that pages must send (http_guard.hpp).
 // page      the HTML of the page.
-// on_ready  with the address for a browser, when it can be opened.
-// is_over   asked several times a second: whether to end.
+// on_ready  called with the address for a browser, when the server has started.
+// is_over   called several times a second; true: the server ends.
 struct ServerOptions {
   std::string host = "127.0.0.1";
   int port = 0;
@@ -25,10 +25,10 @@ struct ServerOptions {
   std::function<bool()> is_over;
 };
 
-// Serves until is_over. Returns why it could not begin, as a sentence; empty: it did.
+// Serves until is_over. Returns why it could not start, as a sentence; empty: it did.
 [[nodiscard]] std::string serve(Laboratory& laboratory, const ServerOptions& options);
 
-// The page that is built into the command (page/dist/index.html).
+// The page that is part of the command (page/dist/index.html).
 [[nodiscard]] std::string_view built_in_page();
 
 }  // namespace armlet::lab

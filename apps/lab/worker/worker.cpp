@@ -1,6 +1,6 @@
-// The laboratory for a worker of a page: functions of C that speak the messages of
-// docs/lab-protocol.md. There is one laboratory and one page. Nothing here blocks; the worker calls
-// armlet_lab_advance as long as it says that there is more to do, and takes messages in between.
+// The laboratory for a worker of a page: C functions that exchange the messages of
+// docs/lab-protocol.md. There is one laboratory and one page. No function blocks; the worker calls
+// armlet_lab_advance while it returns that there is more to do, and takes messages in between.
 
 #ifdef __EMSCRIPTEN__
 #include <emscripten.h>
@@ -41,7 +41,7 @@ Home& home() {
   return all;
 }
 
-// No exception reaches JavaScript: -1, and the reason is kept.
+// No exception may reach JavaScript: the function returns -1, and the reason is stored.
 template <class F>
 int guarded(F f) {
   try {
@@ -53,7 +53,7 @@ int guarded(F f) {
   }
 }
 
-// The files of a laboratory lie in the memory of the page, in place of those of the one before.
+// Stores the files of a laboratory in memory, instead of the files of the one before.
 void take_files([[maybe_unused]] LaboratoryOptions& options,
                 [[maybe_unused]] const SavedLaboratory& saved) {
 #ifdef __EMSCRIPTEN__
@@ -103,7 +103,7 @@ using namespace armlet::lab;
 
 extern "C" {
 
-// Begins a laboratory that was exported, in place of the one before: `laboratory` of "exported".
+// Begins an exported laboratory, instead of the present one: `laboratory` of "exported".
 EMSCRIPTEN_KEEPALIVE int armlet_lab_open(const char* json, int size) {
   return guarded([&] {
     Result<SavedLaboratory> saved =
@@ -116,7 +116,7 @@ EMSCRIPTEN_KEEPALIVE int armlet_lab_open(const char* json, int size) {
   });
 }
 
-// A message of the page.
+// Handles a message of the page.
 EMSCRIPTEN_KEEPALIVE int armlet_lab_receive(const char* bytes, int size) {
   return guarded([&] {
     if (home().laboratory == nullptr) throw ArgumentError("There is no laboratory yet.");
@@ -131,8 +131,8 @@ EMSCRIPTEN_KEEPALIVE int armlet_lab_advance() {
       [] { return home().laboratory != nullptr && home().laboratory->advance() ? 1 : 0; });
 }
 
-// Takes the next message for the page: 1 a text, 2 a binary one, 0 there is none. It stays where
-// armlet_lab_bytes says until the next call.
+// Takes the next message for the page: 1: a text, 2: binary, 0: there is none. Its bytes are at
+// armlet_lab_bytes until the next call.
 EMSCRIPTEN_KEEPALIVE int armlet_lab_take() {
   return guarded([] {
     Home& all = home();
@@ -148,7 +148,7 @@ EMSCRIPTEN_KEEPALIVE int armlet_lab_take() {
 }
 EMSCRIPTEN_KEEPALIVE const char* armlet_lab_bytes() { return home().taken.bytes.data(); }
 EMSCRIPTEN_KEEPALIVE int armlet_lab_size() { return static_cast<int>(home().taken.bytes.size()); }
-// Why the last call gave -1.
+// Why the last call returned -1.
 EMSCRIPTEN_KEEPALIVE const char* armlet_lab_fault() { return home().fault.c_str(); }
 
 }  // extern "C"
