@@ -1,6 +1,6 @@
-// What the module armlet.wasm offers to JavaScript: functions of C whose texts are UTF-8. They are
-// told of in docs/wasm.md. Nothing here blocks; a worker calls `armlet_run` with a small budget,
-// takes what has happened, and goes on.
+// The functions of the module armlet.wasm for JavaScript: C functions whose texts are UTF-8,
+// described in docs/wasm.md. No function blocks; a worker calls `armlet_run` with a small budget,
+// takes the events, and calls it again.
 
 #include <emscripten.h>
 
@@ -26,13 +26,13 @@
 namespace armlet::wasm {
 namespace {
 
-// What functions answer; those of armlet_run are named in docs/wasm.md.
+// The results of functions; docs/wasm.md has those of armlet_run.
 enum Answer : int { kDone = 0, kFailed = 1, kPaused = 2, kCancelled = 3, kMisused = -1 };
 
-// What armlet_take hands out, and empties; the hash stays.
+// What armlet_take returns and then empties; the hash stays.
 enum class What : int { kOutput, kMessages, kMessagesAsJson, kEvents, kHash };
 
-// A session and what it has told since somebody asked.
+// A session and its output since it was taken last.
 class Seat {
  public:
   Seat(const std::string& robot, std::string folder, double steps, bool tells_events)
@@ -63,7 +63,7 @@ class Seat {
     return runs;
   }
 
-  // Goes on for so much virtual time, s, or so many steps.
+  // Runs for this much virtual time, s, or this many steps.
   int run(double time, double steps) {
     if (!(time >= 0.0) || !(steps >= 1.0))
       throw ArgumentError("A slice has no negative time and at least 1 step.");
@@ -133,7 +133,7 @@ class Seat {
 
 std::map<int, std::unique_ptr<Seat>> seats;
 int last_seat = 0;
-std::string taken;  // what the last call has handed out
+std::string taken;  // the text returned by the last call
 std::string fault;  // why the last call was refused
 
 Seat& seat_of(int session) {
@@ -144,7 +144,7 @@ Seat& seat_of(int session) {
   return *found->second;
 }
 
-// No exception reaches JavaScript.
+// No exception may reach JavaScript.
 template <class F>
 int guarded(F f) {
   try {
@@ -230,7 +230,7 @@ EMSCRIPTEN_KEEPALIVE int armlet_put_file(const char* path, const char* bytes, in
     return kDone;
   });
 }
-// kFailed: there is none.
+// kFailed: there is no such file.
 EMSCRIPTEN_KEEPALIVE int armlet_get_file(const char* path) {
   return guarded([&] {
     std::optional<std::string> content = memory_files::get(path);
@@ -242,7 +242,7 @@ EMSCRIPTEN_KEEPALIVE int armlet_get_file(const char* path) {
 EMSCRIPTEN_KEEPALIVE int armlet_remove_file(const char* path) {
   return guarded([&] { return memory_files::remove(path) ? kDone : kFailed; });
 }
-// The paths, one a line.
+// The paths, one per line.
 EMSCRIPTEN_KEEPALIVE const char* armlet_list_files(const char* folder) {
   std::string lines;
   for (const std::string& path : memory_files::list(folder)) lines += path + '\n';

@@ -1,5 +1,5 @@
-// Makes laboratory.html, of which `armlet lab FILE --export` makes a page that stands alone: the page of
-// laboratories, with the engine and what starts it, and a place for a program. Browsers unpack gzip by themselves.
+// Makes laboratory.html, from which `armlet lab FILE --export` makes a page without a server: the page, with
+// the engine, its start script and an element for a program. Browsers decompress gzip themselves.
 //   node pack_laboratory.mjs VERSION PAGE_FOLDER armlet.js armlet.wasm laboratory.html
 import { createHash } from 'node:crypto';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -9,7 +9,8 @@ import { gzipSync } from 'node:zlib';
 const [version, folder, script, module, out] = process.argv.slice(2);
 const text = (file) => readFileSync(file, 'utf8');
 
-// Four bytes as five digits to the base 85; what reads them says which signs those are (apps/lab/page/src/alone/packed.ts).
+// Four bytes as five digits to the base 85; their reader lists the digits
+// (apps/lab/page/src/alone/packed.ts).
 function written(bytes) {
   const signs = [];
   for (let i = 0; i < bytes.length; i += 4) {
