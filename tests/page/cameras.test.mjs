@@ -82,7 +82,7 @@ test("only what is shown is asked for, one question at a time, and once for an i
   assert.equal(questions.length, 2);
 });
 
-test("while a question is under way the instant goes on, and only the newest is asked for; elements take turns", async () => {
+test("while a question is open the instant goes on, and only the newest is asked for; elements alternate", async () => {
   const { questions, pictures, store } = asked();
   pictures.want("a");
   pictures.want("b");
@@ -124,7 +124,7 @@ test("marks are counted, and features compared with where they are wanted", () =
   assert.equal(farthest([marks[0], { ...marks[1], pixels: [[0, 0]] }]), null);
 });
 
-test("the ways of features are those of the rows, as far as the instant", () => {
+test("the paths of features are those of the rows, as far as the instant", () => {
   const rows = new Rows(5);
   const block = (first, values) => ({ kind: 3, run: 1, index: 0, columns: 5, first, count: values.length, rows: new Float64Array(values.flat()) });
   rows.add(block(0, [[0, 1, 2, 3, 4], [1, 5, 6, 7, 8], [2, 9, 10, 11, 12]]));
@@ -170,7 +170,7 @@ test("a camera goes with what carries it, and is not there when that is gone", (
   assert.equal(place({ robot: 3, link: 0, object: "" }), undefined);
 });
 
-test("a run that takes long is told of while the one before is still shown", () => {
+test("a run that takes long is reported while the one before is still shown", () => {
   const { store } = asked();
   assert.equal(comingRun(store.state), null);
   store.change((s) => {

@@ -37,7 +37,7 @@ function placesOf(view) {
   return view.group.children.map((mesh) => Array.from({ length: mesh.count }, (_, i) => [...mesh.instanceMatrix.array.slice(16 * i + 12, 16 * i + 15)].map((x) => Math.round(x * 1000) / 1000)));
 }
 
-test("a shape is what it was told last, from when it was drawn until it is gone", () => {
+test("a shape is what it received last, from when it was drawn until it is gone", () => {
   const { run } = runOf([drawing()], [row(0.5, 0, 1), row(1, 0, 2), gone(1.5, 0)]);
   assert.equal(run.drawingRows.rowAt(0, 0.4), -1);
   assert.equal(run.drawingRows.rowAt(0, 0.5), 0);
@@ -47,7 +47,7 @@ test("a shape is what it was told last, from when it was drawn until it is gone"
   assert.equal(run.drawingRows.rowAt(7, 1), -1);
 });
 
-test("rows that are told again take the place of those before", () => {
+test("rows that are sent again replace those before", () => {
   const { state, run } = runOf([drawing()], [row(0, 0, 1), row(1, 0, 2)]);
   receiveRows(state, { kind: 7, run: 1, index: 0, columns: 12, first: 1, count: 1, rows: new Float64Array(row(1.2, 0, 9)) });
   assert.equal(run.drawingRows.count, 2);

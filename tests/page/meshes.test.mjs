@@ -117,7 +117,7 @@ test("a polygon that crosses itself is cut too, and one of many corners soon", (
 const PICTURE = twoColours([230, 10, 10], [10, 200, 10]);
 const QUAD = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 2\n";
 
-test("OBJ has its materials, its picture whatever its case, its normals and places from below", () => {
+test("OBJ has its materials, its picture whatever its case, its normals and positions from below", () => {
   const glb = made("a.obj", `mtllib Sign.mtl\n${QUAD}usemtl red paint\nf -4 -3 \\\n-2\nusemtl sign\nf 1/1/1 2/2/1 3/3/1 4/4/-1\n`, {
     "sign.MTL": "newmtl red paint\nKd 1 0.5 0 # sRGB\nd 0.25\nnewmtl sign\nKd 0.1 0.1 0.1\nmap_Kd -s 1 1 1 -blendu on .\\textures\\Paint%201.PNG\n", "paint 1.png": PICTURE,
   });
@@ -218,7 +218,7 @@ for (const [name, content, why] of [
   ["word.ply", `${HEAD}0 0 0\n1 0.0x 0\n0 1 0\n3 0 1 2\n`, /^element 1 "vertex" has "0\.0x" where a number should be$/],
   ["end.ply", `${HEAD}0 0 0\n1 0 0\n`, /^its header says 3 elements "vertex", but there are 2$/],
 ]) {
-  test(`what is wrong is told: ${name}`, () => {
+  test(`what is wrong is reported: ${name}`, () => {
     const wide = twoColours([0, 0, 0], [0, 0, 0], 2);
     wide.writeUInt32BE(9000, 16);
     wide.writeUInt32BE(1, 20);

@@ -172,7 +172,7 @@ test("tasks and signals have lanes behind those of robots, and say what they are
   assert.equal(lanesOf(null, state).length, 1);
 });
 
-test("a depth that is a lower bound is told as one", () => {
+test("a depth that is a lower bound is reported as one", () => {
   const pair = (more) => ({ distance: -0.02, body: { text: "link 3 of `arm`", at: [0, 0, 0] }, other: { text: "`shell`", at: [0, 0, 0] }, ...more });
   assert.equal(textOf(pair()), "link 3 of arm is 20 mm deep in shell");
   assert.equal(textOf(pair({ at_least: true })), "link 3 of arm is at least 20 mm deep in shell");

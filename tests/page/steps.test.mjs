@@ -65,7 +65,7 @@ test("a step without a pause is asked behind the instant that it begins at", asy
   assert.equal(state.t, 3);
 });
 
-test("who goes on while a step is under way stays there", async () => {
+test("who goes on during a step stays there", async () => {
   const { intents, asked, answer, state } = stepping();
   await answer(5);
   intents.goTo(0);

@@ -50,7 +50,7 @@ test("a run that is done is shown at its end", () => {
   assert.equal(state.t, 2);
 });
 
-test("a run under way does not take the place of the one that is looked at until it has come as far", () => {
+test("a running run does not replace the one that is looked at until it has come as far", () => {
   const state = told(welcome, ...shown(1));
   state.t = 1;
   for (const message of shown(2, { state: "running", t_end: 0.5 })) receive(state, message);
@@ -177,7 +177,7 @@ test("views are called for what they look at, once for many changes", () => {
   assert.deepEqual(seen, [0, 2]);
 });
 
-test("a recorded run, told again, is the same run", () => {
+test("a recorded run, sent again, is the same run", () => {
   const state = told(welcome, ...shown(1, { hash: "ab", label: "<first>" }));
   receive(state, { type: "objects", run: 1, first: 0, items: [{ t: 0.5, what: "added", object: 0, robot: null }] });
   receive(state, { type: "moves", run: 1, first: 0, items: [{ robot: 0, span: [3, 0, 3, 9], t0: 0, t1: 1, text: "moveJ" }] });
@@ -200,7 +200,7 @@ test("a recorded run, told again, is the same run", () => {
   assert.ok(!page.includes("<first>"));
 });
 
-test("a recording stands at instants that it knows, with what was told there", async () => {
+test("a recording stands at instants that it knows, with the state there", async () => {
   const { looksOf, timesToLook } = await source("store/recording.ts");
   const { Intents } = await source("store/intents.ts");
   const { Store } = await source("store/store.ts");
@@ -265,7 +265,7 @@ function laboratoryOf(first, hashOf) {
   };
 }
 
-test("a laboratory that was handed in has its runs again, each from the one most like it", async () => {
+test("a laboratory that was saved has its runs again, each from the one most like it", async () => {
   const press = (t) => ({ t, press: "go" });
   const hashOf = (text, inputs) => `${text}${inputs.map((i) => i.t)}`;
   const run = (number, text, ...inputs) => ({ run: number, label: `run ${number}`, text, inputs, state: "done", hash: hashOf(text, inputs) });
@@ -281,7 +281,7 @@ test("a laboratory that was handed in has its runs again, each from the one most
   assert.deepEqual(empty.heard, ["hello"]);
 });
 
-test("advice of a run is there once for each place, with how often it came, and not while an older text is shown", () => {
+test("advice of a run is there once for each line, with how often it came, and not while an older text is shown", () => {
   const advice = (t, line) => ({ severity: "advice", code: "W0711", message: "they collide", span: [line, 4, line, 9], t });
   const state = told(welcome, ...shown(1), { type: "advice", run: 1, first: 0, items: [advice(0, 3), advice(1, 4)] });
   receive(state, { type: "advice", run: 1, first: 2, items: [advice(2, 3)] });

@@ -56,7 +56,7 @@ async function opened(file, work) {
 
 const laboratoryIn = (file) => JSON.parse(/id="armlet-laboratory">([^<]*)</.exec(readFileSync(file, "utf8"))[1]);
 
-test("one file has everything: it runs, is edited, steps, completes, takes inputs and is handed in", { skip }, () =>
+test("one file has everything: it runs, is edited, steps, completes, takes inputs and is saved", { skip }, () =>
   exported(async (file, armlet, folder) => {
     assert.ok(statSync(file).size <= 4e6, `${statSync(file).size} bytes`);
     const hash = /hash (\w+)/.exec(armlet("run", "cell.rbt", "--hash", "--quiet"))[1];

@@ -93,7 +93,7 @@ arm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 1s)
 arm.moveJ(posJ(-40deg, 60deg, 50mm, 0deg), time: 1s)
 `;
 
-test("advice of a run stands among the problems, at its line, on the bar of time and in the status", () =>
+test("advice of a run stands among the problems, at its line, on the time bar and in the status", () =>
   withLab(WALL, async (open) => {
     const page = await open();
     await untilStatus(page, /2 moves, 2\.00 s, advice: 2/);
@@ -169,7 +169,7 @@ test("a step goes on from where the page is: from the start after going to the s
 
 const LONG = `${ARM}${Array.from({ length: 38 }, (_, k) => `wait(${k + 1} * 0.01s)\n`).join("")}`;
 
-test("the current line is scrolled into view by steps, the bar of time and playing, and by nothing else", () =>
+test("the current line is scrolled into view by steps, the time bar and playing, and by nothing else", () =>
   withLab(LONG, async (open) => {
     const page = await open();
     await untilStatus(page, /7\.41 s/);

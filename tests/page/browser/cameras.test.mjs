@@ -45,7 +45,7 @@ const redIn = (page, name) => element(page, name).locator("canvas").evaluate((ca
 });
 const featureOf = (page, name) => element(page, name).locator("circle.feature").evaluate((dot) => [Number(dot.getAttribute("cx")), Number(dot.getAttribute("cy"))]);
 
-test("the window shows the instant of the bar of time, and its mark is where the ball is seen", () =>
+test("the window shows the instant of the time bar, and its mark is where the ball is seen", () =>
   withLab(BALL, async (open) => {
     const page = await open();
     await untilStatus(page, /2\.00 s/);

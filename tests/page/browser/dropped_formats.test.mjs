@@ -124,7 +124,7 @@ test("a page with a converter of its own takes STL, OBJ and PLY, and refuses wha
 
 const engine = join(root, "build/wasm/laboratory.html");
 
-test("a laboratory in one file takes STL, OBJ and PLY, and is handed in with them", { skip: existsSync(engine) ? false : "there is no engine for pages: ./dev wasm" }, () =>
+test("a laboratory in one file takes STL, OBJ and PLY, and is saved with them", { skip: existsSync(engine) ? false : "there is no engine for pages: ./dev wasm" }, () =>
   inFolder({ "a.rbt": `${ARM}${SHORT_MOVE}` }, async (folder, armlet) => {
     armlet("lab", "a.rbt", "--export", "a.html", "--engine", engine);
     const page = await openPage(`file://${join(folder, "a.html")}`, { acceptDownloads: true });

@@ -55,7 +55,7 @@ test("a number is pulled with Alt and the mouse, with the wheel and from the key
     await untilStatus(page, /2 moves, 3\.90 s/);
   }));
 
-test("a mistake is told with its reason and mended with one click; the last good run stays", () =>
+test("a mistake is reported with its reason and mended with one click; the last good run stays", () =>
   withLab(PROGRAM, async (open) => {
     const page = await open();
     await untilStatus(page, /3\.00 s/);
@@ -135,7 +135,7 @@ test("a name under the pointer has the value of the instant that is looked at", 
     await valueAt(0.5, "1"); // in the function, whose own one is not meant
   }));
 
-test("the header has robots and world, play and speed; steps stand beside what is told of the program", () =>
+test("the header has robots and world, play and speed; steps are beside the output of the program", () =>
   withLab('insertObj("cube")\nrobot arm = robots.scara()\narm.moveJ(posJ(10deg, 0deg, 0mm, 0deg), time: 1s)\n', async (open) => {
     const page = await open();
     await untilStatus(page, /1\.00 s/);
@@ -150,7 +150,7 @@ test("the header has robots and world, play and speed; steps stand beside what i
     await alone.context().close();
   }));
 
-test("a program without a block has sliders of joints and hand and plots of positions and speeds; columns are closed and stay so", () =>
+test("a program without a block has sliders of joints and tool and plots of positions and speeds; columns are closed and stay so", () =>
   withLab(PROGRAM, async (open) => {
     const page = await open();
     await untilStatus(page, /3\.00 s/);
@@ -187,7 +187,7 @@ test("the editor completes, says what stands under the pointer, helps with calls
     await lineOf(page, "posJ(0deg, 0deg, 10mm, 0deg), time: 1s").waitFor();
   }));
 
-test("what is scrolled under a resting pointer is told", () =>
+test("what is scrolled under a resting pointer is reported", () =>
   withLab(`robot arm = robots.scara()\n${Array.from({ length: 200 }, (_, k) => `let lag${k} = ${k} * 1mm\n`).join("")}wait(1s)\n`, async (open) => {
     const page = await open();
     await untilStatus(page, /1\.00 s/);

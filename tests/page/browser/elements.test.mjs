@@ -249,7 +249,7 @@ test("the tools over the view stand in one line in a narrow view, and those that
     assert.ok((await tools.boundingBox()).height < 32, "one line in a wide view, too");
   }));
 
-test("the hand is pulled in the view: the arm follows, and says why where it cannot", () =>
+test("the tool is pulled in the view: the arm follows, and says why where it cannot", () =>
   withLab(ARM_MOVED, async (open) => {
     const page = await open();
     await untilStatus(page, /1 move, 1\.00 s/);
@@ -308,7 +308,7 @@ test("the run is saved as a film of the view", () =>
     await page.getByRole("button", { name: "Video", exact: true }).waitFor();
   }));
 
-test("a hand slider that is pulled too far shows where the arm comes nearest, as does a goal out of reach", () =>
+test("a tool slider that is pulled too far shows where the arm comes nearest, as does a goal out of reach", () =>
   withLab("robot arm = robots.scara()\nlab cell {\n    sliders hand(of: arm, as: \"x y z roll\")\n}\n", async (open) => {
     const page = await open();
     await untilStatus(page, /0\.00 s/);

@@ -7,7 +7,7 @@ after(closeBrowser);
 
 const MORE = "arm.moveJ(posJ(0deg, 60deg, 50mm, 0deg), time: 1s)\n";
 
-test("one page leads, the other follows; control is handed over", () =>
+test("one page leads, the other follows; control is passed on", () =>
   withLab(ONE_MOVE, async (open) => {
     const teacher = await open();
     await untilStatus(teacher, /2\.00 s/);

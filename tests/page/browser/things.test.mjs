@@ -137,7 +137,7 @@ for (const [shape, size] of [["box", [0.4, 0.3, 0.1]], ["plane", [0.4, 0.3]], ["
   });
 }
 
-test("what overlaps is told and coloured at each instant; a switch shows how near things are", () =>
+test("what overlaps is reported and coloured at each instant; a switch shows how near things are", () =>
   withLab(`robot arm = robots.scara()
 object post { shape: box(60mm, 60mm, 400mm); at: xyz(350mm, 250mm, 200mm); fixed: true }
 arm.moveJ(posJ(0deg, 60deg, 0mm, 0deg), time: 1s)
@@ -157,7 +157,7 @@ arm.moveJ(posJ(20deg, 40deg, 0mm, 0deg), time: 2s)
     await until(async () => (await page.locator(".labels .label", { hasText: / mm to / }).count()) > 0 && (await label(page, / mm to /).innerText()) !== before, () => `it stays ${before}`);
   }));
 
-test("what a hand feels is an arrow with its force where it is felt, and nowhere else", () =>
+test("a contact force is an arrow where it acts, and nowhere else", () =>
   withLab(`robot arm = robots.scara(tool: tcp(xyz(z: 100mm)))
 object block { shape: box(200mm, 200mm, 100mm); at: xyz(300mm, 200mm, 50mm); fixed: true; stiffness: 20N/mm }
 arm.moveJ(xyz(300mm, 200mm, 130mm), time: 1s)
@@ -171,7 +171,7 @@ wait(2s)
     await until(async () => (await page.locator(".labels .label", { hasText: /^[\d.]+ N$/ }).count()) === 0, () => "a force is shown where nothing is touched");
   }));
 
-test("each place that is pressed is told, and arms can be seen as the bodies that collide", () =>
+test("each point that is pressed is reported, and arms can be seen as the bodies that collide", () =>
   withLab(`robot arm = robots.scara(tool: parallelGripper(stroke: 60mm))
 object block { shape: box(200mm, 200mm, 100mm); at: xyz(300mm, 200mm, 50mm); fixed: true; stiffness: 20N/mm }
 arm.moveJ(xyz(300mm, 200mm, 130mm), time: 1s)
@@ -224,7 +224,7 @@ wait(1s)
     assert.ok(Math.hypot(still.x - door.x, still.y - door.y) < 3);
   }));
 
-test("a planned way is shown from when it was planned until it has been gone", () =>
+test("a planned path is shown from when it was planned until it has been gone", () =>
   withLab(readFileSync(join(root, "examples/22_around_a_wall.rbt"), "utf8"), async (open) => {
     const page = await open();
     await untilStatus(page, /\d s$/);
@@ -235,7 +235,7 @@ test("a planned way is shown from when it was planned until it has been gone", (
     }
   }));
 
-test("a way that was planned before is shown while the program waits, and not when it has been followed", () =>
+test("a path that was planned before is shown while the program waits, and not when it has been followed", () =>
   withLab(`robot arm = robots.scara()
 let go = arm.plan(to: posJ(60deg, -40deg, 0mm, 0deg), avoid: false)
 wait(1s)
@@ -333,7 +333,7 @@ test("a page that was recorded by the command has the meshes", () =>
     });
   }));
 
-test("one file has its meshes in it, takes others, and is handed in and recorded with them", { skip }, () =>
+test("one file has its meshes in it, takes others, and is saved and recorded with them", { skip }, () =>
   inFolder({ "a.rbt": `${PROGRAM}`, "sign.glb": boxGlb(SIZE, { picture }) }, async (folder, armlet) => {
     armlet("lab", "a.rbt", "--export", "a.html", "--engine", engine);
     rmSync(join(folder, "sign.glb"));

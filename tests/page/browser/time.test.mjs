@@ -46,7 +46,7 @@ parallel {
 }
 `;
 
-test("tasks and signals have lanes: what they did is told, and the line lights up", () =>
+test("tasks and signals have lanes: what they did is reported, and the line lights up", () =>
   withLab(TASKS, async (open) => {
     const page = await open();
     await untilStatus(page, /2 moves, 4\.00 s/);

@@ -216,7 +216,7 @@ TEST_CASE("random runs lose nothing but what may go, and the same again if taken
   }
 }
 
-TEST_CASE("a slow listener in another thread is told all that has to be told") {
+TEST_CASE("a slow listener in another thread receives all that must be kept") {
   for (const std::size_t capacity : {4, 64}) {
     Listener listener;
     BoundedQueue queue(listener, capacity);

@@ -52,7 +52,7 @@ TEST_CASE("a column has a unit where all robots have the same in it") {
   CHECK(out.str().find(",q1,q2 [m],qd1,qd2 [m/s],qdd1,qdd2 [m/s^2],text\n") != std::string::npos);
 }
 
-TEST_CASE("half a turn is written with one sign whatever the rounding") {
+TEST_CASE("half a revolution is written with one sign whatever the rounding") {
   for (const double rounding : {1e-17, -1e-17}) {
     std::ostringstream out;
     const std::unique_ptr<Backend> backend = make_csv_backend(out);

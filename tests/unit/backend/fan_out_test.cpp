@@ -18,7 +18,7 @@ class Failing : public Backend {
 
 }  // namespace
 
-TEST_CASE("every backend hears the same") {
+TEST_CASE("every backend receives the same events") {
   Recorder alone, one, two;
   play_short_run(alone);
   FanOut both({&one, &two});

@@ -23,7 +23,7 @@ std::size_t different_hashes(const std::vector<Event>& events) {
 
 }  // namespace
 
-TEST_CASE("every field that tells runs apart changes the hash") {
+TEST_CASE("every field in which runs differ changes the hash") {
   const double zeros[] = {0.0, 0.0};
   const double ones[] = {0.0, 1.0};
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();

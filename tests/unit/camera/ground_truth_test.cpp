@@ -44,7 +44,7 @@ TEST_CASE("corners beside the picture, behind the camera and too far are not see
   CHECK_THROWS_AS(seen_corners(scene, camera, looking_at({0, 0, 0}, {1, 0, 0}), 1), ArgumentError);
 }
 
-TEST_CASE("rays meet the same bodies at the same distances as computed in another way") {
+TEST_CASE("rays meet the same bodies at the same distances as computed otherwise") {
   Random random(15);
   int met = 0;
   for (const Scene& scene : {boxes(), shapes(), hall()}) {

@@ -84,7 +84,7 @@ TEST_CASE("pixels lead back to the points that are seen at them") {
   CHECK(seen > 5000);
 }
 
-TEST_CASE("distances that distortion folds back are refused both ways") {
+TEST_CASE("distances that distortion folds back are refused in both directions") {
   Intrinsics i = intrinsics_from_focal(640, 480, 400.0);
   i.distortion = {-0.3, 0.0, 0.0, 0.0, 0.0};  // r - 0.3 r^3 is largest at r = 1 / sqrt(0.9)
   const Pinhole camera(i);

@@ -69,7 +69,7 @@ TEST_CASE("a picture that no pose gives ends in a local minimum") {
   CHECK(servo.rows().back().error < 30.0);
 }
 
-TEST_CASE("a joint limit ends the loop of an arm that has no other way") {
+TEST_CASE("a joint limit ends the loop of an arm that cannot avoid it") {
   Loop loop;
   loop.T = displaced(loop.wanted, Vector3d::Zero(), {0.06, 0, 0});
   loop.arm.lower[0] = -0.03;  // half of the travel back

@@ -13,7 +13,7 @@ using namespace armlet;
 using namespace armlet::servoing;
 
 // Closed forms for a rotation about the optical axis over a symmetric target, to 4 digits and more.
-TEST_CASE("the first twist of a turn about the optical axis is that of each law") {
+TEST_CASE("the first twist of a rotation about the optical axis is that of each law") {
   const double gain = 0.7, Z = 0.5;
   for (const double turn : {0.1, 0.4, 0.8}) {
     CAPTURE(turn);
@@ -45,7 +45,7 @@ TEST_CASE("the interaction matrix at the goal has the known singular values") {
   CHECK(servo.rows()[0].condition == doctest::Approx(4.5086 / 0.0710).epsilon(1e-3));
 }
 
-TEST_CASE("turns of 150, 179 and 180 degrees end as they are known to under each law") {
+TEST_CASE("rotations of 150, 179 and 180 degrees end as they are known to under each law") {
   const auto end_of = [](ServoLaw law, double degrees, Loop& loop) {
     loop = from_turn(law, degrees * kDegree);
     return loop.run();

@@ -66,7 +66,7 @@ TEST_CASE("a grasped body counts until it is released, and so does what rests on
   CHECK((weight(cell) - empty).norm() == 0.0);
 }
 
-TEST_CASE("a body that two hands hold is carried by the one that it follows") {
+TEST_CASE("a body that two grippers hold is carried by the one that it follows") {
   Cell cell(World(0.0));
   cell.add_robot(make_robot("puma560"), "left");
   cell.add_robot(make_robot("puma560"), "right");

@@ -122,7 +122,7 @@ TEST_CASE("who listens changes nothing") {
   CHECK(q[0] == q[1]);
 }
 
-TEST_CASE("a held object keeps its pose in the hand through a whole motion, bit by bit") {
+TEST_CASE("a held object keeps its pose in the gripper through a whole motion, bit by bit") {
   Cell cell;
   const int arm = cell.add_robot(make_robot("scara"));
   cell.insert(cube({0.5, 0.1, 0.3}));
@@ -137,7 +137,7 @@ TEST_CASE("a held object keeps its pose in the hand through a whole motion, bit 
   CHECK(cell.world().attachment("cube")->T_carrier_obj.matrix() == T_flange_obj.matrix());
 }
 
-TEST_CASE("an object handed over stays with the hand that took it") {
+TEST_CASE("an object that is passed on stays with the gripper that took it") {
   Cell cell;
   cell.add_robot(make_robot("scara"), "left");
   cell.add_robot(make_robot("scara"), "right");
@@ -204,7 +204,7 @@ TEST_CASE("notes before the first motion wait for the robots; later robots are a
   CHECK(recorder.joints().back().robot == 1);
 }
 
-TEST_CASE("what a hand holds is neither removed nor put elsewhere") {
+TEST_CASE("a held object is neither removed nor put elsewhere") {
   Recorder recorder;
   Cell cell;
   cell.set_backend(&recorder);

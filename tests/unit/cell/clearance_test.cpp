@@ -50,7 +50,7 @@ TEST_CASE("the nearest object is found, with points as far apart as is said") {
   CHECK(bench.look(0.9 * found[0].distance).empty());
 }
 
-TEST_CASE("what overlaps is told alone, the deepest first, and as deep as distance_between says") {
+TEST_CASE("overlaps are reported alone, the deepest first, and as deep as distance_between says") {
   Bench bench;
   const Vector3d p =
       forward(*bench.cell.robot(bench.arm).model, bench.cell.robot(bench.arm).q).translation();
@@ -136,7 +136,7 @@ TEST_CASE("what is mounted and held counts as the arm, and the witness is named"
   CHECK(nearest_between(cell, arm, {.object = "mast"}).body.object != "mast");
 }
 
-TEST_CASE("a depth that is a lower bound is told as one, and one that is whole is not") {
+TEST_CASE("a depth that is a lower bound is reported as one, and one that is whole is not") {
   // How many of some positions around the tool have an overlap, and how many of these are bounds.
   const auto count = [](const Shape& shape) {
     std::array<int, 2> found{};

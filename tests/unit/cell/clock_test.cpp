@@ -33,7 +33,7 @@ TEST_CASE("time never goes back") {
   CHECK(clock.now_ns() == 5);
 }
 
-TEST_CASE("the pacer hears of every step before it is taken") {
+TEST_CASE("the pacer is called before every step") {
   Clock clock;
   std::vector<std::int64_t> heard;
   clock.set_pacer([&](std::int64_t t_ns) {

@@ -72,7 +72,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("a hand goes down to a cube, takes it, lifts it and puts it down: no collision") {
+TEST_CASE("a gripper goes down to a cube, takes it, lifts it and puts it down: no collision") {
   Bench bench;
   const auto free = [&](const Trajectory& motion) {
     const auto met = find_collisions(bench.cell, bench.arm, motion);
@@ -115,7 +115,7 @@ TEST_CASE("what is carried runs into what is lower, and the message has numbers 
   CHECK(body_text(bench.cell, met[0].body) == "\"cube\"");
 }
 
-TEST_CASE("a wall in the way of the hand, and of a link") {
+TEST_CASE("a wall as an obstacle of the tool, and of a link") {
   Bench bench;
   VectorXd aside = bench.q;
   aside[0] -= 1.0;
@@ -135,7 +135,7 @@ TEST_CASE("a wall in the way of the hand, and of a link") {
   CHECK(find_collisions(bench.cell, bench.arm, move_to(bench.cell, bench.arm, aside)).empty());
 }
 
-TEST_CASE("another robot, at rest and on its way") {
+TEST_CASE("another robot, at rest and in motion") {
   Cell cell;
   const std::shared_ptr<const Robot> model = make_robot("planar2");
   const int left = cell.add_robot(model, "left");
@@ -157,7 +157,7 @@ TEST_CASE("another robot, at rest and on its way") {
   CHECK(find_collisions(cell, left, move_to(cell, left, q(0.0))).size() == 1);
 }
 
-TEST_CASE("two arms in one place are alternatives") {
+TEST_CASE("two arms at one position are alternatives") {
   Bench bench;
   const int other = bench.cell.add_robot(make_robot("ur5"), "other");
   VectorXd aside = bench.q;

@@ -218,7 +218,7 @@ TEST_CASE("the same force to the last bit for slices of any size and questions a
   }
 }
 
-TEST_CASE("a hand feels neither what it holds nor what it is open for") {
+TEST_CASE("no contact force comes from what a gripper holds or is open for") {
   Cell cell;
   const int arm = cell.add_robot(make_robot("scara"));
   const Vector3d p = cell.T_world_tool(arm).translation();

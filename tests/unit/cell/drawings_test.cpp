@@ -92,7 +92,7 @@ TEST_CASE("shapes are no bodies: the world, and what collides, is as without the
   CHECK(cell.presses(arm).empty());
 }
 
-TEST_CASE("a backend is told of shapes behind the beginning, and when they change or go") {
+TEST_CASE("a backend receives shapes after the start, and when they change or go") {
   Cell cell;
   DrawingListener listener;
   cell.set_backend(&listener);

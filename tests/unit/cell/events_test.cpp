@@ -108,7 +108,7 @@ void run_two_moves(Backend& backend) {
 
 }  // namespace
 
-TEST_CASE("events are numbered from 0 in the order in which they are told") {
+TEST_CASE("events are numbered from 0 in the order in which they are sent") {
   Cell cell;
   Listener listener;
   cell.set_backend(&listener);
@@ -166,7 +166,7 @@ TEST_CASE("the description of an arm gives the frames of its links") {
   }
 }
 
-TEST_CASE("another tool during the run is told, with the tool point") {
+TEST_CASE("another tool during the run is reported, with the tool point") {
   Cell cell;
   Drawer drawing(false);
   cell.set_backend(&drawing);
@@ -204,7 +204,7 @@ TEST_CASE("what one backend wants changes no trace of another") {
   }
 }
 
-TEST_CASE("figures that change before the run are told when it begins, the last state of each") {
+TEST_CASE("figures that change before the run are sent when it begins, the last state of each") {
   class Figures : public Backend {
    public:
     explicit Figures(EventKinds ignored) : ignored_(ignored) {}

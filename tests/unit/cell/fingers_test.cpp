@@ -117,7 +117,7 @@ Shape some_shape(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a hand on an arm stands where the flange brings it") {
+TEST_CASE("a hand with fingers moves with the flange") {
   Grasping bench;
   CHECK(bench.cell.robot_count() == 5);
   CHECK(bench.cell.hand_on(bench.arm) == bench.hand);
@@ -140,7 +140,7 @@ TEST_CASE("a hand on an arm stands where the flange brings it") {
   }
 }
 
-TEST_CASE("an arm has one hand, and a hand none") {
+TEST_CASE("an arm has one hand with fingers, and that has none") {
   Grasping bench;
   CHECK_THROWS_AS((void)bench.cell.add_hand(bench.arm, make_barrett_robots("other")),
                   ArgumentError);
@@ -153,7 +153,7 @@ TEST_CASE("an arm has one hand, and a hand none") {
   CHECK(bench.cell.robot_count() == 6);
 }
 
-TEST_CASE("a finger moves its hand, and a hand its fingers") {
+TEST_CASE("joints of palm and fingers follow each other") {
   Grasping bench;
   bench.bend(1, 0.8);
   bench.cell.advance_to(bench.cell.now_ns() + 100'000'000);
@@ -249,7 +249,7 @@ TEST_CASE("what friction carries is taken and moves with the arm; what it does n
   }
 }
 
-TEST_CASE("a held thing falls where the fingers open, and where the arm turns too far") {
+TEST_CASE("a held thing falls where the fingers open, and where the arm rotates too far") {
   Grasping bench;
   bench.put(Sphere{0.03}, 0.2, 0.6);
   bench.close(6.0);
@@ -360,7 +360,7 @@ TEST_CASE("fingers never come to the palm, however they stand") {
   CHECK(least > 3e-4);
 }
 
-TEST_CASE("a hand that closes stops where its fingers touch, and nothing of it passes another") {
+TEST_CASE("closing stops where fingers touch, and no finger passes another") {
   Random random(144);
   int met = 0, free = 0;
   for (int round = 0; round < 60; ++round) {

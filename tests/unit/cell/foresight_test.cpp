@@ -175,7 +175,7 @@ struct Elbow {
 
 }  // namespace
 
-TEST_CASE("a link that presses harder than the hand can stand stops the motion too") {
+TEST_CASE("a link that presses harder than the gripper can stand stops the motion too") {
   Elbow bench(40.0);
   const int motion = bench.turn(0.7);
   bench.cell.advance_to(4000 * kMilli);

@@ -128,7 +128,7 @@ TEST_CASE("grasping closes on the nearest object, by its centre or its grasp poi
   CHECK(by_point.distance == doctest::Approx(0.003).epsilon(1e-9));
 }
 
-TEST_CASE("nothing within reach of the hand names the nearest object and its distance") {
+TEST_CASE("nothing within reach of the gripper names the nearest object and its distance") {
   Cell cell(table_world());
   cell.add_robot(make_robot("scara"));
   cell.set_joints(0, kAbove);
@@ -145,7 +145,8 @@ TEST_CASE("nothing within reach of the hand names the nearest object and its dis
   CHECK(grasp(empty, 0).object.empty());
 }
 
-TEST_CASE("what is too wide or belongs to the cell is not grasped, and no hand grasps nothing") {
+TEST_CASE(
+    "what is too wide or belongs to the cell is not grasped, and grasping nothing is refused") {
   Cell cell;
   cell.add_robot(make_robot("scara"));
   const Eigen::Vector3d p = cell.T_world_tool(0).translation();

@@ -46,7 +46,7 @@ double apart(const Isometry3d& a, const Isometry3d& b) {
 
 }  // namespace
 
-TEST_CASE("what is on a link is where the link is, at every instant, and is told as it goes") {
+TEST_CASE("what is on a link is where the link is, at every instant, and its poses are reported") {
   Recorder recorder;
   Cell cell;
   cell.set_backend(&recorder);
@@ -159,7 +159,7 @@ TEST_CASE("an arm meets what stands on its own first link") {
   CHECK(found[0].body.object.empty());
 }
 
-TEST_CASE("a hand takes what stands on a tray of its own arm and puts it there again") {
+TEST_CASE("a gripper takes what stands on a tray of its own arm and puts it there again") {
   Cell cell;
   const int arm = cell.add_robot(make_robot("scara"), "arm");
   cell.insert(brick("tray", {0.3, 0.0, 0.0}, {0.1, 0.1, 0.01}, 0.5), on_link(arm, 1));

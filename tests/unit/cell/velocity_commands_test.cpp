@@ -42,7 +42,7 @@ TEST_CASE("a velocity command that follows another goes on with its speed") {
   CHECK(cell.robot(0).qd.norm() == 0.0);
 }
 
-TEST_CASE("a robot that is told to halt takes no velocity until it stands") {
+TEST_CASE("a robot that halts takes no velocity until it stands") {
   Cell cell;
   cell.add_robot(make_robot("scara"));
   drive(cell, 0.5);

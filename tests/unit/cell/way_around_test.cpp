@@ -249,8 +249,10 @@ void check_motion_keeps_limits(const Robot& robot, const Trajectory& motion) {
 }  // namespace
 
 // 200 scenes: a path is sampled first, then obstacles are put where it is not.
-TEST_CASE("ways around are found in random scenes that have one, certified, with the same bits" *
-          doctest::skip(!can_search_ways())) {
+TEST_CASE(
+    "paths around obstacles are found in random scenes that have one, certified, with the same "
+    "bits" *
+    doctest::skip(!can_search_ways())) {
   const std::vector<std::string> arms = {"puma560", "scara", "ur5",  "planar3",
                                          "kr6",     "scara", "panda"};
   int tried = 0, scenes = 0, solved = 0, most = 0;
@@ -338,7 +340,7 @@ struct Scara {
 
 }  // namespace
 
-TEST_CASE("a wall from the base outwards leaves no way, and is named with what hits it" *
+TEST_CASE("a wall from the base outwards leaves no path, and is named with what hits it" *
           doctest::skip(!can_search_ways())) {
   Scara scara;
   scara.cell.insert(body_at("wall", Box{{2.0, 0.02, 2.0}}, {1.15, 0.0, 0.3}));
@@ -356,7 +358,7 @@ TEST_CASE("a wall from the base outwards leaves no way, and is named with what h
   CHECK(share == doctest::Approx(1.0));
 }
 
-TEST_CASE("a start or a goal that collides is told with the bodies and how deep they are") {
+TEST_CASE("a start or a goal that collides is reported with the bodies and how deep they are") {
   Scara scara;
   const Vector3d p = link_frame(*scara.robot, scara.left, 1).translation();
   scara.cell.insert(body_at("post", Box{{0.1, 0.1, 0.4}}, p));
@@ -404,7 +406,7 @@ TEST_CASE("a time is kept, and one that is too short is refused with what would 
 }
 
 // The tool point itself would pass over the posts; what it carries would not.
-TEST_CASE("what the hand carries is part of the arm" * doctest::skip(!can_search_ways())) {
+TEST_CASE("what the tool carries is part of the arm" * doctest::skip(!can_search_ways())) {
   Cell cell;
   const auto robot =
       std::make_shared<const Robot>(make_robot("scara")->with_tool(parallel_gripper(0.060, 0.150)));
@@ -432,7 +434,7 @@ TEST_CASE("what the hand carries is part of the arm" * doctest::skip(!can_search
 
 // The second arm has left when it stands: for the search there is room, during the motion there is
 // not.
-TEST_CASE("a robot that is met while it moves is told, and no motion is given") {
+TEST_CASE("a robot that is met while it moves is reported, and no motion is returned") {
   const auto model = make_robot("planar2");
   const auto q = [](double angle) { return VectorXd(Eigen::Vector2d(angle, 0.0)); };
   Cell cell;

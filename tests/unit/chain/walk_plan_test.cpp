@@ -17,7 +17,7 @@ TEST_CASE("the twists of common arms need no arithmetic") {
   }
 }
 
-TEST_CASE("a twist that turns the frames changes only signs") {
+TEST_CASE("a link twist that reverses the frames changes only signs") {
   Random random(1);
   for (int k = 0; k < 500; ++k) {
     const Robot robot = random_arm(random, 1 + k % kMaxJoints);

@@ -109,7 +109,8 @@ TEST_CASE("what is carried from the tool to the base is multiplied by all rows")
   CHECK(quick < 1e-13);
 }
 
-TEST_CASE("walking outward passes the frame of each joint, up to half a turn about its x axis") {
+TEST_CASE(
+    "walking outward passes the frame of each joint, up to half a revolution about its x axis") {
   Random random(6);
   double worst = 0.0;
   for (int k = 0; k < 1200; ++k) {

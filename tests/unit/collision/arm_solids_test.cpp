@@ -114,7 +114,7 @@ TEST_CASE("the fingers of a gripper end at the tool point, on both sides of it")
   CHECK(fingers == 2);
 }
 
-TEST_CASE("an arm without a hand of a length of its own ends in a stick, at the tool point") {
+TEST_CASE("an arm without a gripper of its own length ends in a stick, at the tool point") {
   for (const std::string_view name : catalog_names()) {
     const std::shared_ptr<const Robot> robot = make_robot(name);
     CAPTURE(name);

@@ -180,7 +180,7 @@ TEST_CASE("the distance of bodies that are apart is proved by two points and a s
   CHECK(apart > 30000);
 }
 
-TEST_CASE("overlapping bodies: the way out frees them, and there is no shorter one") {
+TEST_CASE("overlapping bodies: the depth frees them, and there is no shorter one") {
   Random random(2);
   int overlapping = 0;
   for (int round = 0; round < 30; ++round) {
@@ -279,7 +279,7 @@ TEST_CASE("bodies face to face touch") {
   }
 }
 
-TEST_CASE("the same body twice, bodies in one place, huge coordinates") {
+TEST_CASE("the same body twice, bodies in one position, huge coordinates") {
   for (const Core core : kCores) {
     Random random(5);
     Solid a = random_solid(random, core, 0.0);

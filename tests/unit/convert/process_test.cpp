@@ -67,7 +67,7 @@ TEST_CASE("a converter that goes on for too long is ended, whatever it does") {
   }
 }
 
-TEST_CASE("how a converter ended is told") {
+TEST_CASE("the end of a converter is reported") {
   CHECK(Script("kill -SEGV $$").run().find("signal 11") != std::string::npos);
   CHECK(Script("kill -XCPU $$").run().find("60 s of computing") != std::string::npos);
   CHECK(Script("exit 3").run().find("exit status 3") != std::string::npos);
@@ -80,7 +80,7 @@ TEST_CASE("how a converter ended is told") {
         std::string::npos);
 }
 
-TEST_CASE("a converter that cannot be started is told with its path") {
+TEST_CASE("a converter that cannot be started is reported with its path") {
   ConverterRun run;
   run.program = "/nowhere/armlet-mesh";
   const Result<std::string> glb = run_converter(run);

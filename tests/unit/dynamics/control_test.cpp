@@ -58,7 +58,7 @@ TEST_CASE("operational forces give the tool the acceleration that was asked for"
   CHECK(regular > 200);
 }
 
-TEST_CASE("directions that depend on each other are told, and arguments that are none") {
+TEST_CASE("directions that depend on each other are reported, and arguments that are none") {
   Random random(22);
   const Robot robot = random_heavy_arm(random, 4);
   const VectorXd q = random_values(random, 4), zero = VectorXd::Zero(4);
@@ -69,7 +69,7 @@ TEST_CASE("directions that depend on each other are told, and arguments that are
                   ArgumentError);
 }
 
-TEST_CASE("compliance: where a force is held, and how the way there looks") {
+TEST_CASE("compliance: where a force is held, and the motion to it") {
   Vector6d f, m, d, k;
   f << 10.0, -20.0, 5.0, 0.5, 0.0, -0.25;
   m << 1.0, 2.0, 4.0, 0.1, 0.1, 0.2;

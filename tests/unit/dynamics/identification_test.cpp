@@ -161,7 +161,7 @@ TEST_CASE("a Puma 560 has 36 base parameters of its masses") {
   CHECK(mass_columns(base_parameters(*make_robot("puma560"))) == 36);
 }
 
-TEST_CASE("bad arguments of the regressor are told") {
+TEST_CASE("bad arguments of the regressor are reported") {
   const Robot robot = *make_robot("scara");
   const VectorXd zero = VectorXd::Zero(4);
   CHECK_THROWS_AS(dynamics_regressor(robot, VectorXd::Zero(3), zero, zero), ArgumentError);

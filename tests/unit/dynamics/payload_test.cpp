@@ -46,7 +46,8 @@ TEST_CASE("two rigid bodies together have the sum of their spatial inertias") {
   CHECK(nothing.com.isZero());
 }
 
-TEST_CASE("a payload costs what the same body in the last link costs, and its weight on the way") {
+TEST_CASE(
+    "a payload costs what the same body in the last link costs, and the transfer of its weight") {
   Random random(4);
   for (int k = 0; k < 200; ++k) {
     const int n = 1 + k % kMaxJoints;

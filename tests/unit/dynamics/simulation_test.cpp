@@ -185,7 +185,7 @@ TEST_CASE("a mass drawn by a spring sticks and slips") {
   CHECK(slips == doctest::Approx((pull * t * stiffness - 3.0) / 2.0).epsilon(0.25));
 }
 
-TEST_CASE("what cannot be simulated is told with the joint, and the state stays") {
+TEST_CASE("what cannot be simulated is reported with the joint, and the state stays") {
   const auto expect = [](RobotSpec spec, const VectorXd& q, const VectorXd& qd,
                          const SimulationOptions& options, SimulationStatus status, int joint) {
     ArmSimulation arm(shared(std::move(spec)), q, qd, options);

@@ -132,7 +132,7 @@ TEST_CASE("two, three and four contacts on a disc hold as well as worked out by 
   CHECK(disc_by_hand(2, 0.5) == doctest::Approx(1.0 / 3.0));
 }
 
-TEST_CASE("contacts without friction cannot hold a disc against turning") {
+TEST_CASE("contacts without friction cannot hold a disc against rotation") {
   for (const int k : {2, 3, 4}) {
     const auto quality =
         planar_grasp_quality(on_sphere(around(k), 0.04, 0.0), Eigen::Vector2d::Zero(), 0.04);
@@ -211,7 +211,7 @@ TEST_CASE("no load is withstood less than the ball says, up to what the pyramid 
   }
 }
 
-TEST_CASE("more friction and more contacts never hold worse, and size and place do not matter") {
+TEST_CASE("more friction and more contacts never hold worse, and size and position do not matter") {
   Random random(7);
   for (int round = 0; round < 30; ++round) {
     std::vector<Vector3d> directions;

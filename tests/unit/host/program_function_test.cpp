@@ -123,7 +123,7 @@ TEST_CASE("a function is not called with what is no number and no text") {
   CHECK(vm.global("calls") == 4);
 }
 
-TEST_CASE("a failure of a function is told, and the next call succeeds") {
+TEST_CASE("a failure of a function is reported, and the next call succeeds") {
   Hosted host(R"(
     fn at(i: int) -> double { let xs = [1.0, 2.0]
       return xs[i] }
@@ -253,7 +253,7 @@ TEST_CASE("a Vm that is busy refuses a second user, and stays as it was") {
 
 // The thread that made all calls so far is in the middle of one, or of beginning one, when the
 // others come: two at once would lose a count.
-TEST_CASE("threads that call at once are refused or have their turn, never both at a time") {
+TEST_CASE("threads that call at once are refused or served, never two at a time") {
   for (int round = 0; round < 50; ++round) {
     Hosted host("var count = 0\nfn bump() { count += 1 }");
     const auto bump = host.vm.function<void()>("bump");

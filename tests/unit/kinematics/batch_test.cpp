@@ -162,7 +162,9 @@ TEST_CASE("any number of configurations will do, also none and fewer than lanes"
 
 // Quick sines and cosines are off by 2^-52 at most, and each joint brings some roundings of half of
 // that, of which few add up.
-TEST_CASE("a batch is within 2e-16 (n + 2) of single calls, lengths in units of the way") {
+TEST_CASE(
+    "a batch is within 2e-16 (n + 2) of single calls, lengths in units of the distance to the "
+    "tool") {
   Random random(3);
   for (int n = 1; n <= kMaxJoints; ++n) {
     CAPTURE(n);

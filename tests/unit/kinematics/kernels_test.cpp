@@ -48,7 +48,7 @@ TEST_CASE("a kernel for its number of joints gives the bits of the one for any n
 }
 
 // Twelve steps of a few roundings each, of lengths up to five metres.
-TEST_CASE("any chain is the product of its rows, whichever way it is walked") {
+TEST_CASE("any chain is the product of its rows, in whichever direction it is traversed") {
   Random random(2);
   for (int n = 1; n <= kMaxJoints; ++n) {
     CAPTURE(n);

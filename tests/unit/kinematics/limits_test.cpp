@@ -50,7 +50,7 @@ TEST_CASE("clamping moves each joint to the nearest allowed value") {
   CHECK(q[3] == 1.0);
 }
 
-TEST_CASE("whole turns bring a joint near, but never out of its range") {
+TEST_CASE("whole revolutions bring a joint near, but never out of its range") {
   const Robot ur5 = *make_robot("ur5");  // limits of one revolution to either side
   Eigen::VectorXd near = Eigen::VectorXd::Zero(6), q = Eigen::VectorXd::Zero(6);
   near[5] = deg_to_rad(200);

@@ -12,7 +12,7 @@
 
 using namespace armlet;
 
-TEST_CASE("the Jacobian of a coupled hand is the central difference of its tips") {
+TEST_CASE("the Jacobian of a hand with coupled fingers is the central difference of its tips") {
   const Mechanism hand = make_barrett_hand();
   Random random(31);
   for (int k = 0; k < 100; ++k) {
@@ -53,7 +53,7 @@ TEST_CASE("an arm and the mechanism made of it have the same Jacobian") {
   }
 }
 
-TEST_CASE("a finger of a coupled hand moves like the arm of its joints") {
+TEST_CASE("a finger of a hand with coupled fingers moves like the arm of its joints") {
   const Mechanism hand = make_barrett_hand();
   MechanismSpec loose = hand.spec();
   loose.actuators.assign(8, {.name = "joint", .lower = -4.0, .upper = 4.0});

@@ -103,7 +103,7 @@ TEST_CASE("inputs at the end go on with the run; those before make another one")
   CHECK(lab.page.last("elements")["values"]["far"]["value"] == 0.2);
 }
 
-TEST_CASE("joints and hand are moved, and what cannot be is refused with the reason") {
+TEST_CASE("joints and tool are moved, and what cannot be is refused with the reason") {
   Seated lab(kLab);
   CHECK(lab.page.ask(
             {{"type", "input"}, {"joints", "arm"}, {"values", {0.1, 0.2, 0.03, 0.4}}})["type"] ==
@@ -134,7 +134,7 @@ TEST_CASE("joints and hand are moved, and what cannot be is refused with the rea
   CHECK(lab.page.last("run")["state"] == "done");
 }
 
-TEST_CASE("a slider that is pulled leaves one run, not one for each of its places") {
+TEST_CASE("a slider that is pulled leaves one run, not one for each of its positions") {
   Seated lab(kLab);
   lab.page.ask({{"type", "input"}, {"press", "go"}});
   for (int i = 0; i < 5; ++i)
@@ -207,7 +207,8 @@ lab cell {
 
 }  // namespace
 
-TEST_CASE("numbers of joints that turn and slide have their units wherever the text shows them") {
+TEST_CASE(
+    "numbers of revolute and prismatic joints have their units wherever the text shows them") {
   const TestJson scara = {"rad/s", "rad/s", "m/s", "rad/s"};
   const TestJson known =
       units_of_plots({"fn() => arm.jointSpeeds()",
@@ -394,7 +395,7 @@ arm.setPayload(1kg)
 
 }  // namespace
 
-TEST_CASE("what motors give is told along the run, and jumps where a load is taken") {
+TEST_CASE("motor forces are recorded along the run, and jump where a load is taken") {
   Seated lab(kLoads);
   const TestJson description = lab.page.last("description");
   CHECK(description["robots"][0]["joints"][1]["max_force"].get<double>() == doctest::Approx(186.4));

@@ -90,7 +90,7 @@ TEST_CASE("a file has the name of its bytes, and is kept once and as long as som
   CHECK(files.find(name) == nullptr);
 }
 
-TEST_CASE("a file that is kept takes the place of no other") {
+TEST_CASE("a file that is kept replaces no other") {
   Folder folder;
   const std::string first = triangle(1.0), second = triangle(2.0);
   for (int k = 0; k < 2; ++k) {

@@ -31,7 +31,7 @@ print("done")
 
 }  // namespace
 
-TEST_CASE("a page is told everything of the run that the laboratory has already taken") {
+TEST_CASE("a page receives everything of the run that the laboratory has already taken") {
   Laboratory laboratory(lab_with(kTwoMoves));
   TestPage page(laboratory);
   page.hello();
@@ -229,7 +229,7 @@ TEST_CASE("what never ends is ended, and the laboratory goes on") {
   CHECK(page.last("run")["state"] == "done");
 }
 
-TEST_CASE("one page is in control, and hands it over") {
+TEST_CASE("one page is in control, and passes it on") {
   Laboratory laboratory(lab_with("wait(1s)\n"));
   TestPage teacher(laboratory);
   TestPage student(laboratory);
@@ -275,7 +275,7 @@ TEST_CASE("one page is in control, and hands it over") {
   CHECK(guest.last("control")["holder"] == guest.number);
 }
 
-TEST_CASE("a page that comes late, or takes little at a time, is told the same") {
+TEST_CASE("a page that comes late, or takes little at a time, receives the same") {
   Laboratory laboratory(lab_with(kTwoMoves));
   TestPage early(laboratory);
   TestPage slow(laboratory);

@@ -106,7 +106,8 @@ TEST_CASE("looking at pictures changes nothing in the run") {
   CHECK(lab.page.last("run")["hash"] == hash);
 }
 
-TEST_CASE("marks are where the truth, the wish and the function of the program have them") {
+TEST_CASE(
+    "marks are where the truth, the wanted position and the function of the program have them") {
   SeenPage lab(kEye);
   const TestPicture* truth = lab.picture("truth", 3.0);
   REQUIRE(truth != nullptr);
@@ -159,7 +160,7 @@ TEST_CASE("what cannot be shown says why") {
   }
 }
 
-TEST_CASE("the ways of features are read along the run, and cameras are described") {
+TEST_CASE("the paths of features are read along the run, and cameras are described") {
   SeenPage lab(kEye);
   const TestJson description = lab.page.last("description");
   REQUIRE(description["cameras"].size() == 1);

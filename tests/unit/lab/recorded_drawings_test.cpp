@@ -25,7 +25,7 @@ double at(const RecordedDrawings& recorded, std::size_t i, std::size_t k) {
 
 }  // namespace
 
-TEST_CASE("a shape has rows while only its place and sizes change, and is another one otherwise") {
+TEST_CASE("a shape has rows while only its pose and sizes change, and is another one otherwise") {
   RecordedDrawings recorded;
   recorded.take(arrow("a", 0.1), 0.0, {});
   recorded.take(arrow("a", 0.2), 1.0, {});

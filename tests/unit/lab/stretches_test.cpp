@@ -30,7 +30,7 @@ struct Shown {
 
 }  // namespace
 
-TEST_CASE("what each task does is told line by line, without gaps, from its begin to its end") {
+TEST_CASE("what each task does is recorded line by line, without gaps, from its begin to its end") {
   Shown lab(R"(robot left = robots.scara()
 robot right = robots.scara(base: xyz(1500mm, 0mm, 0mm))
 parallel {
@@ -65,7 +65,7 @@ wait(1s)
   CHECK(own[1]["t1"] == 4.0);
 }
 
-TEST_CASE("of tasks of one name at one place each is told as long as it lasts") {
+TEST_CASE("of tasks with one name and one line each has its own interval") {
   Shown lab(R"(fn both() {
     parallel {
         { wait(1s); wait(2s) }
@@ -95,7 +95,7 @@ TEST_CASE("a program without other tasks has those of itself alone, and at rest 
   CHECK(lab.stretches("task", "")[0]["t1"] == 1.0);
 }
 
-TEST_CASE("signals are told from change to change, also when a run goes on") {
+TEST_CASE("signals are recorded from change to change, also when a run goes on") {
   Shown lab(R"(robot arm = robots.scara()
 lab cell { button on("On", fn() { setSignal("lamp", true); wait(2s) }) }
 setSignal("lamp", false)
@@ -160,7 +160,7 @@ arm.moveJ(posJ(60deg, 0deg, 0mm, 0deg), time: 2s)
   CHECK(lab.page.ask({{"type", "goto"}, {"t", 1.0}})["values"].is_null());
 }
 
-TEST_CASE("an instant tells each place where a robot presses on something") {
+TEST_CASE("an instant shows each point at which a robot presses on something") {
   Shown lab(R"(robot arm = robots.scara(tool: parallelGripper(stroke: 60mm))
 object block { shape: box(200mm, 200mm, 40mm); at: xyz(450mm, 0mm, 20mm); fixed: true; stiffness: 1N/mm }
 arm.moveJ(xyz(450mm, 0mm, 60mm), time: 2s)

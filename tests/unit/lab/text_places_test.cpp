@@ -9,7 +9,7 @@
 using namespace armlet;
 using namespace armlet::lab;
 
-TEST_CASE("places of a text count UTF-16 units") {
+TEST_CASE("positions in a text count UTF-16 units") {
   // e with an accent: two bytes, one unit; the face: four bytes, two units.
   const Source source("a.rbt", "ab\ncafé\n\xF0\x9F\x98\x80x");
   CHECK(place_of(source, 0) == TextPlace{1, 0});
@@ -26,7 +26,7 @@ TEST_CASE("places of a text count UTF-16 units") {
   CHECK(byte_of(source, {99, 0}) == 14);
 }
 
-TEST_CASE("a place leads back to its byte, for every character of random texts") {
+TEST_CASE("a position leads back to its byte, for every character of random texts") {
   Random random(11);
   const std::string letters[] = {"a", " ", "\n", "é", "€", "\xF0\x9F\x98\x80"};
   for (int trial = 0; trial < 50; ++trial) {

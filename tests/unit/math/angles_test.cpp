@@ -4,7 +4,7 @@
 
 using namespace armlet;
 
-TEST_CASE("angles wrap into the half-open turn above -180 degrees") {
+TEST_CASE("angles wrap into the half-open revolution above -180 degrees") {
   CHECK(wrap_angle(0.0) == 0.0);
   CHECK(wrap_angle(kPi) == kPi);
   CHECK(wrap_angle(-kPi) == kPi);
@@ -17,13 +17,13 @@ TEST_CASE("angles wrap into the half-open turn above -180 degrees") {
   }
 }
 
-TEST_CASE("the difference of two angles is the short way round") {
+TEST_CASE("the difference of two angles is the smaller one") {
   CHECK(angle_difference(deg_to_rad(170.0), deg_to_rad(-170.0)) ==
         doctest::Approx(deg_to_rad(-20.0)));
   CHECK(rad_to_deg(angle_difference(deg_to_rad(10.0), deg_to_rad(350.0))) == doctest::Approx(20.0));
 }
 
-TEST_CASE("the nearest turn is at most half a turn away") {
+TEST_CASE("the nearest multiple of a revolution is at most half a revolution away") {
   CHECK(nearest_copy_of_angle(0.1, 6.2) == doctest::Approx(0.1 + 2.0 * kPi));
   CHECK(nearest_copy_of_angle(3.0, -3.0) == doctest::Approx(3.0 - 2.0 * kPi));
   CHECK(nearest_copy_of_angle(1.0, 1.2) == doctest::Approx(1.0));

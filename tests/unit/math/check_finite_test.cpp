@@ -7,7 +7,7 @@
 
 using namespace armlet;
 
-TEST_CASE("an element that is not finite is reported with its place") {
+TEST_CASE("an element that is not finite is reported with its index") {
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2, 3);
   CHECK_NOTHROW(check_finite("A", A));
   A(1, 2) = NAN;

@@ -74,7 +74,7 @@ TEST_CASE("the ends may be exchanged, and may be roots themselves") {
   CHECK(search([](double x) { return x; }, 0.0, 0.0).status == Status::kFound);
 }
 
-TEST_CASE("ends of one sign are told with both values") {
+TEST_CASE("ends of one sign are reported with both values") {
   const RootSearch found = search([](double x) { return x * x + 1.0; }, -1.0, 2.0);
   CHECK(found.status == Status::kSameSign);
   CHECK(found.at_lo == 2.0);
@@ -88,7 +88,7 @@ TEST_CASE("a jump and a pole are not taken for roots") {
   CHECK(search([](double x) { return std::tan(x); }, 1.0, 2.0).status == Status::kJump);
 }
 
-TEST_CASE("trouble in the function is reported with its place") {
+TEST_CASE("trouble in the function is reported with its argument") {
   const RootSearch undefined = search([](double x) { return std::log(x); }, -1.0, 2.0);
   CHECK(undefined.status == Status::kNotFinite);
   CHECK(undefined.x == -1.0);

@@ -206,7 +206,7 @@ TEST_CASE("infinity is a wall") {
   CHECK(found.x[0] == doctest::Approx(1.0).epsilon(1e-7));
 }
 
-TEST_CASE("what cannot be minimised is told apart") {
+TEST_CASE("functions that cannot be minimised are distinguished") {
   CHECK(run([](const VectorXd& x) { return x[0] < 0.9 ? NAN : x[0]; }, vec({1.0})).status ==
         Status::kUndefined);
   CHECK(run([](const VectorXd&) { return INFINITY; }, vec({1.0})).status == Status::kUndefined);

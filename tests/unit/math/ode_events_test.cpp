@@ -121,7 +121,7 @@ TEST_CASE("a zero at the start is none that is gone through, and one at a step's
   CHECK(count == 1);
 }
 
-TEST_CASE("a witness that is no number, or that ends it, is told of") {
+TEST_CASE("a witness that is no number, or that ends it, is reported") {
   OdeEvents events({{.g =
                          [](double t, State, double& value) {
                            value = 1.0 / (t - 0.5);

@@ -190,7 +190,7 @@ TEST_CASE("going back in time leads to the start") {
   }
 }
 
-TEST_CASE("a solution that runs to infinity is reported near the place") {
+TEST_CASE("a solution that runs to infinity is reported near the point") {
   const OdeRate rate = [](double, State y, Rate out) {  // 1 / (1 - t)
     out[0] = y[0] * y[0];
     return true;

@@ -113,14 +113,14 @@ TEST_CASE("the axis of a rotation is a unit vector along its logarithm; that of 
   }
 }
 
-TEST_CASE("roll, pitch and yaw turn about the fixed axes x, y and z in this order") {
+TEST_CASE("roll, pitch and yaw rotate about the fixed axes x, y and z in this order") {
   CHECK(difference(R_from_rpy({0.1, 0.2, 0.3}), rot_z(0.3) * rot_y(0.2) * rot_x(0.1)) < 1e-16);
   CHECK(difference(R_from_rpy({0.1, 0.2, 0.3}), R_from_euler("ZYX", {0.3, 0.2, 0.1})) < 1e-16);
   CHECK((R_from_rpy({kPi / 2, 0, 0}) * Vector3d::UnitY() - Vector3d::UnitZ()).norm() < 1e-15);
 }
 
 // The textbook formula theta = acos((trace - 1)/2) has errors up to 13 rad here.
-TEST_CASE("the logarithm is exact up to half a turn") {
+TEST_CASE("the logarithm is exact up to half a revolution") {
   Random random(3);
   for (const double angle : {1e-9, 1e-3, 1.0, kPi - 1e-3, kPi - 1e-6}) {
     for (int i = 0; i < 200; ++i) {
@@ -162,7 +162,7 @@ TEST_CASE("the angle between rotations needs no threshold") {
   }
 }
 
-TEST_CASE("interpolation turns at constant speed about one axis") {
+TEST_CASE("interpolation rotates at constant speed about one axis") {
   Random random(6);
   for (int i = 0; i < 100; ++i) {
     const Matrix3d R_0 = random_rotation(random), R_1 = random_rotation(random);

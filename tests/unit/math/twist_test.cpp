@@ -59,7 +59,7 @@ TEST_CASE("moving a twist and a wrench to another point keeps their power") {
   }
 }
 
-TEST_CASE("a turning disc moves its rim sideways") {
+TEST_CASE("a rotating disc moves its rim sideways") {
   Vector6d twist;
   twist << 0, 0, 0, 0, 0, 2;
   const Vector6d rim = move_twist(twist, {0.5, 0, 0});

@@ -179,7 +179,7 @@ TEST_CASE("a coordinate that is no number is refused") {
   says(bytes, "a coordinate that is no number");
 }
 
-TEST_CASE("loops of nodes, other files and what is not read are told") {
+TEST_CASE("loops of nodes, other files and what is not read are reported") {
   const std::string bytes = file_of(test::box_mesh({0.1, 0.1, 0.1}));
   says(changed(bytes, "\"children\":[1]", "\"children\":[0]"), "node 0 is below itself");
   says(with_json("[]"), "its JSON part is broken");

@@ -79,7 +79,7 @@ TEST_CASE(
   }
   SUBCASE("an image that is not there") { scene.materials[0].texture = 1; }
   SUBCASE("an image of another kind") { scene.images[0].bytes = "BM"; }
-  SUBCASE("a place too few") { scene.nodes[0].parts[0].on_image.pop_back(); }
+  SUBCASE("a digit too few") { scene.nodes[0].parts[0].on_image.pop_back(); }
   SUBCASE("a colour too few") { scene.nodes[0].parts[0].colors.pop_back(); }
   CHECK_THROWS_AS(write_glb(scene), ArgumentError);
 }

@@ -40,7 +40,7 @@ TriangleMesh cube(double size, const Vector3d& middle = Vector3d::Zero()) {
 
 }  // namespace
 
-TEST_CASE("a part that is inside out beside another one is turned") {
+TEST_CASE("a part that is inside out beside another one is reversed") {
   // 0.1^3 + 0.03^3, whichever of the two is inside out.
   for (const auto& [first, second] : {std::pair(false, true), {true, false}, {true, true}}) {
     const TriangleMesh mesh =
@@ -124,7 +124,7 @@ TEST_CASE("of very many parts it is said that they are not looked at") {
       many.mesh().doubled_because().starts_with("it has 5001 closed parts, and of more than 5000"));
 }
 
-TEST_CASE("of boxes in a row whose sides are turned at random the volume is that of all") {
+TEST_CASE("of boxes in a row whose sides are reversed at random the volume is that of all") {
   Random random(11);
   for (int round = 0; round < 50; ++round) {
     Together row;

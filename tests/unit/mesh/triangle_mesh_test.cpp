@@ -148,7 +148,7 @@ TEST_CASE("what is convex but for the rounding of a file is convex, what has a d
   CHECK_FALSE(dented.is_convex());
 }
 
-TEST_CASE("a surface with the inside outside is turned") {
+TEST_CASE("a surface with the inside outside is reversed") {
   TriangleMesh mesh = tetrahedron();
   auto triangles = mesh.triangles();
   for (Corners& each : triangles) std::swap(each[0], each[1]);
@@ -158,7 +158,7 @@ TEST_CASE("a surface with the inside outside is turned") {
   CHECK(turned.is_convex());
 }
 
-TEST_CASE("what is no surface of a body is told, with the edges") {
+TEST_CASE("what is no surface of a body is reported, with the edges") {
   const TriangleMesh open = without_last(test::box_mesh({1, 1, 1}));
   CHECK(open.open_because() == "its surface is open: 3 edges belong to one triangle alone");
   CHECK_FALSE(open.mass_properties());
@@ -172,7 +172,7 @@ TEST_CASE("what is no surface of a body is told, with the edges") {
   CHECK(flat.open_because() == "its surface holds nothing");
 }
 
-TEST_CASE("corners in one place are one, triangles without a face are left out") {
+TEST_CASE("corners at one position are one, triangles without a face are left out") {
   // A box as files have it: every triangle with corners of its own.
   const TriangleMesh box = test::box_mesh({1, 2, 3});
   std::vector<Vector3d> vertices{{9, 9, 9}};  // used by none

@@ -20,7 +20,7 @@ Eigen::Vector3d mirrored(Eigen::Vector3d p) {
 
 }  // namespace
 
-TEST_CASE("every hand is there under its name") {
+TEST_CASE("every gripper is there under its name") {
   for (const std::string_view name : hand_names()) {
     CAPTURE(name);
     const auto hand = make_hand(name);
@@ -64,7 +64,7 @@ TEST_CASE("all fingers of the Barrett hand lie on one side at a spread of 180 de
   CHECK(one.x() == doctest::Approx(-0.025));
 }
 
-TEST_CASE("the last link of a Barrett finger turns a third as far as the one before it") {
+TEST_CASE("the last link of a Barrett finger rotates a third as far as the one before it") {
   const Mechanism hand = make_barrett_hand();
   Eigen::VectorXd q(4);
   q << 0.1, 0.9, 0.6, 0.3;

@@ -163,7 +163,7 @@ TEST_CASE("limits of a whole revolution, or none, restrict no joint that is copi
   }
 }
 
-TEST_CASE("friction of a joint that copies is felt by the motor of the joint that it copies") {
+TEST_CASE("friction of a joint that copies acts on the motor of the joint that it copies") {
   const Robot robot = arm_of(kColumn);
   const Friction& friction = robot.motor_link(0).friction;
   CHECK(friction.viscous == doctest::Approx(2.0 + 0.25 * 4.0));

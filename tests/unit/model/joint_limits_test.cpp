@@ -10,7 +10,7 @@
 
 using namespace armlet;
 
-TEST_CASE("a joint without limits turns once either way or slides a metre") {
+TEST_CASE("a joint without limits rotates once in either direction or slides a metre") {
   const Joint turning = joint_without_limits(JointKind::kRevolute);
   CHECK(turning.is_revolute());
   CHECK(turning.lower == -2.0 * std::numbers::pi);

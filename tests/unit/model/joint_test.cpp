@@ -4,14 +4,14 @@
 
 using namespace armlet;
 
-TEST_CASE("turning joints are shown in degrees and sliding ones in millimetres") {
+TEST_CASE("revolute joints are shown in degrees and prismatic ones in millimetres") {
   CHECK(format_joint_value(JointKind::kRevolute, std::numbers::pi / 2) == "90 deg");
   CHECK(format_joint_value(JointKind::kPrismatic, 0.15) == "150 mm");
   CHECK(joint_word(JointKind::kRevolute) == "turn");
   CHECK(joint_word(JointKind::kPrismatic) == "slide");
 }
 
-TEST_CASE("a value beside another one has as many decimals as tell them apart") {
+TEST_CASE("a value beside another one has as many decimals as distinguish them") {
   constexpr double kDegree = std::numbers::pi / 180.0;
   CHECK(format_joint_value(JointKind::kRevolute, 140.03 * kDegree, 140.0 * kDegree) ==
         "140.03 deg");

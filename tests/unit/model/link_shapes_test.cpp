@@ -141,7 +141,7 @@ TEST_CASE("shapes: an arm is drawn within its reach") {
   }
 }
 
-TEST_CASE("shapes: the tip of every hand is the tool point") {
+TEST_CASE("shapes: the tip of every gripper is the tool point") {
   const auto arm = make_robot("scara");
   for (const Tool& tool : {parallel_gripper(0.08), suction_cup(0.015), point_tool(0.1)}) {
     const Robot robot = arm->with_tool(tool);

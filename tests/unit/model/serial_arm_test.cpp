@@ -54,7 +54,7 @@ Bulk bulk(const Robot& robot, const Eigen::VectorXd& q) {
 
 }  // namespace
 
-TEST_CASE("an arm and the mechanism made of it have their tools in the same place") {
+TEST_CASE("an arm and the mechanism made of it have their tools in the same pose") {
   Random random(21);
   for (const Robot& robot : many_arms()) {
     CAPTURE(robot.name());

@@ -8,7 +8,7 @@
 
 using namespace armlet;
 
-TEST_CASE("hands have the lengths of the language reference unless told otherwise") {
+TEST_CASE("grippers have the lengths of the language reference by default") {
   CHECK(parallel_gripper(0.06).length == 0.120);
   CHECK(parallel_gripper(0.06).force == 20.0);
   CHECK(suction_cup(0.01).length == 0.060);
@@ -22,7 +22,7 @@ TEST_CASE("grippers and suction cups can grasp, a point and no tool cannot") {
   CHECK_FALSE(Tool{}.can_grasp());
 }
 
-TEST_CASE("impossible hands are refused") {
+TEST_CASE("impossible grippers are refused") {
   CHECK_THROWS_AS(parallel_gripper(0.0), ArgumentError);
   CHECK_THROWS_AS(parallel_gripper(0.06, -0.1), ArgumentError);
   CHECK_THROWS_AS(parallel_gripper(0.06, 0.1, NAN), ArgumentError);

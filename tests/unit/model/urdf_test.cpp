@@ -187,7 +187,7 @@ TEST_CASE("arms of mixed conventions and joints come back too") {
   }
 }
 
-TEST_CASE("a joint that copies another by a factor of 0 keeps its place in a written description") {
+TEST_CASE("a joint that copies another by a factor of 0 keeps its pose in a written description") {
   const Result<Mechanism> read = read_urdf(
       replaced(kArm, R"(multiplier="0.5" offset="0.01")", R"(multiplier="0" offset="0.02")"));
   REQUIRE(read.ok());
@@ -198,7 +198,7 @@ TEST_CASE("a joint that copies another by a factor of 0 keeps its place in a wri
   CHECK(again->joint_values(q) == read->joint_values(q));
 }
 
-TEST_CASE("a hand comes back with its coupling") {
+TEST_CASE("a hand with fingers comes back with its coupling") {
   Random random(43);
   for (const Mechanism& hand : {make_barrett_hand(), make_parallel_gripper()}) {
     CAPTURE(hand.name());

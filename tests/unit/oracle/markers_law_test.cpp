@@ -117,7 +117,7 @@ void check_instruction_sets(const std::string& text, const fs::path& folder, Run
 
 }  // namespace
 
-TEST_CASE("examples and scripts with tasks tell the same events on every instruction set") {
+TEST_CASE("examples and scripts with tasks send the same events on every instruction set") {
   for (const char* folder : {"examples", "tests/scripts/tasks"}) {
     for (const fs::path& file : programs_below(folder)) {
       CAPTURE(file);
@@ -126,7 +126,7 @@ TEST_CASE("examples and scripts with tasks tell the same events on every instruc
   }
 }
 
-TEST_CASE("random programs tell the same events on every instruction set") {
+TEST_CASE("random programs send the same events on every instruction set") {
   const RunLimits limits{.steps = 20'000, .call_depth = 60};
   for (std::uint64_t number = 1; number <= number_from("ARMLET_LAST", 2000); ++number) {
     CAPTURE(number);

@@ -104,9 +104,9 @@ void check_files(const char* folder) {
 
 }  // namespace
 
-TEST_CASE("examples tell the same events in slices of any size") { check_files("examples"); }
+TEST_CASE("examples send the same events in slices of any size") { check_files("examples"); }
 
-TEST_CASE("scripts with tasks tell the same events in slices of any size") {
+TEST_CASE("scripts with tasks send the same events in slices of any size") {
   check_files("tests/scripts/tasks");
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("2,000 random programs with tasks do the same in slices of any size") 
   }
 }
 
-TEST_CASE("random programs that move robots tell the same events in slices of any size") {
+TEST_CASE("random programs that move robots send the same events in slices of any size") {
   const std::uint64_t first = number_from("ARMLET_FIRST", 1);
   const std::uint64_t last = number_from("ARMLET_LAST", 100);
   for (std::uint64_t number = first; number <= last; ++number) {

@@ -44,7 +44,7 @@ double length_of(const std::vector<VectorXd>& points) {
 
 }  // namespace
 
-TEST_CASE("a straight way is found without a search") {
+TEST_CASE("a straight path is found without a search") {
   const Scene scene(false);
   const Way way = search_way(scene.scene, scene.start, {scene.goal});
   REQUIRE(way.ok());
@@ -53,7 +53,7 @@ TEST_CASE("a straight way is found without a search") {
   CHECK(way.in_the_way.empty());
 }
 
-TEST_CASE("a way around ends exactly at its goal, and every segment of it is free" *
+TEST_CASE("a path around obstacles ends exactly at its goal, and every segment of it is free" *
           doctest::skip(!can_search_ways())) {
   const Scene scene;
   const std::vector<VectorXd> ends = {scene.start, scene.goal};

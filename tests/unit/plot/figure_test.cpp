@@ -40,7 +40,7 @@ TEST_CASE("a logarithmic axis counts values above zero only") {
   CHECK(extent_of({}, axis).lower > 0.0);
 }
 
-TEST_CASE("bars at one place share it") {
+TEST_CASE("bars at one position share it") {
   Figure figure;
   for (int k = 0; k < 3; ++k) {
     figure.series.push_back({.kind = SeriesKind::kBars, .x = {1, 1.5, 4}, .y = {1, 2, 3}});

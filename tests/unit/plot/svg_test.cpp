@@ -115,7 +115,7 @@ TEST_CASE("nothing, one value, equal values and huge values make a picture") {
   check_well_formed(to_svg({}));
 }
 
-TEST_CASE("text of a program cannot leave its place") {
+TEST_CASE("text of a program cannot leave its element") {
   Figure figure = line_figure({0, 1}, {0, 1});
   figure.title = "</title><script>alert(1)</script>&\x01";
   figure.series[0].label = "\"><svg onload=x>";

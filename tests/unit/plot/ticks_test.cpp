@@ -18,7 +18,7 @@ TEST_CASE("ticks are round and labelled with equal decimals") {
         Labels{"0", "10000", "20000", "30000", "40000", "50000"});
 }
 
-TEST_CASE("degrees are counted in parts of a turn") {
+TEST_CASE("degrees are counted in parts of a revolution") {
   CHECK(make_ticks(-180, 180, 8, true, true).labels ==
         Labels{"-180", "-135", "-90", "-45", "0", "45", "90", "135", "180"});
   CHECK(make_ticks(0, 60, 6, true, true).labels == Labels{"0", "10", "20", "30", "40", "50", "60"});

@@ -224,7 +224,7 @@ TEST_CASE("the embedding interface refuses poses that are none, and nothing chan
   CHECK(cell.contact_wrench(arm).allFinite());
 }
 
-TEST_CASE("a robot inside of an object is told where it moves, and what it feels is a number") {
+TEST_CASE("a robot inside of an object is reported where it moves, and its force is finite") {
   const Ended told =
       run("robot arm = robots.puma560(tool: parallelGripper(stroke: 60mm, length: 120mm))\n"
           "object block1 { shape: box(2m, 2m, 2m); at: xyz(0mm, 0mm, 0mm) * rotZ(30deg); fixed: "

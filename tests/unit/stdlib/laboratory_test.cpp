@@ -313,7 +313,7 @@ TEST_CASE("sliders of joints move an idle robot inside its limits, and say why n
   CHECK(lab.session->host()->cell().robot(0).q == q);
 }
 
-TEST_CASE("sliders of a hand lead where they stand, or say why not") {
+TEST_CASE("sliders of a tool lead where they stand, or say why not") {
   for (const char* name : {"scara", "puma560", "pa10", "planar3"}) {
     CAPTURE(name);
     Lab lab("robot arm = robots." + std::string(name) + "()\n");

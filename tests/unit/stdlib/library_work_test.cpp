@@ -332,7 +332,7 @@ std::vector<Case> cases() {
 
 }  // namespace
 
-TEST_CASE("every function of the library counts its work and hears the wish to cancel") {
+TEST_CASE("every function of the library counts its work and notices a stop request") {
   constexpr double kMostGap = 50.0;  // ms
   int large = 0;
   int cancelled = 0;

@@ -137,7 +137,7 @@ TEST_CASE("a title that is there goes on with its figure") {
   }
 }
 
-TEST_CASE("a listener is told of a figure when it begins and whenever it changes") {
+TEST_CASE("a listener receives a figure when it begins and whenever it changes") {
   const Figures heard = heard_of(
       "wait(1s)\n"
       "figure(\"a\"); plot([1, 2], [3, 4]); scatter([1, 2], [3, 4])\n"
@@ -159,7 +159,7 @@ TEST_CASE("a listener is told of a figure when it begins and whenever it changes
   CHECK(heard.changed.at(0).y.log);
 }
 
-TEST_CASE("of figures that change before the run begins only the last state is told") {
+TEST_CASE("of figures that change before the run begins only the last state is reported") {
   const Figures heard = heard_of(
       "figure(\"a\"); plot([1, 2], [3, 4]); plot([1, 2], [5, 6])\n"
       "figure(\"b\"); plot([1, 2], [3, 4])\n"

@@ -18,7 +18,7 @@ bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-TEST_CASE("a page shows every way to call a function, what it does and an example") {
+TEST_CASE("a page shows every form of call of a function, what it does and an example") {
   const std::string page = help_page(library_engine(), "lerp");
   CHECK(contains(page, "lerp(a: D, b: D, s: double) -> D\n"));
   CHECK(contains(page, "lerp(a: posC, b: posC, s: double) -> posC\n"));

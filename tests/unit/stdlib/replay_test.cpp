@@ -399,7 +399,7 @@ TEST_CASE("what a paused run looks like") {
   CHECK(run->sources().position(tasks[0].calls[0].at).line == 10);
 }
 
-TEST_CASE("another text goes on where its run is the same, and is told where it parts") {
+TEST_CASE("another text continues where its run is the same, and shows where it differs") {
   const std::string text =
       "let h = home()\nprint(1)\nmoveJ(h + [0.1, 0, 0, 0], time: 2s)\nprint(2)\n"
       "moveJ(h, time: 1s)\nwait(2s)\nprint(signal(\"gate\"))\n";

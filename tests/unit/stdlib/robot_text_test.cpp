@@ -69,7 +69,7 @@ TEST_CASE("every arm of the catalogue comes back from its block the same") {
   }
 }
 
-TEST_CASE("base, tool point, hand and gravity come back") {
+TEST_CASE("base, tool point, gripper and gravity come back") {
   RobotSpec spec = make_robot("scorbot")->spec();
   spec.T_world_base = pose_from_rpy({0.1, -0.2, 1.0 / 3.0}, {0.3, -1.0, 2.5});
   spec.T_flange_tool = pose_from_rpy({0.01, 0.02, 0.03}, {0.0, 0.5, 0.1});

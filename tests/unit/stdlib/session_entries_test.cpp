@@ -270,7 +270,7 @@ TEST_CASE("what is cancelled leaves all as it was") {
   CHECK(enter("1 + 1") == "2");
 }
 
-TEST_CASE("a wish to stop that comes when nothing is left to stop does not stop the next entry") {
+TEST_CASE("a stop request that comes when nothing is left to stop does not stop the next entry") {
   SessionOptions options = at_the_table();
   Session* session = nullptr;
   options.pace = [&](std::int64_t t_ns) {
@@ -352,7 +352,7 @@ class Follower : public Backend {
 
 }  // namespace
 
-TEST_CASE("listeners are told what is undone: a failed entry, and where a session goes back") {
+TEST_CASE("listeners receive what is undone: a failed entry, and where a session goes back") {
   Follower heard;
   SessionOptions options = at_the_table();
   options.backends = {&heard};

@@ -48,7 +48,7 @@ std::string trace_of(const std::string& program,
 
 }  // namespace
 
-TEST_CASE("a classic program really carries the cube from its place to the other") {
+TEST_CASE("a classic program really carries the cube from one position to the other") {
   Session session(library_engine(), at_the_table());
   REQUIRE(session.compile(kClassic, "classic.rbt"));
   const RunResult result = session.run();
@@ -100,7 +100,7 @@ TEST_CASE("a world given by the user is used, and its mistakes are reported in i
             .line == 1);
 }
 
-TEST_CASE("a trace tells of every robot of the program") {
+TEST_CASE("a trace has every robot of the program") {
   const std::string program =
       "robot left = robots.scara(base: xyz(0mm, -1m, 0mm))\n"
       "robot right = robots.planar3(base: xyz(0mm, 1m, 0mm))\n"
@@ -222,7 +222,8 @@ TEST_CASE("a session without a program that can run says so") {
   CHECK_THROWS_AS((void)other.run(), ArgumentError);
 }
 
-TEST_CASE("a wish to cancel ends with the run that it stops, and one that comes too soon is kept") {
+TEST_CASE(
+    "a request to cancel ends with the run that it stops, and one that comes too soon is kept") {
   Session session(library_engine(), at_the_table());
   REQUIRE(session.compile("wait(1s)\nmoveJ(home())", "p.rbt"));
   session.cancel();
@@ -230,7 +231,7 @@ TEST_CASE("a wish to cancel ends with the run that it stops, and one that comes 
   CHECK(session.run().status == Progress::kDone);
 }
 
-TEST_CASE("a wish to cancel stops compiling, and is over with it") {
+TEST_CASE("a request to cancel stops compiling, and is over with it") {
   Session session(library_engine(), at_the_table());
   session.cancel();
   CHECK_FALSE(session.compile("print(1)", "p.rbt"));
@@ -330,7 +331,7 @@ class ThrowsAt : public Backend {
 
 }  // namespace
 
-TEST_CASE("a backend that throws at the end leaves the result, and the others are told the end") {
+TEST_CASE("a backend that throws at the end leaves the result, and the others receive the end") {
   for (const EventKinds kinds : {EventKinds::of<EndRun>(), EventKinds::of<FinalFigure>(),
                                  EventKinds::of<FinalFigure, EndRun>()}) {
     ThrowsAt before{{}}, throws(kinds), after{{}};

@@ -48,7 +48,7 @@ std::string trace_of(Next next, int* slices = nullptr) {
 
 }  // namespace
 
-TEST_CASE("a session in slices tells the same events") {
+TEST_CASE("a session in slices sends the same events") {
   const std::string whole = trace_of([](Session&) { return Budget{}; });
   CHECK(whole.find("half way 0.6 s") != std::string::npos);
   int slices = 0;
@@ -166,7 +166,8 @@ TEST_CASE("a budget of no steps leaves a session as it was") {
   CHECK(session.run().status == Progress::kDone);  // once more, from the start
 }
 
-TEST_CASE("a motion under torques tells the same in slices, and a session may be dropped in it") {
+TEST_CASE(
+    "a motion under torques sends the same events in slices, and a session may be dropped in it") {
   const auto trace = [](std::int64_t slice_ns) {
     std::ostringstream out;
     const std::unique_ptr<Backend> backend = make_jsonl_backend(out);

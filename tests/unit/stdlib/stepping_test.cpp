@@ -149,7 +149,7 @@ TEST_CASE("variables of tasks are seen, with what they wait for") {
   CHECK(variables[0].value == "10");
 }
 
-TEST_CASE("going back keeps breakpoints, and does not stop at them on its way") {
+TEST_CASE("going back keeps breakpoints, and does not stop at them") {
   Debugged run(kStepped);
   CHECK(run->set_breakpoints({{.line = 14}}).size() == 1);
   for (int i = 0; i < 3; ++i) CHECK(run->run().status == Progress::kPaused);
@@ -196,7 +196,7 @@ let end = total
 
 }  // namespace
 
-TEST_CASE("a paused run tells the value of the expression at a place of its text") {
+TEST_CASE("a paused run gives the value of the expression at a position in its text") {
   Debugged run(kAsked);
   CHECK(run->set_breakpoints({{.line = 12}}).size() == 1);
   CHECK(run->run().status == Progress::kPaused);

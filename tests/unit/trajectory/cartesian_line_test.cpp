@@ -54,7 +54,7 @@ TEST_CASE("the tool of a SCARA stays on the line, at samples and between") {
   check_line(robot, *plan.motion.trajectory, T_0, T_1);
 }
 
-TEST_CASE("the tool of a PUMA follows random lines with an evenly turning orientation") {
+TEST_CASE("the tool of a PUMA follows random lines with an evenly rotating orientation") {
   const Robot robot = *make_robot("puma560");
   std::mt19937_64 generator(21);
   const auto number = [&] { return static_cast<double>(generator() >> 11) * 0x1.0p-53 - 0.5; };
@@ -84,7 +84,7 @@ TEST_CASE("the tool of a PUMA follows random lines with an evenly turning orient
   CHECK(followed >= 15);
 }
 
-TEST_CASE("a place alone keeps the orientation; a turn keeps the tilt") {
+TEST_CASE("a position alone keeps the orientation; a rotation keeps the tilt") {
   const Robot robot = *make_robot("scara");
   const Eigen::Vector4d q0(0.4, 1.0, 0.1, 0.2);
   const Eigen::Isometry3d T_0 = forward(robot, q0);
@@ -135,7 +135,7 @@ TEST_CASE("a line through the zone the arm cannot fold into names how far it get
   CHECK(plan.fault->fraction == doctest::Approx(0.5 - x).epsilon(2e-3));
 }
 
-TEST_CASE("too short a time names the joint; a tool speed is only a wish") {
+TEST_CASE("too short a time names the joint; a tool speed is only an upper bound") {
   const Robot robot = *make_robot("scara");
   const Eigen::Vector4d q0(0.4, 1.0, 0.1, 0.2);
   Eigen::Isometry3d T_goal = forward(robot, q0);

@@ -83,7 +83,7 @@ TEST_CASE("the rounded corner misses by 0.0265165 and accelerates by 10.6066") {
   CHECK(peak == doctest::Approx(10.6066).epsilon(1e-4));
 }
 
-TEST_CASE("a turn along a piece is even, and a corner joins it with continuous rates") {
+TEST_CASE("a rotation along a segment is even, and a corner joins it with continuous rates") {
   const Eigen::Isometry3d T0 = pose_from_rpy({0.1, 0.2, 0.3}, {0.1, 0.2, 0.3});
   const Eigen::Isometry3d T1 = pose_from_rpy({0.5, 0.2, 0.1}, {0.9, -0.2, 0.5});
   const Eigen::Isometry3d T2 = pose_from_rpy({0.5, 0.7, 0.1}, {0.2, 0.4, 1.5});
@@ -173,7 +173,7 @@ TEST_CASE("the tool follows the circle, at the samples and between, over the mid
   CHECK(corner_distance(kArm, motion, via) < 1e-3);
 }
 
-TEST_CASE("three places on one line, and two that are the same, are no arc, with the reason") {
+TEST_CASE("three positions on one line, and two that are the same, are no arc, with the reason") {
   CHECK(no_circle_over({0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}) == NoCircle::kOnOneLine);
   CHECK(no_circle_over({0, 0, 0}, {0.3, 0, 0}, {0.2, 0, 0}) == NoCircle::kOnOneLine);
   CHECK_FALSE(no_circle_over({0, 0, 0}, {0.1, 1e-6, 0}, {0.2, 0, 0}));
@@ -273,7 +273,7 @@ TEST_CASE("tool speeds hold on their pieces, and the time that is asked for is k
   CHECK(fast.motion.too_fast->least_time == doctest::Approx(motion.duration()));
 }
 
-TEST_CASE("a path that cannot be followed says on the way to which place") {
+TEST_CASE("a path that cannot be followed names the target") {
   const Eigen::Isometry3d T0 = forward(kArm, kStart);
   PathMove move{.q0 = kStart};
   move.points = {{.T_world_tool = shifted(T0, 0.0, 0.1, 0.0), .blend = 0.01},
@@ -290,7 +290,7 @@ TEST_CASE("a path that cannot be followed says on the way to which place") {
   CHECK(plan_path(kArm, move).motion.trajectory->duration() == 0.0);
 }
 
-TEST_CASE("times say when each place is reached or passed by") {
+TEST_CASE("times say when each position is reached or passed by") {
   const Eigen::Isometry3d T0 = forward(kArm, kStart);
   PathMove move{.q0 = kStart,
                 .points = {{.T_world_tool = shifted(T0, 0.1, 0.0, 0.0), .blend = 0.02},
@@ -345,7 +345,7 @@ TEST_CASE("tool speeds are kept to the ends, where the joints begin to move") {
 }
 
 // Between the corners; the joints are those that rotate the tool least, which no formula gives.
-TEST_CASE("paths of places of arms with few joints are found, finely enough to be straight") {
+TEST_CASE("paths of positions of arms with few joints are found, finely enough to be straight") {
   std::mt19937_64 generator(51);
   int made = 0;
   for (const char* name : {"scara", "scorbot"}) {

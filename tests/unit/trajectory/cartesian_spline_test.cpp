@@ -62,7 +62,7 @@ TEST_CASE("the tool passes every pose at its time without stopping, within all l
 
 // Between the poses the tool, not the joints, runs on the spline: the fourth differences of its
 // position on one leg vanish for cubics.
-TEST_CASE("between two poses the place of the tool is the cubic of the spline") {
+TEST_CASE("between two poses the position of the tool is the cubic of the spline") {
   const PathPlan plan = plan_cartesian_spline(kArm, through_four(SplineKind::kSpline3));
   REQUIRE(plan.ok());
   const double T = plan.times[0];
@@ -72,7 +72,8 @@ TEST_CASE("between two poses the place of the tool is the cubic of the spline") 
   CHECK((p[0] - 2.0 * p[2] + p[4]).norm() > 1e-3);
 }
 
-TEST_CASE("one pose is a straight line with an even turn; turns go on past half a turn") {
+TEST_CASE(
+    "one pose is a straight line with an even rotation; rotations go on past half a revolution") {
   const PathPlan one =
       plan_cartesian_spline(kArm, {.q0 = kStart, .poses = {moved(0.0, 0.2, 0.0, 0.4)}});
   REQUIRE(one.ok());
@@ -110,7 +111,7 @@ TEST_CASE("the time that is asked for is kept, and a speed is a fraction of the 
   CHECK(fast.motion.too_fast->least_time == doctest::Approx(fastest));
 }
 
-TEST_CASE("a curve that cannot be followed says on the way to which place; nothing moves nowhere") {
+TEST_CASE("a curve that cannot be followed names the target; nothing moves nowhere") {
   SplineMove move = through_four(SplineKind::kSpline3);
   move.poses.push_back(moved(2.0, 0.0, 0.0));
   const PathPlan plan = plan_cartesian_spline(kArm, move);

@@ -152,7 +152,7 @@ TEST_CASE("a damping that is not above zero and a goal without orientation are r
   CHECK_THROWS_AS((void)plan_damped_line(kArm, move), ArgumentError);
 }
 
-TEST_CASE("arms with fewer joints follow the place alone; the stretched arm falls short of it") {
+TEST_CASE("arms with fewer joints follow the position alone; the stretched arm falls short of it") {
   const Robot arm = *make_robot("planar2");  // two links of 1 m
   const Eigen::VectorXd q0 = joints({0.2, 0.9});
   LineMove move{

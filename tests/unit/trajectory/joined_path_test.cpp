@@ -30,7 +30,9 @@ double off_line(const Eigen::VectorXd& q, const Eigen::VectorXd& a, const Eigen:
 
 }  // namespace
 
-TEST_CASE("the length of a line of the joints is what the tool travels, or what turns count for") {
+TEST_CASE(
+    "the length of a line of the joints is what the tool travels, or the equivalent of its "
+    "rotation") {
   const Robot arm = *make_robot("planar2");
   Eigen::VectorXd q0(2), q1(2);
   q0 << 0.0, 0.5;
@@ -127,7 +129,7 @@ TEST_CASE("paths with moves of the joints keep their lines, their corners and al
   CHECK(corners >= 80);
 }
 
-TEST_CASE("the tool keeps its speed along moves of the joints, and never stops on the way") {
+TEST_CASE("the tool keeps its speed along moves of the joints, and never stops in between") {
   const Robot robot = *make_robot("ur5");
   Eigen::VectorXd q0(6), q1(6), q2(6);
   q0 << -0.3, -1.3, 1.9, -1.1, -1.5, 0.2;

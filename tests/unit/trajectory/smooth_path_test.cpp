@@ -41,7 +41,7 @@ PathMove random_path_of(const Robot& robot, std::mt19937_64& generator) {
 
 }  // namespace
 
-TEST_CASE("no path of arms with a joint to spare, or of places alone, falls back to jumps") {
+TEST_CASE("no path of arms with a joint to spare, or of positions alone, falls back to jumps") {
   std::mt19937_64 generator(52);
   for (const char* name : {"pa10", "iiwa14", "panda", "scorbot"}) {
     CAPTURE(name);

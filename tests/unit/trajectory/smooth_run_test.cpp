@@ -103,7 +103,7 @@ TEST_CASE("the same path and limits in other units of time and length take the s
   }
 }
 
-TEST_CASE("zones limit what travels, and places are passed at the times that are said") {
+TEST_CASE("zones limit what travels, and positions are passed at the given times") {
   const Trajectory path = straight_line(2.0);
   const std::vector<AxisLimits> limits{{1.0, 2.0, 20.0}};
   const std::vector<SpeedZone> zones{{.from = 0.8, .to = 1.2, .speed = 0.3}};

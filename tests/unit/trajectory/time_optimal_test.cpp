@@ -224,7 +224,7 @@ TEST_CASE("a straight line is run as the trapezoid") {
 
 // Between the positions of a circle the interpolation scheme exceeds the acceleration limits by
 // 1.002 (50 intervals) and less.
-TEST_CASE("a circle keeps its limits between the places, the better the more there are") {
+TEST_CASE("a circle keeps its limits between the positions, the better the more there are") {
   const std::vector<AxisLimits> limits{{10.0, 1.0}, {10.0, 1.0}};
   const Trajectory path = quarter_circle();
   double before = 1e9;

@@ -169,7 +169,7 @@ TEST_CASE("stretching divides speed by the factor and acceleration by its square
   CHECK_THROWS_AS((void)motion.stretched(0.0), ArgumentError);
 }
 
-TEST_CASE("a motion without joints lasts as long as it is told") {
+TEST_CASE("a motion without joints lasts as long as it is declared") {
   const Trajectory nothing({}, 2.0);
   CHECK(nothing.n() == 0);
   CHECK(nothing.duration() == 2.0);

@@ -39,7 +39,7 @@ TEST_CASE("both detectors find the corners of a rectangle, and only these") {
   CHECK(find_corners(Image(50, 40, PixelKind::kGrey)).rows() == 0);
 }
 
-TEST_CASE("corners around places are those of the whole picture that are there") {
+TEST_CASE("corners around positions are those of the whole picture that are there") {
   const Image image = with_rectangle(40, 30, 120, 90);
   const PlanePoints all = find_corners(image);
   for (Eigen::Index i = 0; i < all.rows(); ++i) {

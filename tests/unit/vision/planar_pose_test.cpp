@@ -149,7 +149,8 @@ TEST_CASE("with noise the pose is as good as the published method") {
   }
 }
 
-TEST_CASE("a small marker far away is told to be ambiguous, and the other pose is the mirror one") {
+TEST_CASE(
+    "a small marker far away is reported as ambiguous, and the other pose is the mirror one") {
   Isometry3d truth = Isometry3d::Identity();
   truth.translation() = Vector3d(0, 0, 3.0);
   truth.linear() = rot_x(kPi + 0.5);

@@ -107,7 +107,7 @@ TEST_CASE("the interaction matrix is the derivative of the points") {
 }
 
 // Closed forms of the twist for a rotation about the optical axis over a symmetric target.
-TEST_CASE("a turn about the optical axis has the known twist under each law") {
+TEST_CASE("a rotation about the optical axis has the known twist under each law") {
   const double gain = 0.7, Z = 0.5;
   for (const double turn : {0.1, 0.5, 1.0, 2.0, 2.8}) {
     CAPTURE(turn);
@@ -125,7 +125,7 @@ TEST_CASE("a turn about the optical axis has the known twist under each law") {
   }
 }
 
-TEST_CASE("turns of 150, 179 and 180 degrees end as they are known to under each law") {
+TEST_CASE("rotations of 150, 179 and 180 degrees end as they are known to under each law") {
   const double degree = kPi / 180;
   const Run current = run_from_turn(ImageLaw::kCurrent, 150 * degree);
   CHECK(current.error < 1e-6);
@@ -168,7 +168,7 @@ TEST_CASE("image-based laws converge from moderate displacements, as fast as the
   }
 }
 
-TEST_CASE("the position-based law moves the camera straight and turns it about a fixed axis") {
+TEST_CASE("the position-based law moves the camera straight and rotates it about a fixed axis") {
   Random random(3);
   for (int trial = 0; trial < 100; ++trial) {
     const auto part = [&](double most) {
@@ -193,7 +193,8 @@ TEST_CASE("the position-based law moves the camera straight and turns it about a
   }
 }
 
-TEST_CASE("the hybrid law takes its point straight through the image and the camera to its place") {
+TEST_CASE(
+    "the hybrid law takes its point straight through the image and the camera to its position") {
   Random random(5);
   const Vector3d P(0.05, -0.03, 0.0);  // of the world; the camera is wanted 0.5 m above
   const Isometry3d wanted = above(0.5, 0.0);
@@ -238,7 +239,7 @@ TEST_CASE("joint speeds give the camera the twist that the Jacobian says") {
   }
 }
 
-TEST_CASE("what a motion cannot reach is told") {
+TEST_CASE("what a motion cannot reach is reported") {
   // Two points: of their four numbers a camera that only slides sideways moves two.
   const PlanePoints two = (PlanePoints(2, 2) << 0.1, 0.2, -0.3, 0.1).finished();
   const Eigen::MatrixXd L = point_interaction(two, Eigen::VectorXd::Constant(1, 0.5)).leftCols(2);
@@ -258,7 +259,7 @@ TEST_CASE("what a motion cannot reach is told") {
   CHECK(still.condition == std::numeric_limits<double>::infinity());
 }
 
-TEST_CASE("a null motion leaves the error alone and is the nearest to what is wished") {
+TEST_CASE("a null motion leaves the error alone and is the nearest to the requested one") {
   Random random(19);
   const auto any = [&] { return random.uniform(-1, 1); };
   for (int trial = 0; trial < 50; ++trial) {

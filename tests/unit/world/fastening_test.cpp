@@ -73,7 +73,7 @@ TEST_CASE("a thing falls until the first of its parts rests") {
   CHECK(world.at("hook").T_world_obj.translation().z() == doctest::Approx(0.02));
 }
 
-TEST_CASE("a hand takes off what is fastened; what is fixed stays on when it is put elsewhere") {
+TEST_CASE("a gripper takes off what is fastened; what is fixed stays on when it is put elsewhere") {
   World world(0.0);
   world.insert(body("tray", {0.0, 0.0, 0.02}));
   world.insert(body("loose", {0.0, 0.0, 0.06}));

@@ -53,7 +53,7 @@ Vector3d some(Random& random, double least, double most) {
 
 }  // namespace
 
-TEST_CASE("of boxes dropped at random places all rest, and stacks are what a search finds") {
+TEST_CASE("of boxes dropped at random positions all rest, and stacks are what a search finds") {
   Random random(31);
   for (int round = 0; round < 12; ++round) {
     World world(0.0);

@@ -153,7 +153,7 @@ TEST_CASE("a long body can be taken along its longest side, a rod up to its radi
   CHECK(grasp_distance(rod, {0.4, 0.1, 0.239}) == doctest::Approx(0.001));
 }
 
-TEST_CASE("from above a hand takes the upper end of what stands and the middle of what lies") {
+TEST_CASE("from above a gripper takes the upper end of what stands and the middle of what lies") {
   using Eigen::Vector3d;
   Object rod{.name = "r", .shape = Cylinder{0.015, 0.240}};
   rod.T_world_obj.translation() = Vector3d(0.4, 0.1, 0.12);

@@ -66,7 +66,7 @@ TEST_CASE("a pose that is not one is refused and rounding is cleaned") {
   CHECK_THROWS_AS(world.set_pose("cube", T), ArgumentError);
 }
 
-TEST_CASE("a carried body has the same pose in the hand after a million steps, bit by bit") {
+TEST_CASE("a carried body has the same pose in the gripper after a million steps, bit by bit") {
   World world;
   world.insert(at("cube", kCube, 0.3, 0.1, 0.2));
   const Eigen::Isometry3d T_start = pose_from_rpy({0.3, 0.1, 0.25}, {3.0, 0.2, 0.4});
@@ -146,7 +146,7 @@ TEST_CASE("sides that touch do not hold") {
   CHECK(world.drop("ball").support == "table");
 }
 
-TEST_CASE("turned rectangles and discs overlap only where they really do") {
+TEST_CASE("rotated rectangles and discs overlap only where they really do") {
   World world = table_world();
   Object turned = at("turned", kCube, 0.0, 0.0, 0.24);
   turned.T_world_obj.linear() = Eigen::AngleAxisd(M_PI / 4, Eigen::Vector3d::UnitZ()).matrix();

@@ -193,7 +193,7 @@ TEST_CASE("a camera with a rate has one picture at an instant, whoever asks for 
   CHECK(cell.cameras().taken(plain) == 2);
 }
 
-TEST_CASE("a given picture takes the place of the drawn one if it fits") {
+TEST_CASE("a given picture replaces the drawn one if it fits") {
   Looking looking;
   auto& [album, cell, eye, T] = looking;
   Image given(24, 16, PixelKind::kRgb);

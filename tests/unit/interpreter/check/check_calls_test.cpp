@@ -36,7 +36,7 @@ TEST_CASE("x.f(a) means f(x, a)") {
   CHECK(type_of("(2).nothing()") == "E0201");
 }
 
-TEST_CASE("lambdas take their parameter types from the function they are handed to") {
+TEST_CASE("lambdas take their parameter types from the function they are passed to") {
   CHECK(type_of("map([1, 2], fn(x) => x * 1mm)") == "length[]");
   CHECK(type_of("[1, 2].map(fn(x) => \"a\" + x)") == "string[]");
   CHECK(type_of("solve(fn(x) => x ^ 2 - 2, 0, 2)") == "double");
@@ -74,7 +74,7 @@ TEST_CASE("a mistake in a generic function names the line inside and the call") 
   CHECK(checked->messages[0].related[0].label == "called here with an int");
 }
 
-TEST_CASE("recursion needs a written result only where nothing else tells it") {
+TEST_CASE("recursion needs a written result only where nothing else determines it") {
   CHECK(type_of("fact(5)", "fn fact(n: int) -> int => n < 2 ? 1 : n * fact(n - 1)") == "int");
   CHECK(check_text("fn fact(n) => n < 2 ? 1 : n * fact(n - 1)\nprint(fact(3))")->codes() ==
         "E0324");
@@ -107,7 +107,7 @@ TEST_CASE("rules see facts, constants and where a list was written") {
   CHECK(check_text("double[] q = {1, 2, 3};\nq[0] = 2;\nposJ p = new posJ(q);\nmoveJ(p)")->ok);
 }
 
-TEST_CASE("a block declaration hands its fields and rows to the type") {
+TEST_CASE("a block declaration passes its fields and rows to the type") {
   CHECK(check_text("robot arm { joint revolute(a: 1m, limits: [-1deg, 1deg]); base: xyz() "
                    "}\nprint(arm.force())")
             ->ok);

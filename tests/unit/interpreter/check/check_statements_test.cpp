@@ -26,7 +26,7 @@ TEST_CASE("fixed names, parameters and loop variables cannot be changed") {
           ->ok);
 }
 
-TEST_CASE("elements, fields and nested places can be assigned") {
+TEST_CASE("elements, fields and nested targets can be assigned") {
   CHECK(check_text("struct P { a: int[] }\nvar p = P(a: [1])\np.a[0] = 2\np.a[0] += 3\np.a[0]++")
             ->ok);
   CHECK(check_text("int a, b;\na = b = 0;\nprint(a, b)")->ok);
@@ -39,7 +39,7 @@ TEST_CASE("elements, fields and nested places can be assigned") {
   CHECK(check_text("struct P { a: int }\nvar p = P(a: 1)\np.b = 2")->codes() == "E0208");
 }
 
-TEST_CASE("a variable has a value on every way to its use") {
+TEST_CASE("a variable has a value on every path to its use") {
   CHECK(check_text("double x;\nprint(x)")->codes() == "E0211");
   CHECK(check_text("double x;\nif (random() < 0.5) { x = 1 }\nprint(x)")->codes() == "E0211");
   CHECK(check_text("double x;\nif (random() < 0.5) { x = 1 } else { x = 2 }\nprint(x)")->ok);
@@ -51,7 +51,7 @@ TEST_CASE("a variable has a value on every way to its use") {
   CHECK(check_text("double x;\nswitch (3) { case 1: x = 1; default: x = 2 }\nprint(x)")->ok);
 }
 
-TEST_CASE("a function that promises a result returns one on every way") {
+TEST_CASE("a function that promises a result returns one on every path") {
   CHECK(check_text("fn f(i: int) -> int { if (i > 0) return i }")->codes() == "E0306");
   CHECK(check_text("fn f(i: int) -> int { if (i > 0) return i else throw error(\"no\") }")->ok);
   CHECK(check_text("fn f(i: int) -> int { while (true) { print(i) } }")->ok);

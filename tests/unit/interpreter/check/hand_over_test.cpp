@@ -46,7 +46,7 @@ TEST_CASE("h = put(h, x) changes the list itself") {
                               "for (i in range(20000)) { old = h\n h = put(h, i) }"));
 }
 
-TEST_CASE("what a function passes on is handed over too") {
+TEST_CASE("what a function passes on is moved too") {
   CHECK(is_quick(kPut + "fn two(h: int[], x: int) -> int[] { return put(put(h, x), x) }\n"
                         "var h: int[] = []\nfor (i in range(10000)) { h = two(h, i) }"));
   CHECK(

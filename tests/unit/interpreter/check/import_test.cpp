@@ -83,7 +83,7 @@ TEST_CASE("the robot of a program and the names of its files do not mix") {
   CHECK(run(compile(files)) == "E0201 ");
 }
 
-TEST_CASE("a name that a file with mistakes may have declared is not told of") {
+TEST_CASE("a name that a file with mistakes may have declared is not reported") {
   const Files files = {{"main.rbt", "import \"a.rbt\"\nprint(a.x, a.y)\nlet z: a.T = a.x"},
                        {"a.rbt", "let x = \nlet q = 3"}};
   const Compilation result = compile(files);
@@ -91,7 +91,7 @@ TEST_CASE("a name that a file with mistakes may have declared is not told of") {
   CHECK(result.diagnostics[0].mark.span.source == 1);
 }
 
-TEST_CASE("an import that failed is told of once") {
+TEST_CASE("an import that failed is reported once") {
   const Files files = {{"main.rbt",
                         "import \"aa.rbt\"\nprint(aa.x, aa.f(2))\nlet z: aa.T = aa.x\n"
                         "aa.T w { n: 2 }\nprint(z.n + w.n)"},

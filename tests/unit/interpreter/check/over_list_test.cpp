@@ -143,7 +143,7 @@ TEST_CASE("lists of different length are not zipped") {
   CHECK(failed.result.error->code == "R0613");
 }
 
-TEST_CASE("what is not a number has no place in an order") {
+TEST_CASE("what is not a number has no order") {
   const ScriptRun failed = run("print([1.0, 2.0].sort(by: fn(x) => 0.0 / 0.0))", true);
   REQUIRE(failed.result.error.has_value());
   CHECK(failed.result.error->code == "R0612");

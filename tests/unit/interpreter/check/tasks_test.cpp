@@ -157,7 +157,7 @@ TEST_CASE("messages name the task") {
                     "wait until xs[i] > 1 }")) == "branch 2 of parallel on line 3");
 }
 
-TEST_CASE("editors are told the task too") {
+TEST_CASE("editors get the task too") {
   const std::string text = "parallel {\n{ wait(1s); throw error(\"x\") }\n}";
   const Outcome outcome = run(text);
   REQUIRE(outcome.error);
@@ -232,7 +232,7 @@ TEST_CASE("a task that waits for ever while it cleans up does not hold the other
   CHECK(outcome.output == "a\nstop\n");
 }
 
-TEST_CASE("skipped beats are told once, at the end, for each `every`") {
+TEST_CASE("skipped beats are reported once, at the end, for each `every`") {
   const Outcome outcome =
       run("fn f() { every (1s) { wait(1.5s) }\nwait(4s) }\nf()\nf()\n"
           "{ every (1s) { }\nwait(5s) }");

@@ -44,7 +44,7 @@ TEST_CASE("subtracting a multiple of a row is one instruction in a loop of its o
   same(kEliminate + rows + "m[1] = m[0]\nlet old = m\nm = eliminate(m, 1, 0, 0)\nprint(m, old)");
 }
 
-TEST_CASE("a missing row is told of where it is needed, if it is") {
+TEST_CASE("a missing row is reported where it is needed, if it is") {
   const std::string rows = "let d = [[1, 2, 3], [4, 500, 6], [7, 8, 9]]\n";
   for (const char* call : {"0, 9, 2", "0, 9, 3", "1, 9, 1", "1, 9, 2", "9, 0, 1", "9, 0, 0",
                            "1, 0, 2", "1, 1, 3", "-1, 2, 3"}) {

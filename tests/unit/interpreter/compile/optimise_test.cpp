@@ -185,7 +185,7 @@ TEST_CASE("switch takes one case") {
          "2\n3\n");
 }
 
-TEST_CASE("finally runs on every way out") {
+TEST_CASE("finally runs on every exit") {
   prints(
       "fn f(n: int) -> int { for (i in range(3)) { try { if (n == 0) { continue }\n if (n == 1) { "
       "break }\n if (n == 2) { return i } }"

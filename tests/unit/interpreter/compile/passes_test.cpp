@@ -75,7 +75,7 @@ TEST_CASE("a row is looked up in every pass when something in the loop could cha
   }
 }
 
-TEST_CASE("fields of one element share the way to it") {
+TEST_CASE("fields of one element share the access to it") {
   const std::string code = listing(kFar);
   CHECK(count(code, "FLD") == 2);
   CHECK(count(code, "ADDF_W") == 1);

@@ -21,7 +21,7 @@ TEST_CASE("only codes that start with W are advice") {
   CHECK(make_diagnostic("R0613", {}, {"2 and 3"}).severity == Severity::kError);
 }
 
-TEST_CASE("a wrong number of arguments does not compile, and is told for rows of the run") {
+TEST_CASE("a wrong number of arguments does not compile, and is reported for rows of the run") {
   static_assert(std::is_constructible_v<Headline, MessageCode<1>, const std::string(&)[1]>);
   static_assert(!std::is_constructible_v<Headline, MessageCode<1>, const std::string(&)[2]>);
   static_assert(!std::is_constructible_v<Headline, MessageCode<1>>);
@@ -43,7 +43,7 @@ TEST_CASE("a statement reports its first error only") {
   CHECK(sink.all().size() == 3);
 }
 
-TEST_CASE("the same mistake at the same place is told once") {
+TEST_CASE("the same mistake at the same position is reported once") {
   DiagnosticSink sink;
   CHECK(sink.report(make_diagnostic("E0401", {1, 2})));
   sink.begin_statement();

@@ -39,14 +39,14 @@ TEST_CASE("an open round bracket inside a block does not blame the block") {
   CHECK(checked("if (a { b() }\nc()\n") == "E0110 1:4 | add `)` at the end of line 1");
 }
 
-TEST_CASE("the indentation tells which block is open") {
+TEST_CASE("the indentation shows which block is open") {
   CHECK(checked("for (i in range(3)) {\n    a()\nb()\n") == "E0111 1:21 | add `}` before line 3");
   CHECK(checked("fn f() {\n    if (a) {\n        x()\n}\nfn g() {\n    y()\n}\n") ==
         "E0111 2:12 | add `}` before line 4");
   CHECK(checked("fn f() {\n    a()\n") == "E0111 1:8 | add `}` at the end of the program");
 }
 
-TEST_CASE("a bracket too many is found, by its indentation if that tells") {
+TEST_CASE("a bracket too many is found, by its indentation if that shows it") {
   CHECK(checked("print(1))\n") == "E0131 1:9 | delete it");
   CHECK(checked("fn f() {\n    if (a) {\n        x()\n    }\n    }\n    y()\n}\n") ==
         "E0131 5:5 | delete it");

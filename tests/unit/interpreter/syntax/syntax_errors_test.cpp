@@ -202,7 +202,7 @@ TEST_CASE("words of other languages are translated") {
   CHECK(brief("moveJ(p, time=2s)") == "E0130 `=` write time: 2s");
 }
 
-TEST_CASE("the left side of an assignment is a place, and named values come last") {
+TEST_CASE("the left side of an assignment is a target, and named values come last") {
   CHECK(brief("joints() = 3") == "E0328 `joints()`");
   CHECK(brief("3 += 2; f()++; a[0].b = 1; a[1:2] = b") == "E0328 `3`; E0328 `f()`");
   CHECK(brief("moveJ(a: 1, b)") == "E0326 `b`");

@@ -209,7 +209,7 @@ std::string refusal(const std::string& signature) {
   return "";
 }
 
-TEST_CASE("every difference between a signature and the types of C++ is told") {
+TEST_CASE("every difference between a signature and the types of C++ is reported") {
   const auto has = [](const std::string& text, std::string_view part) {
     CAPTURE(text);
     return text.find(part) != std::string::npos;

@@ -111,7 +111,7 @@ TEST_CASE("a type of C++ is declared in one expression, with fields, methods and
   CHECK(printed("print(Grip(0mm - 1mm))") == "too narrow");
 }
 
-TEST_CASE("programs that misuse a declared type are told") {
+TEST_CASE("programs that misuse a declared type get messages") {
   const Engine engine = engine_with_types();
   const auto has = [&](const std::string& text, std::string_view part) {
     const std::string told = printed_by(engine, text);
@@ -151,7 +151,7 @@ std::string refusal(const TypeDefinition& definition) {
   return "";
 }
 
-TEST_CASE("every mistake of a declaration is told, and nothing of it is kept") {
+TEST_CASE("every mistake of a declaration is reported, and nothing of it is kept") {
   const auto has = [](const std::string& text, std::string_view part) {
     CAPTURE(text);
     return text.find(part) != std::string::npos;

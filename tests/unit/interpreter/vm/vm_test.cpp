@@ -71,7 +71,7 @@ TEST_CASE("an index outside says what it is and how long the list is") {
   CHECK(outcome.error->fix->text == "the last index of a list of 4 is 3: for (i in range(4))");
 }
 
-TEST_CASE("the index at fault is told in a list of lists") {
+TEST_CASE("the index at fault is reported in a list of lists") {
   const std::string text =
       "let A = [[1.0, 2.0], [3.0]]\nvar k = 1\nvar m = 2\nprint(A[0][k] + A[1][k])";
   const Outcome inner = run(text);
@@ -94,7 +94,7 @@ TEST_CASE("arithmetic that has no result fails") {
   CHECK(root.error->fix->text == "use sqrt(abs(x))");
 }
 
-TEST_CASE("calls without end name the function and its way") {
+TEST_CASE("calls without end name the function and its calls") {
   const Outcome outcome = run("fn f(n: int) -> int {\n  return f(n + 1) + 1\n}\nprint(f(0))");
   CHECK(outcome.code() == "R0624");
   CHECK(outcome.message() == "calls are nested more than 10000 deep: `f` calls itself");
@@ -109,14 +109,14 @@ TEST_CASE("10000 nested calls are allowed, one more is not") {
   CHECK(run(text + "print(f(10001))").code() == "R0624");
 }
 
-TEST_CASE("caught errors tell what happened and where") {
+TEST_CASE("caught errors say what happened and where") {
   CHECK(output_of("let xs = [1]\ntry {\n  print(xs[3])\n} catch (e) {\n  print(e.kind, e.line, "
                   "e.message)\n}") == "IndexError 3 list index 3 is outside 0 to 0\n");
   CHECK(output_of("try { throw error(\"no\", kind: \"own\") } catch (e) { print(e.kind, e.message, "
                   "e.line) }") == "own no 1\n");
 }
 
-TEST_CASE("an error that nobody catches keeps its place, thrown again or not") {
+TEST_CASE("an error that nobody catches keeps its line, thrown again or not") {
   const std::string text =
       "fn f() {\n  throw error(\"empty\", kind: \"own\")\n}\ntry {\n  f()\n} catch (e) {\n  throw "
       "e\n}";
@@ -128,7 +128,7 @@ TEST_CASE("an error that nobody catches keeps its place, thrown again or not") {
   CHECK(run("throw error(\"x\", kind: \"Timeout\")").code() == "R0607");
 }
 
-TEST_CASE("finally runs on every way out") {
+TEST_CASE("finally runs on every exit") {
   CHECK(output_of("fn f() -> int {\n  try { return 1 } finally { print(\"f\") }\n}\nprint(f())") ==
         "f\n1\n");
   const Outcome outcome = run("try {\n  throw error(\"a\")\n} finally { print(\"end\") }");
@@ -172,7 +172,7 @@ TEST_CASE("a failure of the library is marked where the value was written") {
   CHECK(outcome.error->when->resource == "arm");
 }
 
-TEST_CASE("failures inside functions that the library calls are told from the inside") {
+TEST_CASE("failures inside functions that the library calls are reported from the inside") {
   const std::string text = "print(map([1.0, 0.0], fn(x: double) => [1.0][int(x)]))";
   const Outcome outcome = run(text);
   CHECK(outcome.code() == "R0606");
@@ -310,7 +310,7 @@ TEST_CASE("a failing condition stops the motion and fails in its task") {
   CHECK(output_of(text) == "IndexError 0 s\n");
 }
 
-TEST_CASE("a program that waits for ever is told so") {
+TEST_CASE("a program that waits for ever gets a message") {
   const Outcome outcome = run("wait until false");
   CHECK(outcome.code() == "R0621");
   CHECK(outcome.error->why == "the program waits for `false`");

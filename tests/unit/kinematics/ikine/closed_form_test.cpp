@@ -185,7 +185,7 @@ TEST_CASE("arms without such a structure have no closed form") {
   CHECK(closed.solve(Eigen::Isometry3d::Identity(), skew.home(), solutions) == 0);
 }
 
-TEST_CASE("a wrist on its way into the singularity keeps its pose") {
+TEST_CASE("a wrist on a path into the singularity keeps its pose") {
   const auto puma = make_robot("puma560");
   const ClosedForm& closed = closed_form(*puma);
   ClosedSolutions solutions;

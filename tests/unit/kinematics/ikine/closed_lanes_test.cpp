@@ -99,7 +99,7 @@ TEST_CASE("closed forms in lanes have the same bits on every instruction set of 
   }
 }
 
-TEST_CASE("the lanes find the ways that the functions with branches find, and no others") {
+TEST_CASE("the lanes find the solutions that the functions with branches find, and no others") {
   for (const Robot& arm : arms()) {
     const ClosedForm& closed = closed_form(arm);
     const CanonicalRows rows = canonical_rows(arm.chain(), false);
@@ -136,7 +136,7 @@ TEST_CASE("the lanes find the ways that the functions with branches find, and no
   }
 }
 
-TEST_CASE("borders between ways are left to the functions with branches") {
+TEST_CASE("borders between solutions are left to the functions with branches") {
   const auto puma = make_robot("puma560");
   const auto form = LaneForm::make(closed_form(*puma).kind(), canonical_rows(puma->chain(), false),
                                    puma->chain());

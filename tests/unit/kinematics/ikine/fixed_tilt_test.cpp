@@ -104,7 +104,7 @@ TEST_CASE("the tilt that no joint changes is that of every pose, and no other ar
   }
 }
 
-TEST_CASE("an upright frame asks a tool that points down for its place and its turn") {
+TEST_CASE("an upright frame asks a tool that points down for its position and its rotation") {
   for (const Robot& robot : {*make_robot("scara"), gantry()}) {
     REQUIRE(fixed_tilt(robot));
     const VectorXd q = VectorXd::Constant(4, 0.1);

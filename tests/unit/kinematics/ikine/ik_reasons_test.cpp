@@ -60,7 +60,8 @@ TEST_CASE("whatever the goal and the seed are there is an answer, and a yes is t
   }
 }
 
-TEST_CASE("a place beyond the reach is refused with the true distance and the nearest place") {
+TEST_CASE(
+    "a position beyond the reach is refused with the true distance and the nearest position") {
   // Lengths by hand: how far the tool point gets from a fixed point, whatever its orientation.
   struct Case {
     std::string_view arm;
@@ -86,7 +87,7 @@ TEST_CASE("a place beyond the reach is refused with the true distance and the ne
   }
 }
 
-TEST_CASE("of no arm does any configuration come nearer than the nearest place that is named") {
+TEST_CASE("of no arm does any configuration come nearer than the nearest position that is named") {
   Random random(2);
   for (const std::string_view name : catalog_names()) {
     CAPTURE(name);

@@ -140,7 +140,7 @@ TEST_CASE("all branches are listed, with limits only those within") {
   }
 }
 
-TEST_CASE("a result names its formula, its branch and the way left to each limit") {
+TEST_CASE("a result names its formula, its branch and the distance to each limit") {
   const Robot robot = *make_robot("puma560");
   // The wrist in front of the shoulder, the elbow above the line from shoulder to wrist.
   const VectorXd q = joints({0.1, kPi / 4, -kPi / 2, 0.2, 0.5, 0.3});
@@ -363,7 +363,7 @@ TEST_CASE("a question that cannot be asked is answered by a status") {
   CHECK(to_text(IkStatus::kOrientationUnreachable) == "orientation unreachable");
 }
 
-TEST_CASE("the place and turn of a SCARA need no tilt in the goal") {
+TEST_CASE("the position and rotation of a SCARA need no tilt in the goal") {
   const Robot scara = *make_robot("scara");
   Random random(8);
   for (int k = 0; k < 200; ++k) {
@@ -378,7 +378,7 @@ TEST_CASE("the place and turn of a SCARA need no tilt in the goal") {
   }
 }
 
-TEST_CASE("a place keeps the orientation where the arm can") {
+TEST_CASE("a position keeps the orientation where the arm can") {
   for (const char* name : {"scara", "puma560", "pa10", "ur5"}) {
     CAPTURE(name);
     const Robot robot = *make_robot(name);
@@ -391,7 +391,7 @@ TEST_CASE("a place keeps the orientation where the arm can") {
   }
 }
 
-TEST_CASE("a place turns the tool as little as possible where the arm must turn it") {
+TEST_CASE("a position rotates the tool as little as possible where the arm must rotate it") {
   const Robot scorbot = *make_robot("scorbot");
   const Isometry3d start = forward(scorbot, scorbot.home());
   // A step sideways rotates the tool with the base of the arm: by atan(50 / 180 mm) about z, of

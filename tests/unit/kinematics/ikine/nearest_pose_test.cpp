@@ -120,7 +120,7 @@ TEST_CASE("the nearest pose of a failure is the nearest in place of all branches
   }
 }
 
-TEST_CASE("of the orientations at the nearest place the nearest is taken") {
+TEST_CASE("of the orientations at the nearest position the nearest is taken") {
   // Beyond the reach of the arm only its wrist can rotate: the goal's own orientation is left.
   const Robot robot = *make_robot("puma560");
   Random random(56);

@@ -87,7 +87,7 @@ void check_followed(const Robot& robot, int joint, std::optional<int> zero, IkMe
 
 }  // namespace
 
-TEST_CASE("two joints about one line share their angle so that neither turns far") {
+TEST_CASE("two joints about one line share their angle so that neither rotates far") {
   Random random(53);
   for (const char* name : {"puma560", "irb120", "stanford", "pa10_6"}) {
     CAPTURE(name);
@@ -253,7 +253,7 @@ TEST_CASE("every curve of solutions is found") {
         doctest::Approx(change("pa10", IkMethod::kAuto, pa10, from_pa10)).epsilon(4e-7));
 }
 
-TEST_CASE("a joint on its limit that was turned and turned back is not beyond it") {
+TEST_CASE("a joint on its limit that was rotated and rotated back is not beyond it") {
   const Robot robot = *make_robot("puma560");
   VectorXd q(6), seed(6);
   q << robot.upper()[0], 1.5933786453329803, 0.64724057344995423, -2.7624455915188948, 0.0,

@@ -65,7 +65,7 @@ double distance(const VectorXd& a, const VectorXd& b) {
 
 }  // namespace
 
-TEST_CASE("every pose of an arm of one to four turning joints gives back its joints") {
+TEST_CASE("every pose of an arm of one to four revolute joints gives back its joints") {
   Random random(1);
   for (int n = 1; n <= 4; ++n) {
     CAPTURE(n);
@@ -110,7 +110,7 @@ TEST_CASE("planar2 and arms of its kind: both elbows, and the reason when there 
   CHECK(far.diagnosis.gap.miss == doctest::Approx(1.0));
 }
 
-TEST_CASE("a place is reached by four ways at most, and every one is listed") {
+TEST_CASE("a position is reached by four solutions at most, and every one is listed") {
   // Against a dense search: values of joint 3 where the remaining equation changes its sign.
   Random random(2);
   int most = 0;
@@ -155,7 +155,7 @@ TEST_CASE("where joints are left over there is no closed form, and none is claim
   }
 }
 
-TEST_CASE("a wrist of three joints turns its tool by formula") {
+TEST_CASE("a wrist of three joints rotates its tool by a closed form") {
   RobotSpec spec;
   for (const double alpha : {1.1, -0.9, 0.0}) {
     Joint joint;

@@ -27,7 +27,7 @@ double rotated_by(const Robot& robot, const VectorXd& q, const VectorXd& seed) {
 
 }  // namespace
 
-TEST_CASE("an arm that only reaches places gets there by formula, turning its tool least") {
+TEST_CASE("an arm that only reaches positions has a closed form, rotating its tool least") {
   Random random(1);
   for (const std::string_view name : {"anthropomorphic", "planar2"}) {
     CAPTURE(name);
@@ -51,7 +51,8 @@ TEST_CASE("an arm that only reaches places gets there by formula, turning its to
   }
 }
 
-TEST_CASE("all ways to a place: four of an elbow arm, as many as its pose has of a Scorbot") {
+TEST_CASE(
+    "all solutions for a position: four of an elbow arm, as many as its pose has of a Scorbot") {
   const Robot elbow = *make_robot("anthropomorphic");
   const Isometry3d goal = make_translation({0.4, 0.2, 0.5});
   IkOptions options{.seed = elbow.home(), .task = IkTask::kPositionFirst, .respect_limits = false};
@@ -75,7 +76,7 @@ TEST_CASE("all ways to a place: four of an elbow arm, as many as its pose has of
   }
 }
 
-TEST_CASE("a place out of reach is known to be so without iterations, and the reason is given") {
+TEST_CASE("a position out of reach is known to be so without iterations, and the reason is given") {
   const Robot elbow = *make_robot("anthropomorphic");
   const IkResult ik =
       solve_ik(elbow, make_translation({0.9, 0.0, 0.4}), {.task = IkTask::kPositionFirst});
@@ -84,7 +85,7 @@ TEST_CASE("a place out of reach is known to be so without iterations, and the re
   CHECK(ik.diagnosis.distance == doctest::Approx(0.1).epsilon(1e-6));
 }
 
-TEST_CASE("the pose with the closest orientation is exactly at the place") {
+TEST_CASE("the pose with the closest orientation is exactly at the position") {
   Random random(2);
   int count = 0;
   for (const std::string_view name : {"scorbot", "puma560", "ur5"}) {

@@ -184,7 +184,7 @@ TEST_CASE("a pose that an arm of special lengths takes with special joints is al
   }
 }
 
-TEST_CASE("arms of one to twelve joints, turning and sliding, find the poses that they take") {
+TEST_CASE("arms of one to twelve joints, revolute and prismatic, find the poses that they take") {
   for (int n = 1; n <= kMaxJoints; ++n) {
     CAPTURE(n);
     Random random(static_cast<std::uint64_t>(n));

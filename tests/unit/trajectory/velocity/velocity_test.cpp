@@ -65,7 +65,7 @@ TEST_CASE("commands follow one another without a step, whatever their speeds") {
   CHECK(planned > 500);
 }
 
-TEST_CASE("the hand moves with the velocity asked for while the joints turn") {
+TEST_CASE("the tool moves with the requested velocity while the joints rotate") {
   const Robot robot = *make_robot("puma560");
   const Eigen::VectorXd q = (Eigen::VectorXd(6) << 0.1, 0.8, 0.3, 0.2, 0.7, 0.1).finished();
   const VelocityStart start{.q = q, .qd = Eigen::VectorXd::Zero(6), .during = 0.8};
@@ -80,7 +80,7 @@ TEST_CASE("the hand moves with the velocity asked for while the joints turn") {
   }
 }
 
-TEST_CASE("velocities of the hand follow one another without a jump of an acceleration") {
+TEST_CASE("velocities of the tool follow one another without a jump of an acceleration") {
   const Robot robot = *make_robot("puma560");
   const Eigen::VectorXd q = (Eigen::VectorXd(6) << 0.1, 0.8, 0.3, 0.2, 0.7, 0.1).finished();
   std::mt19937_64 random(11);
