@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "armlet/math/det_math.hpp"
+
 namespace armlet {
 
 using Eigen::MatrixXd;
@@ -45,8 +47,19 @@ MatrixXd triangle_of(const MatrixXd& A) {
   return R;
 }
 
-Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& way) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), way).toRotationMatrix();
+Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& along) {
+  const Eigen::Vector3d n = along.normalized();
+  if (n.z() > -0.5)
+    return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along).toRotationMatrix();
+  // Near the opposite direction Eigen divides by 1 + n.z(), of which few digits are left.
+  const double across = det::hypot(n.x(), n.y());
+  const double c = across > 0.0 ? n.x() / across : 0.0, s = across > 0.0 ? n.y() / across : 1.0;
+  const double k = 1.0 - n.z();
+  Eigen::Matrix3d R;
+  R << 1.0 - c * c * k, -c * s * k, n.x(),  //
+      -c * s * k, 1.0 - s * s * k, n.y(),   //
+      -n.x(), -n.y(), n.z();
+  return R;
 }
 
 VectorXd direction_across(const MatrixXd& rows) {

@@ -63,8 +63,9 @@ struct SymmetricEigen {
 [[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A);
 [[nodiscard]] double smallest_eigenvalue(const Eigen::MatrixXd& A);
 
-// The shortest rotation that turns the z axis along `way`, which is not zero.
-[[nodiscard]] Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& way);
+// The rotation by the smallest angle after which the z axis has the direction `along`, which is not
+// zero.
+[[nodiscard]] Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& along);
 
 // The direction across all rows, of which there is one fewer than columns: what is left when they
 // are taken out of it one by one, from the right end of a decomposition with pivots.

@@ -9,6 +9,7 @@
 #include "armlet/core/random.hpp"
 #include "armlet/math/angles.hpp"
 #include "armlet/math/pose.hpp"
+#include "math/solvers.hpp"
 
 using namespace armlet;
 using Eigen::Matrix3d;
@@ -191,4 +192,22 @@ TEST_CASE("what has no direction or no meaning is refused") {
   CHECK_THROWS_AS(R_from_euler("ZZX", Vector3d::Zero()), ArgumentError);
   CHECK_THROWS_AS(R_from_euler("XY", Vector3d::Zero()), ArgumentError);
   CHECK_THROWS_AS(euler_from_R("xyz", Matrix3d::Identity()), ArgumentError);
+}
+
+TEST_CASE("the rotation from z to a direction is one, however near the opposite it is") {
+  Random random(31);
+  for (int i = 0; i < 4000; ++i) {
+    Vector3d along = random_direction(random);
+    if (i % 2 == 1) {  // off the z axis by 1 down to 1e-16
+      const double off = std::pow(10.0, -random.uniform(0.0, 16.0));
+      along = {off * along.x(), off * along.y(), i % 4 == 1 ? 1.0 : -1.0};
+    }
+    CAPTURE(along.transpose());
+    const Matrix3d R = rotation_from_z(3.0 * along);
+    CHECK((R.transpose() * R - Matrix3d::Identity()).norm() < 4e-15);
+    CHECK((R.col(2) - along.normalized()).norm() < 2e-15);
+    // About an axis in the plane of x and y, so that no smaller angle does it.
+    CHECK(std::abs(R(0, 1) - R(1, 0)) < 1e-15);
+  }
+  CHECK(rotation_from_z(-Vector3d::UnitZ()) == Matrix3d(Vector3d(1, -1, -1).asDiagonal()));
 }
