@@ -25,14 +25,14 @@ class Cell;
 
 // A camera that is mounted on the world, an object, a frame or a link of a robot.
 //
-// T_on_camera  its frame there: z forward, x right, y down.
+// T_on_camera  pose of the camera in the frame that it is mounted on: z forward, x right, y down.
 // samples      1 or 4 in each pixel.
 // noise        standard deviation of Gaussian noise in colours, grey levels, 0 to 255.
-// blur         standard deviation of a Gaussian bell over the picture, px, 0 to 30.
-// seed         of the noise; each picture has another one.
-// key_light    shades and shadows; else every surface shows its own colour.
-// rate         pictures a second, kLeastRate to kMostRate: one at each multiple of the period. 0:
-//              whenever one is asked for.
+// blur         standard deviation of a Gaussian filter over the picture, px, 0 to 30.
+// seed         of the noise; each picture gets different noise.
+// key_light    true: shading and shadows; false: every surface has its own colour.
+// rate         pictures a second, kLeastRate to kMostRate: one at each multiple of the period. 0: a
+//              picture is taken whenever one is asked for.
 // ground       whether the ground is drawn, at the height of the world's floor or at 0.
 struct Camera {
   std::string name;
@@ -48,9 +48,9 @@ struct Camera {
   double rate = 0.0;
 };
 
-// The cameras of a cell. What is seen are the objects, the robots with their hands and fingers, and
-// the shapes that are only shown, but for texts; see-through ones are seen as solid. Surfaces are
-// made when a camera first looks, and kept.
+// The cameras of a cell. They see the objects, the robots with their grippers, and the shapes that
+// are only shown, except texts; transparent shapes are seen as solid. Surfaces are made when the
+// first picture is taken, and kept.
 class Cameras {
  public:
   static constexpr int kMost = 100;
@@ -59,7 +59,7 @@ class Cameras {
 
   Cameras();
   ~Cameras();
-  // A copy makes its surfaces anew when one of its cameras looks.
+  // A copy does not share surfaces: it makes them when one of its cameras takes a picture.
   Cameras(const Cameras& other);
   Cameras& operator=(const Cameras& other);
   Cameras(Cameras&&) noexcept;
@@ -68,33 +68,33 @@ class Cameras {
   // Adds a camera and returns its number, from 0.
   //
   // throws  ArgumentError for a name that is empty or in use, more than kMost cameras or
-  //         kMostPixels pixels, a setting out of range, and a pose that is none.
+  //         kMostPixels pixels, a setting out of range, and a matrix that is not a pose.
   int add(Camera camera);
   [[nodiscard]] int count() const { return static_cast<int>(cameras_.size()); }
-  // throws  ArgumentError for a number that no camera has; so do all that take one.
+  // throws  ArgumentError if no camera has this number, as do all functions that take one.
   [[nodiscard]] const Camera& at(int camera) const;
 
-  // Where it is now.
+  // The present pose of a camera.
   //
-  // throws  ArgumentError if what it is on was removed.
+  // throws  ArgumentError if what the camera is mounted on was removed.
   [[nodiscard]] Eigen::Isometry3d T_world_camera(const Cell& cell, int camera) const;
-  // Where it would be if the tool point of the arm that carries it were at `tool`; of a camera that
-  // is on no arm, `tool` is the camera's own frame.
+  // The pose that the camera would have if the tool point of the arm that carries it were at
+  // `tool`. For a camera that no arm carries, `tool` is the camera's own frame.
   //
   // throws  ArgumentError for a camera on a link before the flange.
   [[nodiscard]] Eigen::Isometry3d T_world_camera_for(const Cell& cell, int camera,
                                                      const Eigen::Isometry3d& tool) const;
 
-  // Everything that it may see, at this instant.
+  // Everything that the camera may see at this instant.
   [[nodiscard]] Scene scene(const Cell& cell, int camera);
-  // The same for a picture that none of them takes: in the key light, with the ground.
+  // The scene for a picture that no camera of the cell takes: with the key light and the ground.
   [[nodiscard]] Scene scene(const Cell& cell);
 
-  // Looks for pictures here before it draws them, and keeps them; null: it does not. Noise is added
-  // anew.
+  // Before a picture is drawn it is looked for in `kept`, and stored there afterwards; null:
+  // pictures are not kept. Noise is added to each picture afresh.
   void keep_pictures(std::shared_ptr<KeptPictures> kept) { kept_ = std::move(kept); }
-  // How many pictures each camera took, which decides on the noise of the next one. Who only looks
-  // at what a program would see sets it as it was.
+  // Number of pictures that each camera took. It determines the noise of the next picture. Code
+  // that previews what a program would see restores it afterwards with set_taken.
   [[nodiscard]] const std::vector<std::uint64_t>& taken() const { return taken_; }
   // throws  ArgumentError for numbers of more cameras than there are.
   void set_taken(std::vector<std::uint64_t> taken);
@@ -104,28 +104,28 @@ class Cameras {
   // The picture that color would give, which does not count.
   [[nodiscard]] Image preview(const Cell& cell, int camera,
                               const Eigen::Isometry3d& T_world_camera);
-  // An RGB picture instead of that; it counts as one.
+  // Takes a given RGB picture instead of drawing one; it counts as a picture of the camera.
   //
   // throws  ArgumentError if it has another size or kind.
   [[nodiscard]] Image take_given(int camera, Image given);
-  // How many pictures it took, which is the number of the next one.
+  // Number of pictures that the camera took, which is the number of the next one.
   [[nodiscard]] std::uint64_t taken(int camera) const;
-  // The first instant after now at which it takes a picture; now, if it has no rate.
+  // The first instant after now at which the camera takes a picture; now if it has no rate.
   [[nodiscard]] std::int64_t next_frame_ns(int camera, std::int64_t now_ns) const;
-  // The picture that a camera with a rate took at this instant from there, as keep() got it; null:
-  // none.
+  // The picture that a camera with a rate took at this instant from this pose, as keep() stored it;
+  // null: there is none.
   [[nodiscard]] const Image* taken_at(int camera, std::int64_t t_ns,
                                       const Eigen::Isometry3d& T_world_camera) const;
   void keep(int camera, std::int64_t t_ns, const Eigen::Isometry3d& T_world_camera,
             const Image& image);
-  // Depths z in metres; 0 where nothing is seen.
+  // Depths z in metres; 0 where no surface is seen.
   [[nodiscard]] Image depth(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
-  // Row by row, numbers of bodies of `scene`, kGroundBody or kNoBody.
+  // For each pixel, row by row, the number of the body in `scene`, kGroundBody or kNoBody.
   [[nodiscard]] std::vector<std::int32_t> bodies(const Cell& cell, int camera,
                                                  const Eigen::Isometry3d& T_world_camera);
-  // Share of the pixels of an object that is seen, 0 to 1 (Renderer::visible_share).
+  // Share of the pixels of an object that is visible, 0 to 1 (Renderer::visible_share).
   //
-  // throws  ArgumentError for an object that is not there; so does the next.
+  // throws  ArgumentError if there is no such object; the same holds for `corners`.
   [[nodiscard]] double visible_share(const Cell& cell, int camera, std::string_view object);
   // Corners of an object that are in the picture and not hidden.
   [[nodiscard]] std::vector<SeenCorner> corners(const Cell& cell, int camera,
@@ -134,7 +134,7 @@ class Cameras {
  private:
   class Surfaces;
   class Drawer;
-  // Without noise.
+  // The picture before noise is added.
   [[nodiscard]] Image clean(const Cell& cell, int camera, const Eigen::Isometry3d& T_world_camera);
   struct LastTaken {
     std::int64_t t_ns = 0;

@@ -24,9 +24,9 @@
 
 namespace armlet {
 
-// tick_ns           how often conditions are to be evaluated while one is armed.
-// sample_period_ns  how often moving robots are reported to the backend.
-// contact_picking   hands close on objects of the task where a move ends, and open where a later
+// tick_ns           period of evaluating conditions while one is armed.
+// sample_period_ns  period of reporting moving robots to the backend.
+// contact_picking   grippers close on objects of the task where a move ends, and open where a later
 //                   move puts them on a surface.
 struct CellOptions {
   std::int64_t tick_ns = 1'000'000;
@@ -34,8 +34,8 @@ struct CellOptions {
   bool contact_picking = false;
 };
 
-// Functions that take a robot throw ArgumentError for an index that does not exist, functions that
-// take an object's name for one that does not.
+// Functions that take a robot throw ArgumentError for an index that does not exist; functions that
+// take the name of an object throw it if there is no such object.
 class Cell {
  public:
   explicit Cell(World world = World(), CellOptions options = {});
@@ -46,14 +46,15 @@ class Cell {
   void set_pacer(Pacer pacer) { clock_.set_pacer(std::move(pacer)); }
   void set_contact_picking(bool on) { options_.contact_picking = on; }
 
-  // The earliest end of a motion, which may be now; nothing while all robots stand still.
+  // The earliest end of a motion, which may be now; nothing while all robots are at rest.
   [[nodiscard]] std::optional<std::int64_t> next_event() const;
 
   // The next instant after now at which conditions are evaluated: a multiple of the tick.
   [[nodiscard]] std::int64_t next_tick() const;
 
-  // Lets time pass until t_ns: robots move, held objects with them, motions end. An instant may be
-  // given again to end motions that take no time. Cutting a stretch into pieces changes nothing.
+  // Advances time to t_ns: robots move, held objects move with them, motions end. Calling it again
+  // with the same instant ends motions of no duration. The result does not depend on how an
+  // interval is divided into calls.
   void advance_to(std::int64_t t_ns);
 
   // What happened since the last call, in order.
@@ -63,136 +64,144 @@ class Cell {
   // A robot at its home position; returns its index.
   // throws  ArgumentError for a null model or a name in use.
   int add_robot(std::shared_ptr<const Robot> model, std::string name = {});
-  // Mounts a hand with fingers on the flange of an arm, whose tool point goes to between the
-  // fingers; returns the index of the hand, behind which its fingers follow. What it holds, the arm
-  // holds: fingers that press on an object and carry its weight by friction take it where their
-  // motion ends, and let it go where a motion of theirs begins or of the arm ends at which they no
-  // longer would (fingers.hpp).
-  // throws  ArgumentError for an arm that is none, moves, holds something or has such a hand.
+  // Mounts a hand with fingers on the flange of an arm and moves the arm's tool point to between
+  // the fingers. Returns the index of the hand with fingers; its fingers have the indices that
+  // follow. An object that it holds is held by the arm: fingers take an object when their motion
+  // ends, they press on it, and friction carries its weight. They release it when one of their
+  // motions begins, or a motion of the arm ends, and they would no longer carry it (fingers.hpp).
+  // throws  ArgumentError if `arm` is not an arm, moves, holds something or has such a hand
+  //         already.
   int add_hand(int arm, FingeredHand hand);
-  // The hand with fingers that an arm carries; -1: none.
+  // The index of the hand with fingers that an arm carries; -1: none.
   [[nodiscard]] int hand_on(int arm) const;
   [[nodiscard]] int robot_count() const { return static_cast<int>(robots_.size()); }
   [[nodiscard]] const CellRobot& robot(int index) const;
   [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
-  // Exchanges what a robot is, for example its tool point; what it holds stays where it is.
-  // throws  ArgumentError while it moves, but for a motion under forces, whose next piece is
-  //         that of the new model; or if the number of joints differs.
+  // Replaces the model of a robot, for example to change its tool point. A held object keeps its
+  // pose.
+  // throws  ArgumentError while the robot moves, except in a motion under forces, whose next piece
+  //         follows the new model; or if the number of joints differs.
   void set_model(int robot, std::shared_ptr<const Robot> model);
-  // Puts a robot into a position without moving it. Throws ArgumentError while it moves.
+  // Sets the joint values of a robot without a motion. Throws ArgumentError while it moves.
   void set_joints(int robot, const Eigen::VectorXd& q);
 
-  // Of a hand with fingers the tool point is that of the arm, whatever its joints do.
+  // The tool point of a hand with fingers is that of its arm, whatever its own joint values.
   [[nodiscard]] Eigen::Isometry3d T_world_base(int robot) const;
-  // What joint `frame` moves, 0: the base; or kFlange. throws  ArgumentError for another one.
+  // Pose of the link that joint `frame` moves, 0: the base; or of the flange, kFlange.
+  // throws  ArgumentError for another frame.
   [[nodiscard]] Eigen::Isometry3d T_world_link(int robot, int frame) const;
   [[nodiscard]] Eigen::Isometry3d T_world_flange(int robot) const;
   [[nodiscard]] Eigen::Isometry3d T_world_tool(int robot) const;
 
-  // Force and moment about the tool point that the objects exert which the robot presses its hand,
-  // what that carries, or its links into, in world axes; what the hand holds does not count. An
-  // object pushes back with its stiffness times the depth, along the normal at the point of first
-  // touch, and with friction against the sliding. The same for slices of time of any size. Of a
-  // hand with fingers or a finger: what its fingers press with, without friction.
+  // Force and moment about the tool point, in world axes, that objects exert on the robot's
+  // gripper, on what the gripper carries, and on the links. Forces of the held object on its
+  // gripper do not count. An object exerts its stiffness times the depth, along the normal at the
+  // point of first contact, and friction against the sliding. The result does not depend on how
+  // time is divided into slices. For a hand with fingers or a finger: the contact forces of its
+  // fingers, without friction.
   [[nodiscard]] Vector6d contact_wrench(int robot) const;
-  // The parts of which it is made, but for those of a hand with fingers (finger_contacts).
+  // The contacts that make up contact_wrench; those of a hand with fingers are in finger_contacts.
   [[nodiscard]] std::vector<Press> presses(int robot) const;
-  // What they exert on the joints: the sum of J' w over the bodies that are pressed, each with the
-  // joints that move it, N m or N. Motors have to give as much less.
+  // The joint forces that correspond to these contacts: the sum of J' w over the bodies in contact,
+  // each with the joints that move it, N m or N. The motors have to give that much less.
   [[nodiscard]] Eigen::VectorXd contact_forces(int robot) const;
-  // The same of what the hand holds and what rests on it: its weight, and its inertia as it is
-  // moved. Zero if it holds nothing.
+  // Force and moment of the held object and of what rests on it: weight, and inertia during a
+  // motion. About the tool point, in world axes; zero if the robot holds nothing.
   [[nodiscard]] Vector6d held_wrench(int robot) const;
 
   // --- motion ---------------------------------------------------------------------------------
   // Starts a verified trajectory now; returns the number of the motion.
-  // throws  ArgumentError if the robot is moving or the trajectory does not start where it stands
-  //         (within 1e-6 rad or m).
+  // throws  ArgumentError if the robot is moving or the trajectory does not start at its present
+  //         joint values (within 1e-6 rad or m).
   int start(int robot, Trajectory trajectory);
 
-  // Starts a motion that goes on from the position and the speed of the robot, without a step, and
-  // ends at rest; returns its number. If the robot slows down after a velocity command, that motion
-  // ends now.
+  // Starts a motion that continues from the present joint values and speeds without a jump, and
+  // ends at rest; returns its number. If the robot decelerates after a velocity command, that
+  // motion ends now.
   //
   // held_ns  for a velocity command: until when it holds.
-  // throws   ArgumentError if the trajectory does not start with the position (within 1e-6 rad or
-  //          m) and speed (1e-6 per s) of the robot, or unless can_drive.
+  // throws   ArgumentError if the trajectory does not start with the joint values (within 1e-6 rad
+  //          or m) and speeds (1e-6 per s) of the robot, or unless can_drive.
   int drive(int robot, Trajectory trajectory, std::optional<std::int64_t> held_ns = {});
 
-  // Moves a robot under forces, piece by piece: the motion that simulation found for the time until
-  // the next call, and what the motors give in it. The first call starts a motion of a robot that
-  // stands, every other one goes on with it, at the end of the piece before or earlier; settle()
-  // brings the robot to rest. Returns the number of the motion, which is the same for all pieces.
-  // throws  ArgumentError if the robot moves otherwise, or the piece does not start where it is.
+  // Moves a robot under forces, piece by piece. A piece is the simulated motion until the next
+  // call, with the forces of the motors. The first call starts a motion of a robot at rest; every
+  // later call continues it, at the end of the last piece or earlier; settle() brings the robot to
+  // rest. Returns the number of the motion, which is the same for all pieces.
+  // throws  ArgumentError if the robot executes another motion, or the piece does not start at the
+  //         present state.
   int push(int robot, Trajectory piece, const Eigen::VectorXd& forces);
 
-  // Ends a motion under forces: brings the robot to rest as its limits allow, inside of the limits
-  // of its joints.
+  // Ends a motion under forces: brings the robot to rest within its limits of speed and
+  // acceleration and within its joint limits.
   void settle(int robot);
-  // Whether the robot stands, or slows down after a velocity command.
+  // Whether the robot is at rest, or decelerates after a velocity command.
   [[nodiscard]] bool can_drive(int robot) const;
   [[nodiscard]] bool is_moving(int robot) const { return this->robot(robot).motion.has_value(); }
 
-  // Brings a robot to rest on its path as its limits allow: see motion.hpp.
+  // Brings a robot to rest on its path within its limits: see motion.hpp.
   void stop(int robot);
-  // The same from outside of the motion, and it is reported as such.
+  // Like stop(), but reported as a stop requested from outside of the motion.
   void halt(int robot);
   [[nodiscard]] const MotionReport& report(int motion) const;
-  // Up to which instant it is known how a motion goes on, at most its end: time has to pass up to
-  // there before more is known. A hand that is pressed harder than it can stand stops the motion,
-  // under control, at the nanosecond at which that begins.
+  // The instant up to which the course of a motion is known, at most its end; time has to pass
+  // before more is known. Overload of the gripper stops the motion, under control, at the
+  // nanosecond at which it begins.
   [[nodiscard]] std::int64_t known_until(int motion) const;
 
   // --- objects --------------------------------------------------------------------------------
   [[nodiscard]] const World& world() const { return world_; }
   void insert(Object object);
-  // An object on something, in whose frame its pose is given: it goes where that goes until a hand
-  // takes it or it is put elsewhere; on a frame of the world it is only placed there.
-  // throws  ArgumentError for what it would be on and is not there.
+  // Adds an object that is mounted on `on`, in whose frame its pose is given. It moves with that
+  // until a gripper takes it or its pose is set; a frame of the world only gives it its first pose.
+  // throws  ArgumentError if there is no such mount.
   void insert(Object object, const Mount& on);
-  // What rested on the object falls straight down to the first surface; returns what fell, from the
-  // lowest.
-  // throws  ArgumentError if a hand holds the object.
+  // Objects that rested on this object fall straight down to the first surface; returns those that
+  // fell, the lowest first.
+  // throws  ArgumentError if a gripper holds the object.
   std::vector<Fall> remove(std::string_view name);
   std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
-  // Frames with names, as World has them.
+  // Named frames, as World has them.
   void insert_frame(NamedFrame frame);
   void set_frame(std::string_view name, const Eigen::Isometry3d& T_world_frame) {
     world_.set_frame(name, T_world_frame);
   }
 
-  // The robot whose hand is closed on an object; nothing if none is.
+  // The robot whose gripper holds an object; nothing if none does.
   [[nodiscard]] std::optional<int> holder_of(std::string_view name) const;
-  // Makes an object part of the task: it is counted, and contact picking considers it. Naming it
-  // twice counts once.
+  // Makes an object part of the task: it is counted, and contact picking considers it. A second
+  // call for the same object has no effect.
   void add_to_task(std::string_view name);
   [[nodiscard]] const std::vector<std::string>& task_objects() const { return task_objects_; }
-  // Closes the hand of a robot on an object, whatever its distance: see gripper.hpp for the rules.
-  // An object that another hand holds as well follows the hand that closed last.
+  // Closes the gripper of a robot on an object, whatever its distance: see gripper.hpp for the
+  // rules. An object that two grippers hold follows the one that closed last.
   void take(int robot, std::string_view name);
 
-  // What nobody else holds falls straight down to the first surface.
-  // throws  ArgumentError if the hand is empty.
+  // Opens the gripper. An object that no other robot holds falls straight down to the first
+  // surface.
+  // throws  ArgumentError if the robot holds nothing.
   Drop let_go(int robot);
 
   // --- shapes that are only shown, cameras ----------------------------------------------------
-  // Shows a shape from now on, or changes the one of that name. On a frame of the world it goes
-  // where that is now.
-  // throws  ArgumentError for what Drawings::put refuses, and what it would be on and is not there.
+  // Shows a shape from now on, or replaces the one of that name. A frame of the world that it is
+  // mounted on gives it its present pose.
+  // throws  ArgumentError for what Drawings::put refuses, and if there is no such mount.
   void draw(Drawing drawing);
-  bool undraw(std::string_view name);  // false: there is none
+  bool undraw(std::string_view name);  // returns false if there is none
   [[nodiscard]] const Drawings& drawings() const { return drawings_; }
   [[nodiscard]] Trails& trails() { return trails_; }
-  // Where its frame is now, and one that something is mounted on; ArgumentError: it is not there.
+  // The present pose of a drawing's frame, and of a mount.
+  // throws  ArgumentError if it does not exist.
   [[nodiscard]] Eigen::Isometry3d T_world_drawing(std::string_view name) const;
   [[nodiscard]] Eigen::Isometry3d T_world_mount(const Mount& on) const;
   [[nodiscard]] Cameras& cameras() { return cameras_; }
   [[nodiscard]] const Cameras& cameras() const { return cameras_; }
-  // Cameras::add, and tells the backend.
+  // Cameras::add, and a report to the backend.
   int add_camera(Camera camera);
-  // The picture that a camera takes from there, or `given` instead of it, counted and told to the
-  // backend. A camera with a rate has one picture at an instant: who asks again gets that one.
+  // The picture that a camera takes from this pose, or `given` instead of it; it is counted and
+  // reported to the backend. A camera with a rate has one picture at an instant: a second call
+  // returns the same picture.
   // throws  ArgumentError for a given picture of another size, or that is not RGB.
   Image capture(int camera, const Eigen::Isometry3d& T_world_camera,
                 std::optional<Image> given = {});
@@ -201,22 +210,22 @@ class Cell {
   [[nodiscard]] Signals& signals() { return signals_; }
   [[nodiscard]] const Signals& signals() const { return signals_; }
 
-  // backend  not owned; null: nobody listens. To be set before the run begins.
+  // backend  not owned; null: nothing is reported. To be set before the run begins.
   void set_backend(Backend* backend) { backend_ = backend; }
-  // How many events the backend was told; the next one has this number.
+  // Number of events reported to the backend; the next event has this number.
   [[nodiscard]] std::uint64_t events_told() const { return told_; }
 
-  // Tells the backend. What is said before the first motion is kept until the run begins, so that
-  // robots may be added after it.
+  // Reports a note to the backend. Notes from before the first motion are kept until the run
+  // begins, so that robots may still be added after them.
   void note(NoteKind kind, std::string_view text);
-  // Begins the run for the backend; a motion, passing of time or a picture does so by itself.
+  // Begins the run for the backend. The first motion, passing of time or picture also begins it.
   void begin();
-  // Tells the backend that a figure has begun or has changed. What changes before the run begins is
-  // kept as notes are, the last state of each figure.
+  // Reports to the backend that a figure has begun or has changed. Changes before the run begins
+  // are kept like notes; only the last state of each figure is.
   void figure_changed(const Figure& figure);
-  // Hands the backend a figure as the program left it.
+  // Reports a complete figure to the backend.
   void figure(const Figure& figure);
-  // Ends the run for the backend. Nothing may happen afterwards.
+  // Ends the run for the backend. No other call may follow.
   void end();
 
  private:
@@ -226,38 +235,38 @@ class Cell {
     std::string text;
   };
   CellRobot& state(int index);
-  // What is touched now is known from here on: to be called before anything but time changes.
+  // Records the contacts of this instant; to be called before any change other than of time.
   void settle_contacts();
   int execute(int index, Trajectory trajectory, std::optional<std::int64_t> held_ns);
   void begin_rest(int index, bool stopped);
-  // A robot, or a part of a hand on an arm.
+  // Adds a robot, or a part of a hand with fingers on an arm.
   int join(std::shared_ptr<const Robot> model, std::string name, int on, int hand);
-  // Fingers stand as their hand moves them, and the hand as they do.
+  // Updates the poses of hands with fingers and of their fingers.
   void follow_hands();
-  // Takes or lets go what the fingers on an arm hold as they stand.
+  // Takes or releases the object between the fingers on an arm, as their present contacts demand.
   void review_grip(int arm);
-  // Before a motion of a finger, or of a whole hand, that would end holding nothing.
+  // Releases the object before a motion of fingers that would end without holding it.
   void loosen_grip(int index, const Trajectory& motion);
-  // Everything where it is at an instant, also ahead of now.
+  // Moves everything to its pose at an instant, which may be later than now.
   void bring_to(std::int64_t t_ns);
-  // What happens by itself (foresight.cpp). The next instant that is not known, or at which
-  // something is due; nothing: there is none.
+  // Computes what happens without a command (foresight.cpp). Returns the next instant that is not
+  // known or at which such an event is due; nothing: there is none.
   std::optional<std::int64_t> look_ahead();
   void foresee(int index);
   [[nodiscard]] bool is_watched(int index) const;
-  // Of the hand and of the links.
+  // The overloads of the gripper and of the links.
   [[nodiscard]] std::array<HandOverload, 2> pressed_at(int index, std::int64_t t_ns);
   template <class IsSo>
   std::optional<std::int64_t> first_instant(std::int64_t from, std::int64_t to, IsSo&& is_so);
   void forget_ahead();
-  // What is due now.
+  // Executes the events that are due now.
   void let_happen();
   void slip(int index, double carried, bool moving);
-  // What a robot holds, and what is mounted on it, goes with it.
+  // Moves what a robot holds, and what is mounted on it, with the robot.
   void carry_along(int index);
-  // Brings `loaded` of all robots up to date after a change of what hands carry.
+  // Updates `loaded` of all robots after a change of what grippers carry.
   void weigh_loads();
-  // motion  that the robot executes or has just ended; -1: it stands without one.
+  // motion  that the robot executes or has just ended; -1: it is at rest without one.
   void publish(int index, int motion = -1);
   void publish_object(std::string_view name);
   void publish_falls(const std::vector<Fall>& falls);
@@ -287,13 +296,13 @@ class Cell {
   std::vector<std::string> task_objects_;
   std::vector<PendingNote> pending_notes_;
   std::vector<Figure> pending_figures_;
-  std::vector<Eigen::Isometry3d> T_world_links_;  // of the last sample, if they are wanted
+  std::vector<Eigen::Isometry3d> T_world_links_;  // of the last sample, if they are used
   mutable Contacts contacts_;                     // finds first touches when they are asked for
   Contacts contacts_ahead_;                       // the same for instants ahead of now
   std::vector<Foresight> ahead_;                  // of each robot; empty: nothing is known
   std::vector<PressLimit> press_limits_;          // of each robot, for its last motion
   Backend* backend_ = nullptr;
-  std::uint64_t told_ = 0;  // events that the backend was told
+  std::uint64_t told_ = 0;  // events reported to the backend
   bool begun_ = false;
 };
 

@@ -12,19 +12,20 @@
 
 namespace armlet {
 
-// A robot of the cell: what it is and the state it is in.
+// A robot of the cell: its model and its state.
 //
-// motion    what it executes; nothing while it stands still.
-// loaded    the model with the payload and with what its hand carries: the arm of dynamics. It is
+// motion    what it executes; nothing while it is at rest.
+// loaded    the model with the payload and with the object in its gripper, for dynamics. It is
 //           `model` itself while nothing with a mass is carried.
-// forces    what the motors give while the robot moves under forces; empty otherwise.
-// held      name of the object its hand is closed on; empty if none.
-// p_picked  where that object was when it was picked up, in the world.
-// on        of a hand with fingers and of its fingers: the arm whose flange carries them, in the
-//           frame of which their models have T_world_base. -1: it stands in the world.
-// hand      of a finger: its hand. -1: it is none.
-// fingers   of a hand, in order.
-// force     of a hand: that a finger presses with at most, N.
+// forces    of the motors while the robot moves under forces; empty otherwise.
+// held      name of the object in its gripper; empty if there is none.
+// p_picked  position of that object when it was picked up, in the world.
+// on        of a hand with fingers and of its fingers: the arm whose flange carries them.
+//           T_world_base of their models is relative to that flange. -1: the base is fixed in the
+//           world.
+// hand      of a finger: the index of the `hand`. -1: it is not a finger.
+// fingers   of a `hand`, in order.
+// force     of a `hand`: the largest force with which a finger presses, N.
 struct CellRobot {
   std::string name;
   std::shared_ptr<const Robot> model;  // shared with catalogues and planners; it never changes

@@ -1,4 +1,4 @@
-// What is nearest to the robots of a cell as they are now.
+// Distances between the robots of a cell and the bodies nearest to them.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace armlet {
 
-// Of the robot with all that it carries, compared with what find_collisions compares it with: each
-// pair of two things once. Those nearer than 0.01 mm, which touch or overlap, the deepest first, at
-// most `most`; if there are none, the nearest pair that is not of its own links, if it is nearer
-// than `reach`.
+// Distances between the robot, with all that it carries, and the bodies that find_collisions
+// compares it with; each pair of two things once. Returns the pairs nearer than 0.01 mm (which
+// touch or overlap), the deepest first, at most `most`. If there are none: the nearest pair, if it
+// is nearer than `reach`; pairs of the robot's own links are left out then.
 std::vector<Clearance> clearances(const Cell& cell, int robot, double reach, std::size_t most);
 
 }  // namespace armlet

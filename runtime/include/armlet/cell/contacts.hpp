@@ -1,4 +1,4 @@
-// What a hand presses against: first touches, and the forces that follow from the depth.
+// Contacts of robots with objects: when they begin, and the forces that follow from the depth.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace armlet {
 
 struct CellRobot;
 
-// A body of a robot that feels what it is pressed into: what its hand carries, the hand or the tool
-// point, if it has no hand of a length of its own, and its links.
+// A body of a robot on which contact forces are measured: what its gripper carries, the gripper (or
+// the tool point if no gripper with a length is mounted), and the links.
 //
 // carried  name of the object; empty: body number `part` of the robot's ArmSolids, or kToolPoint.
-// frame    what joint `frame` moves, 0: the base.
+// frame    the joint that moves it; 0: the base.
 // solid    with its T in that frame.
-// speed    no point of it is faster as long as nothing but time changes, m/s.
+// speed    bound on the speed of all its points as long as only time changes, m/s.
 struct Feeler {
   static constexpr int kToolPoint = -1;
   std::string carried{};
@@ -30,13 +30,13 @@ struct Feeler {
   double speed = 0.0;
 };
 
-// A body of a robot that is pressed into an object.
+// A contact in which a body of a robot presses on an object.
 //
-// carried, part, frame, of_hand  which one, as in Feeler.
+// carried, part, frame, of_hand  the body, as in Feeler.
 //
-// p         the point of pressure, in the world, m.
+// p         point of contact, in the world, m.
 // force     that the object exerts there, normal force and friction, world axes, N.
-// normal    the normal force alone, N.
+// normal    magnitude of the normal force, N.
 // friction  coefficient between the two.
 struct Press {
   std::string carried{};
@@ -50,41 +50,40 @@ struct Press {
   double friction = 0.0;
 };
 
-// First touches of a cell, as far as they last.
+// Contacts of a cell, from their begin to their end.
 //
-// A touch begins where two bodies have come 0.01 mm close, and lasts until they are farther apart
-// at one of the instants that are whole milliseconds from the last begin or end of a motion. Its
-// normal is the one at that first instant and stays fixed to the object. What is asked for at an
-// instant is a function of the motions alone: neither the slices of time nor what was asked for
-// before count.
+// A contact begins when two bodies are within 0.01 mm. It ends when they are farther apart at one
+// of the instants that are whole milliseconds after the last begin or end of a motion. Its normal
+// is the one at the first instant and stays fixed to the object. The result for an instant is a
+// function of the motions alone: neither the slices of time nor earlier calls influence it.
 class Contacts {
  public:
-  // To be called before a motion begins or ends and before anything else changes than time.
+  // To be called before a motion begins or ends and before any change other than of time.
   void settle(const std::vector<CellRobot>& robots, const World& world, std::int64_t now_ns);
-  // An object was put elsewhere or a robot has another hand: what was touched there is forgotten.
+  // An object was moved or a robot has another gripper: ends the contacts with it.
   void forget_object(std::string_view name);
   void forget_robot(int robot);
-  // What hands carry has changed since `settle`.
+  // What grippers carry has changed since `settle`.
   void look_again() { seen_.clear(); }
 
-  // What a robot presses into, in the order of its bodies, carried ones first, hand and links after
-  // them. With depth d, stiffness k of the object, sliding velocity v: k d along the normal, and
-  // against v the friction mu k d, in proportion below 1 mm/s. mu is the smaller one of two
-  // objects that touch.
+  // The contacts of a robot, in the order of its bodies: carried ones first, then gripper and
+  // links. With depth d, stiffness k of the object and sliding velocity v the force is k d along
+  // the normal, and friction mu k d against v, reduced in proportion below 1 mm/s. mu is the
+  // smaller coefficient of the two objects.
   //
-  // t_ns  not before what was asked for since nothing but time has changed.
+  // t_ns  not before the instant of an earlier call, as long as only time has changed.
   std::vector<Press> presses(const std::vector<CellRobot>& robots, const World& world, int robot,
                              std::int64_t t_ns);
 
-  // Behind presses(): until when it is certain that the robot presses on nothing, as long as
-  // nothing but time changes; the instant that was asked for if it may.
+  // To be called after presses(): until when the robot certainly has no contact, as long as only
+  // time changes; the instant of that call if it may have one.
   [[nodiscard]] std::int64_t clear_until(int robot) const;
-  // The last begin or end of a motion: instants are counted in whole milliseconds from there.
+  // The last begin or end of a motion, from which whole milliseconds are counted.
   [[nodiscard]] std::int64_t begin_ns() const { return begin_ns_; }
 
  private:
   // normal_obj  in the frame of the object.
-  // verified    number of the millisecond up to which the touch is known to last.
+  // verified    number of the millisecond up to which the contact is known to last.
   struct Touch {
     int robot = 0;
     std::string carried{};
@@ -93,19 +92,19 @@ class Contacts {
     Eigen::Vector3d normal_obj = Eigen::Vector3d::UnitZ();
     std::int64_t verified = 0;
   };
-  // When it is certain that something presses on nothing.
+  // Until when a body certainly has no contact.
   struct Free {
     std::int64_t from_ns = 0;
     std::int64_t until_ns = 0;
     [[nodiscard]] bool at(std::int64_t t_ns) const { return t_ns >= from_ns && t_ns < until_ns; }
   };
-  // When a feeler is free, and what follows from: the room that it had at T_world_feeler, m.
+  // When a feeler is free, and from what this follows: its clearance at T_world_feeler, m.
   struct Room {
     Free free{};
     double room = -1.0;
     Eigen::Isometry3d T_world_feeler = Eigen::Isometry3d::Identity();
   };
-  // What of a robot feels, and when each part of it, and all, is free.
+  // The bodies of a robot on which forces are measured, and when each of them and all are free.
   struct Seen {
     bool is_known = false;
     std::vector<Feeler> feelers{};
@@ -124,7 +123,7 @@ class Contacts {
 
   std::int64_t begin_ns_ = 0;
   std::vector<Touch> touches_;   // known at begin_ns_, and found since
-  std::vector<Seen> seen_;       // of each robot, since nothing but time has changed
+  std::vector<Seen> seen_;       // of each robot; valid while only time changes
   std::vector<double> reaches_;  // of the objects of the world, m
 };
 

@@ -1,4 +1,4 @@
-// Hands with fingers: what their fingers press on, how well that holds, and closing until contact.
+// Hands with fingers: their contacts, how firm a grasp is, and closing until contact.
 #pragma once
 
 #include <span>
@@ -14,8 +14,8 @@ namespace armlet {
 // A link of a hand that touches an object: nearer than 0.01 mm.
 //
 // finger  0 to 2; -1: the palm.
-// p       where, in the world; inward: unit vector into the object, both m.
-// force   that it presses with: the stiffness of the object times the depth, N.
+// p       point of contact, in the world; inward: unit vector into the object, both m.
+// force   normal force: the stiffness of the object times the depth, N.
 struct FingerContact {
   int finger = -1;
   std::string object;
@@ -25,38 +25,40 @@ struct FingerContact {
   double friction = 0.0;
 };
 
-// Contacts of a hand as it stands now, finger by finger from the palm outwards, objects in their
-// order. The depth is the least that would free the two, so it depends on where they are alone.
+// Present contacts of a hand: finger by finger, from the palm outwards, objects in their order. The
+// depth is the least displacement that separates the two bodies, so it depends on their poses
+// alone.
 //
 // throws  ArgumentError unless the robot is a hand with fingers.
 std::vector<FingerContact> finger_contacts(const Cell& cell, int hand);
-// The same with the palm's joints at q.
+// The same with the joint values q of the palm.
 std::vector<FingerContact> finger_contacts(const Cell& cell, int hand, const Eigen::VectorXd& q);
 
-// What one finger presses with, the sum over its links, N.
+// The normal force of one finger, summed over its links, N.
 double finger_force(const Cell& cell, int finger);
 
-// What objects exert on a hand with fingers, or on a finger, about its tool point, world axes.
+// Which forces count in the wrench that objects exert on a hand with fingers, or on a finger, about
+// its tool point in world axes.
 //
-// by  kArm: nothing of what the arm carries itself, with which it goes along.
+// kArm  leaves out forces of objects that the arm itself carries, since these move with it.
 enum class FeltBy { kHand, kArm };
 Vector6d finger_wrench(const Cell& cell, int robot, FeltBy by = FeltBy::kHand);
 
-// How well the contacts of a hand hold an object; moments about its centre of mass, divided by the
-// distance of its surface there.
+// The quality with which the contacts of a hand hold an object. Moments are about its centre of
+// mass, divided by the largest distance of its surface from there.
 GraspQuality hand_quality(const Cell& cell, int hand, std::string_view object);
 
-// The part of the weight of an object that contacts carry by pressing with no more than they do:
+// The part of an object's weight that its contacts carry with normal forces up to the present ones;
 // 1 or more: they hold it. An object without a mass counts as one gram.
 double carried_part(const Cell& cell, int arm, std::span<const FingerContact> contacts,
                     std::string_view object);
 
-// The same of what the fingers on an arm hold, for its weight and its inertia as the arm moves now,
-// and what lies on it; 1: all of it. Objects lighter than a gram count as at rest.
+// The same for the object that the fingers on an arm hold and what lies on it, with its weight and
+// its inertia in the present motion; 1: all of it. Objects lighter than a gram count as at rest.
 double carried_in_motion(const Cell& cell, int arm);
 
-// The finger of a hand that presses hardest, from 0, -1 if none does, with what, N, and what on
-// most.
+// The finger of a hand with the largest force, from 0, or -1 if none is in contact; that force, N,
+// and the object with the largest part in it.
 struct HardestFinger {
   int finger = -1;
   double force = 0.0;
@@ -64,25 +66,25 @@ struct HardestFinger {
 };
 HardestFinger hardest_finger(const Cell& cell, int hand);
 
-// Where a finger that closes first presses with `force`, or the end of its way.
+// The joint angle at which a closing finger presses with `force`, or the end of its range.
 //
 // bend    of its first link, rad.
-// touch   the bend at which it first touches something; the end of the way if nothing.
+// touch   the bend at first contact; the end of the range if there is none.
 struct Closing {
   double bend = 0.0;
   double touch = 0.0;
 };
 
-// Nothing is left out: the finger goes on by no more than no point of it can travel the gap that is
-// left, until that is below a tenth of a micrometre.
+// No contact is missed: in each step no point of the finger can travel farther than the remaining
+// gap, until the gap is below a tenth of a micrometre.
 //
 // force   N, > 0.
 // source  conservative advancement: B. Mirtich, Impulse-based dynamic simulation of rigid body
 //         systems, 1996, chapter 2.
 Closing close_finger(const Cell& cell, int finger, double force);
 
-// The same of all fingers of a hand, which bend equally fast: where one comes to within 0.01 mm of
-// another, both stop. Fingers that touch at the begin and come apart may go on.
+// The same for all fingers of a hand, which bend equally fast. Two fingers that come within 0.01 mm
+// of each other both stop; fingers that touch at the start and separate continue.
 //
 // throws  ArgumentError unless the robot is a hand with fingers.
 // source  as close_finger.

@@ -10,19 +10,21 @@ namespace armlet {
 
 // kNothing         the object, or every object, is too far from the tool point.
 // kTooWide         the gripper does not open that far.
-// kFixed           it belongs to the cell, such as a table.
-// kNoHand          the robot has no hand that can grasp.
-// kHolding         the hand is closed on something already.
+// kFixed           the object is a fixed part of the cell, such as a table.
+// kNoHand          the robot has no gripper that can grasp.
+// kHolding         the gripper already holds something.
 // kUnknownObject   there is no object of that name.
 enum class GraspStatus { kGrasped, kNothing, kTooWide, kFixed, kNoHand, kHolding, kUnknownObject };
 
-// object    what was grasped or is meant; with kNothing the nearest one, empty if there is none;
-//           with kHolding what is held.
-// distance  from the tool point to where a hand may take it (armlet/world/object.hpp), m.
-// allowed   how near the tool point must be, m.
-// width     of the object along the line on which the fingers close, and stroke of the gripper, m;
-//           for kTooWide.
-// turned    its width if the gripper were rotated by 90 deg about its approach, m.
+// object    that was grasped or is meant; with kNothing the nearest one, empty if there is none;
+//           with kHolding the held one.
+// distance  from the tool point to the nearest grasp point of the object (armlet/world/object.hpp),
+//           m.
+// allowed   the largest allowed distance, m.
+// width     of the object along the direction in which the fingers close, and stroke of the
+//           gripper, m; for kTooWide.
+// turned    width along that direction after a rotation of the gripper by 90 deg about its
+//           approach, m.
 struct GraspResult {
   GraspStatus status = GraspStatus::kNothing;
   std::string object{};
@@ -35,25 +37,26 @@ struct GraspResult {
   [[nodiscard]] bool ok() const { return status == GraspStatus::kGrasped; }
 };
 
-// Closes the hand on the object of that name.
+// Closes the gripper on the object of that name.
 GraspResult grasp(Cell& cell, int robot, std::string_view name);
 
-// Closes the hand on the nearest object that is not fixed; of several equally near the first.
+// Closes the gripper on the nearest object that is not fixed; of several equally near ones, the
+// first.
 GraspResult grasp(Cell& cell, int robot);
 
-// Opens the hand.
+// Opens the gripper.
 //
-// object  what it let go.
-// drop    how far it fell and onto what; nothing fell if another hand holds it still.
+// object  that was released.
+// drop    how far it fell and onto what; nothing fell if another robot still holds it.
 struct Released {
   std::string object;
   Drop drop;
 };
 
-// Nothing if the hand was empty.
+// Nothing if the gripper was empty.
 std::optional<Released> release(Cell& cell, int robot);
 
-// Name of what the hand holds; empty if nothing.
+// Name of the object in the gripper; empty if there is none.
 std::string_view holding(const Cell& cell, int robot);
 
 }  // namespace armlet

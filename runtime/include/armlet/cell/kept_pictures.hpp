@@ -1,5 +1,5 @@
 #pragma once
-// Pictures that cameras have drawn, kept for whoever takes the same run again.
+// A store of pictures that cameras have drawn, used when the same run is repeated.
 
 #include <array>
 #include <cstddef>
@@ -14,11 +14,11 @@
 
 namespace armlet {
 
-// Coloured pictures by everything that decides on their pixels. Of more bytes than there may be,
-// those go first that nobody has asked for the longest time. Equal pixels side by side are kept
-// once, so that a picture takes a part of its size.
+// Colour pictures, found by a key that contains everything that determines their pixels. When the
+// store exceeds its size, the pictures that were used least recently are removed. Runs of equal
+// pixels are stored once, which compresses a picture to a fraction of its size.
 //
-// To be used by one thread at a time.
+// Not thread-safe.
 class KeptPictures {
  public:
   using Key = std::array<std::uint64_t, 2>;
@@ -29,9 +29,9 @@ class KeptPictures {
   [[nodiscard]] static Key key_of(const Scene& scene, const Pinhole& lens,
                                   const Eigen::Isometry3d& T_world_eye, int samples, double blur);
 
-  // An empty picture: it is not kept.
+  // An empty picture if it is not in the store.
   [[nodiscard]] Image find(const Key& key);
-  // image  grey or RGB; one that is too large alone is not kept.
+  // image  grey or RGB; a picture larger than the whole store is not kept.
   void put(const Key& key, const Image& image);
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -42,7 +42,7 @@ class KeptPictures {
     int width = 0;
     int height = 0;
     PixelKind kind = PixelKind::kRgb;
-    std::vector<std::uint8_t> runs;  // of a pixel: how often less one, and its channels
+    std::vector<std::uint8_t> runs;  // of a pixel: repetitions less one, and its channels
     std::list<Key>::iterator used;
   };
   std::size_t most_bytes_;

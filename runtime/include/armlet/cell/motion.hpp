@@ -8,45 +8,46 @@
 
 namespace armlet {
 
-// A trajectory being executed from an instant of the clock on, which can be stopped under control.
+// A trajectory that is executed from an instant of the clock on, and can be stopped under control.
 //
-// Stopping runs the same path ever more slowly until it stands: the path is never left, and no
-// acceleration and no jerk exceeds the larger of the joint's limit and what the trajectory itself
-// has. The rate of the run falls along a ramp of limited jerk, the shortest that keeps to this; if
-// none does at once, because a joint slows down as fast as it may already, it begins later.
+// Stopping executes the same path ever more slowly until the robot is at rest. The path is never
+// left, and no acceleration and no jerk exceeds the larger of the joint's limit and the
+// trajectory's own value. The rate of path time falls along the shortest ramp of limited jerk that
+// satisfies this. If no such ramp can begin at once, because a joint already decelerates at its
+// limit, it begins later.
 class Motion {
  public:
   Motion(Trajectory trajectory, std::int64_t start_ns);
 
-  // A trajectory that brings the robot to rest before the end of another motion: it counts as
-  // stopped from the beginning.
+  // A trajectory that replaces the rest of another motion and brings the robot to rest earlier: it
+  // counts as stopped from the beginning.
   static Motion stopping(Trajectory trajectory, std::int64_t start_ns);
 
   [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
   [[nodiscard]] std::int64_t start_ns() const { return start_ns_; }
 
-  // The instant at which the robot will stand still.
+  // The instant at which the robot is at rest.
   [[nodiscard]] std::int64_t end_ns() const { return end_ns_; }
 
-  // Whether it was stopped before its end. Stopped so late that the path cannot be left out any
-  // more, it still runs to the end of the path.
+  // Whether the motion was stopped before its end. If the stop came so late that no deceleration
+  // fits into the rest of the path, it still runs to the end of the path.
   [[nodiscard]] bool is_stopped() const { return stop_ns_ != kNever; }
 
-  // Begins to slow down at t_ns; a robot that stands at that instant stays where it is. Nothing
-  // happens if the motion is over or stopping already.
+  // Begins the deceleration at t_ns; a robot at rest at that instant does not move. No effect if
+  // the motion is over or already stopping.
   //
   // max_accel, max_jerk  limits of the joints, > 0.
   void stop(std::int64_t t_ns, const Eigen::VectorXd& max_accel, const Eigen::VectorXd& max_jerk);
 
-  // State at t_ns, without allocating. At and after end_ns() the joints stand still, exactly on the
+  // State at t_ns, without allocation. From end_ns() on the joints are at rest, exactly at the
   // target if it is reached.
   void sample(std::int64_t t_ns, Eigen::VectorXd& q, Eigen::VectorXd& qd,
               Eigen::VectorXd& qdd) const;
 
  private:
   static constexpr std::int64_t kNever = -1;
-  // While slowing down, path time u runs at `rate` times the clock, whose second derivative is
-  // constant in a piece.
+  // While the robot decelerates, path time u passes at `rate` times the rate of the clock. The
+  // second derivative of `rate` is constant in a piece.
   struct Piece {
     double t;  // since the stop, s
     double u;

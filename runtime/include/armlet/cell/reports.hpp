@@ -1,4 +1,4 @@
-// What a cell tells of motions and of what happens by itself.
+// What a cell reports about motions and about events without a command.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace armlet {
 
-// How a motion went; also while it is under way. One that was stopped before its end counts as
-// stopped, wherever it came to rest.
+// The course of a motion, also while it is running. A motion that was stopped before its end counts
+// as stopped, wherever it came to rest.
 //
-// halted    stopped because somebody asked the robot to halt, not for its own reason.
-// held_ns   of a velocity command: until when it holds; then the robot slows down, and another
-//           command may take over.
-// overload  the hand was pressed harder than it can stand: the motion began to stop there.
+// halted    stopped by a request from outside of the motion.
+// held_ns   of a velocity command: until when it holds; then the robot decelerates, and another
+//           command may follow.
+// overload  the contact force on the gripper exceeded its limit: the motion began to stop there.
 enum class MotionState { kRunning, kReached, kStopped };
 struct MotionReport {
   MotionState state = MotionState::kRunning;
@@ -27,11 +27,11 @@ struct MotionReport {
   std::optional<HandOverload> overload{};
 };
 
-// What happened without being asked for.
+// An event without a command.
 //
 // motion  the motion that ended.
 // object  for kPicked, kPutDown and kSlipped; `support` is what it was put on or fell onto.
-//         kSlipped: fingers that held it carry only the part `carried` of its weight, or of its
+//         kSlipped: the fingers that held it carry only the part `carried` of its weight, or of its
 //         weight and inertia while `moving`.
 enum class CellEventKind { kMotionEnded, kPicked, kPutDown, kSlipped };
 struct CellEvent {

@@ -11,7 +11,7 @@
 
 namespace armlet {
 
-// A named line between the program and its surroundings: a switch or a number.
+// The value of a named input or output of the program: a switch or a number.
 using SignalValue = std::variant<bool, double>;
 
 // Signals in the order in which they were first set.

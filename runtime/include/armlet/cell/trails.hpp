@@ -1,5 +1,5 @@
 #pragma once
-// The ways that hands have gone, as lines that are only shown.
+// The paths of tool points, shown as lines.
 
 #include <Eigen/Core>
 #include <string>
@@ -11,22 +11,22 @@ namespace armlet {
 
 class Cell;
 
-// Of each robot at most one. A trail is made of straight pieces (world/drawings.hpp) between places
-// of the tool point that are at least `kPiece` apart, and ends where a motion ends. Of long ones
-// the last kMostPieces are kept.
+// At most one trail for each robot. A trail is made of straight pieces (world/drawings.hpp) between
+// positions of the tool point that are at least `kPiece` apart, and ends where a motion ends. Of a
+// long trail the last kMostPieces are kept.
 class Trails {
  public:
   static constexpr double kPiece = 0.005;  // m
   static constexpr int kMostPieces = 4000;
 
-  // The trail of a robot begins where its tool point is now; one that it has goes on, and its next
-  // pieces look like this.
+  // Begins the trail of a robot at the present position of its tool point. An existing trail
+  // continues, and its next pieces have this colour and width.
   //
   // width   m.
-  // throws  ArgumentError for a robot that is not there, and a width out of range.
+  // throws  ArgumentError for a robot that does not exist, and a width out of range.
   void begin(const Cell& cell, int robot, std::string color, double width);
   [[nodiscard]] bool empty() const { return trails_.empty(); }
-  // Draws the way since the last piece of a robot, if it is long enough or `at_end`.
+  // Draws the path since the last piece of a robot, if it is long enough or `at_end`.
   void extend(Cell& cell, int robot, bool at_end);
 
  private:

@@ -1,4 +1,4 @@
-// Motions of a robot of a cell around what stands in its way.
+// Collision-free motions of a robot of a cell, found by path search.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace armlet {
 
-// goals  n joints each, in the order in which they are preferred; the tool is at the same place in
-//        all of them.
-// model  with the tool point and the limits of this motion; null: the robot as it is in the cell.
+// goals  n joint values each, in order of preference; the tool has the same pose in all of them.
+// model  with the tool point and the limits of this motion; null: the model of the robot in the
+//        cell.
 // time   whole duration, s; nothing: as fast as the joints allow.
 // speed  fraction of the joint limits, above 0 and at most 1; not together with time.
 struct WayAroundRequest {
@@ -25,23 +25,24 @@ struct WayAroundRequest {
   WayOptions search{};
 };
 
-// Two bodies that overlap at an end, by so much, m; or that were in the way, of all times that
-// something was.
+// Two bodies that overlap at the start or the goal, and the depth, m; or that blocked the search,
+// and their share of all blocked checks.
 struct BlockingBodies {
   CellBody body{};   // of the robot, or what it carries
-  CellBody other{};  // an object, another robot's, or of the same robot
+  CellBody other{};  // an object, or a part of another or the same robot
   double depth = 0.0;
   double share = 0.0;
 };
 
-// What became of it.
+// The result of the search.
 //
-// way       its corners, if one was found.
-// motion    verified and certified; nothing in it if there is no way, or the time is too short.
-// times     when it reaches each corner of the way behind the first, or passes by it, s.
-// length    that the tool point travels, m.
-// blocking  deepest, or most often, first; the same bodies once.
-// met       what the motion meets all the same: robots that are moving now. Then there is none.
+// way       corners of the path, if one was found.
+// motion    verified and certified; empty if there is no path, or the time is too short.
+// times     at which the motion reaches or passes each corner after the first, s.
+// length    of the path of the tool point, m.
+// blocking  deepest or most frequent first; each pair of bodies once.
+// met       collisions with robots that are moving now, which the search cannot avoid; then there
+//           is no motion.
 struct WayAround {
   Way way{};
   MotionPlan motion{};
@@ -53,11 +54,11 @@ struct WayAround {
   [[nodiscard]] bool ok() const { return motion.ok(); }
 };
 
-// Searches a way for the robot, with all that it carries, from where it stands, and plans a motion
-// along it: corners are rounded as far as clearances are kept there, speeds, accelerations and
-// jerks keep their limits, and the whole is certified: by check_clearances to keep what the search
-// keeps, and by find_collisions to meet nothing. Other robots count as standing where their motions
-// end for the clearances, and as they move for what is met.
+// Searches a path for the robot, with all that it carries, from its present joint values, and plans
+// a motion along it. Corners are rounded as far as clearances are kept, speeds, accelerations and
+// jerks stay within their limits, and the whole motion is certified: check_clearances shows that it
+// keeps the clearances of the search, find_collisions that it collides with nothing. Clearances are
+// kept from other robots where their motions end; collisions are checked with their motions.
 //
 // throws  ArgumentError as search_way and plan_path.
 WayAround find_way_around(const Cell& cell, const WayAroundRequest& request);

@@ -9,18 +9,18 @@ namespace armlet {
 
 inline constexpr int kMaxJoints = 12;
 
-// A serial arm, in m and rad, reduced to what the kinematic recursions need, whatever its
-// convention:
+// A serial arm in m and rad, reduced to the constants of the kinematic recursions, for both
+// conventions of Denavit and Hartenberg:
 //
 //   T_world_tool(q) = T_world_base  prod_i X_i Z_i(q_i)  X_n  T_flange_tool
 //   X_i = Rx(alpha_i) Tx(a_i),  Z_i = Rz(theta_i) Tz(d_i)
 //
-// The modified convention is this form with the last X the identity; a standard row i gives Z_i and
+// In the modified convention the last X is the identity; in the standard one, row i gives Z_i and
 // X_{i+1}. X_0 .. X_n are stored with the sine and cosine of alpha.
 struct Chain {
   int n = 0;
   bool standard = true;
-  bool coupled = false;  // some rows copy others, so that fewer than n values move them
+  bool coupled = false;  // some joints are mimic joints, so that the arm has fewer than n values
   std::array<bool, kMaxJoints> revolute{};
   std::array<double, kMaxJoints>
       theta{};                         // offset of a revolute joint, constant of a prismatic one

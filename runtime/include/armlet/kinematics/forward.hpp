@@ -26,7 +26,7 @@ Eigen::Isometry3d link_frame(const Robot& robot, JointsIn q, int k);
 // forward().
 std::vector<Eigen::Isometry3d> link_frames(const Robot& robot, JointsIn q);
 
-// The same frames written where the caller wants them; nothing is allocated.
+// The same frames, written to an array of the caller without allocation.
 //
 // frames   receives n poses.
 // returns  the pose of the tool point in the world.

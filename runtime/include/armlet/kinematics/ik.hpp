@@ -13,7 +13,7 @@
 
 namespace armlet {
 
-// What the tool point must match of the goal.
+// Which parts of the goal the tool has to match.
 //
 // kPose           position and orientation. An arm with fewer than six joints reaches only the
 //                 poses that it can; others are kOrientationUnreachable.
@@ -30,14 +30,14 @@ enum class IkTask { kPose, kPosition, kPositionFirst, kHeading, kMasked };
 enum class IkMaskFrame { kWorld, kTool };
 
 // kFirst    the first solution found, starting at the seed.
-// kNearest  of all solutions found, the one with the smallest largest joint change from the seed
-//           (SI numbers); equal within 1e-9, the one with the positive elbow. Joints that the goal
-//           leaves free are chosen so among all their values inside the limits. An arm that stands
-//           at the goal stays.
+// kNearest  of all solutions found, the one whose largest joint change from the seed is smallest
+//           (in SI numbers); of solutions equal within 1e-9, the one with the positive elbow.
+//           Joints that the goal leaves free are chosen by the same rule among all values within
+//           the limits. An arm that is already at the goal does not move.
 enum class IkChoice { kFirst, kNearest };
 
-// kAuto     the arm's closed form where it has one that answers the question (the whole pose, or
-//           the position of a three-joint arm, with kNearest), otherwise iterations.
+// kAuto     the arm's closed form if it has one for this task (the whole pose, or the position of a
+//           three-joint arm, with kNearest), otherwise iterations.
 // kNumeric  always iterations.
 enum class IkMethod { kAuto, kNumeric };
 
@@ -48,15 +48,15 @@ struct IkOptions {
   IkMaskFrame mask_frame = IkMaskFrame::kWorld;
   IkChoice choice = IkChoice::kNearest;
   IkMethod method = IkMethod::kAuto;
-  // Of all solutions (`choice` does not count) the one with the best posture. An arm with freedom
-  // to spare moves from each of those found as far as the posture gets better.
+  // Choose the solution with the best posture (`choice` is ignored). A redundant arm moves from
+  // each solution found by self-motion as far as the posture improves.
   std::optional<PostureGoal> posture{};
   double position_tolerance = 1e-6;  // m
   double rotation_tolerance = 1e-6;  // rad
   int iterations = 30;               // per start
   int starts = 200;
   bool respect_limits = true;
-  bool diagnose = true;  // find out why when there is no solution
+  bool diagnose = true;  // find the reason when there is no solution
 };
 
 enum class IkStatus {
@@ -73,14 +73,14 @@ enum class IkStatus {
 // "unreachable", "joint limit", ...
 std::string_view to_text(IkStatus status);
 
-// Why there is no solution, in numbers. Filled as far as the status needs it.
+// Why there is no solution, in numbers. Which of them are set depends on the status.
 //
 // distance    from the goal to the nearest reachable tool point, of all branches, m.
 // angle       from the goal's orientation to the nearest one found at that point, rad.
-// nearest     that pose of the tool in the world, and q_nearest the joints that reach it.
-// violations  joints that would be outside their limits at the best solution without limits.
-// gap         what the geometry of an arm with a closed form rules out, whatever the limits are.
-// sigma_min   closeness to a singularity at q_nearest (see Singularity), and the direction lost.
+// nearest     that pose of the tool in the world; q_nearest are its joint values.
+// violations  joints that would be outside their limits in the best solution without limits.
+// gap         what the geometry of an arm with a closed form excludes, whatever the limits are.
+// sigma_min   closeness to a singularity at q_nearest (see Singularity), and the lost direction.
 struct IkDiagnosis {
   double distance = 0.0;
   double angle = 0.0;
@@ -92,8 +92,8 @@ struct IkDiagnosis {
   Vector6d lost_direction = Vector6d::Zero();
 };
 
-// q is the solution if status is kOk, otherwise the best configuration found. The errors belong
-// to q and count only what the task asks for.
+// q is the solution if status is kOk, otherwise the best configuration found. The errors belong to
+// q and contain only what the task demands.
 struct IkResult {
   IkStatus status = IkStatus::kUnreachable;
   Eigen::VectorXd q;
@@ -101,8 +101,8 @@ struct IkResult {
   double rotation_error = 0.0;  // rad
   int iterations = 0;           // 0 if a formula gave the answer
   int starts = 0;
-  // Or the structure that the closed form goes by, which may also have ruled the goal out, or "the
-  // robot stands there".
+  // "numeric"; or the structure of the closed form, also if that excluded the goal; or "the robot
+  // stands there".
   std::string_view solver = "numeric";
   int branch = -1;          // of the closed form, see ClosedSolution; -1: numeric
   Eigen::VectorXd margins;  // from each joint to its nearer limit, rad or m; below 0: beyond it
@@ -115,23 +115,23 @@ struct IkResult {
 // Joint values that bring the tool point to a pose, within the limits and near the seed.
 //
 // T_world_tool  the goal, in the world.
-// returns       a result whose status says what happened; never throws for what the goal or the
-//               seed is.
+// returns       a result with a status; a goal or seed that is wrong gives a status, not an
+//               exception.
 // throws        ArgumentError if a posture is given whose q_given has not n elements.
-// source        of the iterations, S. K. Chan, P. D. Lawrence, General inverse kinematics with the
-//               error damped pseudoinverse, ICRA 1988; of the formulas, see closed_form.hpp.
+// source        of the iterations: S. K. Chan, P. D. Lawrence, General inverse kinematics with the
+//               error damped pseudoinverse, ICRA 1988; of the closed forms: see closed_form.hpp.
 IkResult solve_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                   const IkOptions& options = {});
 
 // Distinct solutions, nearest to the seed first, at most `count`: every branch of the closed form
-// where the arm has one, otherwise those that the search finds. An arm with more than six joints
-// has infinitely many; it gives those with the arm angle of the seed, or failing that, examples.
-// kPositionFirst: of an arm whose formula is for positions, every solution; of others, those with
-// the orientation of the seed, or with the one nearest to it that the arm can have there.
+// if the arm has one, otherwise those that the search finds. An arm with more than six joints has
+// infinitely many solutions; those with the arm angle of the seed are returned, or else examples.
+// With kPositionFirst: all solutions of an arm whose closed form is for positions; of other arms
+// those with the orientation of the seed, or with the reachable one nearest to it.
 std::vector<Eigen::VectorXd> solve_ik_all(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                                           const IkOptions& options = {}, int count = 16);
 
-// "elbow up, wrist flipped": the branch of a result in words; empty if no formula gave it.
+// "elbow up, wrist flipped": the branch of a result in words; empty if no closed form gave it.
 std::string branch_name(const Robot& robot, const IkResult& result);
 
 // One full sentence that says why a result is not ok, with distances, angles and joints.

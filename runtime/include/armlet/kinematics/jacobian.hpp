@@ -23,7 +23,7 @@ enum class JacobianFrame { kWorld, kBase, kTool };
 //         manipulators, 1972; Siciliano et al., Robotics, 2009, section 3.1.3.
 Jacobian jacobian(const Robot& robot, JointsIn q, JacobianFrame frame = JacobianFrame::kWorld);
 
-// Tool pose in the world and world Jacobian in one pass; q and what is thrown as for jacobian().
+// Tool pose in the world and world Jacobian in one pass; q and exceptions as for jacobian().
 //
 // J  receives 6 x n numbers.
 Eigen::Isometry3d forward_and_jacobian(const Robot& robot, JointsIn q, Jacobian& J);

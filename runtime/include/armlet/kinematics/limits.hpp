@@ -10,7 +10,7 @@ namespace armlet {
 // A joint outside its range.
 //
 // joint  index from 0.
-// value  what it would have to be; limit, the bound that it passes. Both rad or m.
+// value  that the goal demands; limit, the bound that it exceeds. Both rad or m.
 struct LimitViolation {
   int joint = 0;
   double value = 0.0;
@@ -19,8 +19,8 @@ struct LimitViolation {
   double excess() const { return value > limit ? value - limit : limit - value; }
 };
 
-// Wherever q is an argument it has n joint values, rad or m, and ArgumentError is thrown if it has
-// another number of them.
+// In all functions below q has n joint values, rad or m; ArgumentError is thrown for another number
+// of them.
 
 // Joints of q that lie outside their limits by more than tolerance, in joint order.
 std::vector<LimitViolation> limit_violations(const Robot& robot, JointsIn q,
@@ -32,12 +32,12 @@ bool within_limits(const Robot& robot, JointsIn q, double tolerance = 1e-9);
 // q with every joint moved to the nearest value within its limits.
 Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q);
 
-// q with every revolute joint moved by whole revolutions to the copy nearest to q_near among those
-// within the limits; a joint of which no copy lies within them keeps the copy nearest to its range.
+// q with every revolute joint moved by whole revolutions to the copy nearest to q_near within the
+// limits; if no copy is within them, to the copy nearest to its range.
 Eigen::VectorXd wrap_near(const Robot& robot, JointsIn q, JointsIn q_near);
 
-// An angle moved by whole revolutions to the copy nearest to `near` among those from lower to
-// upper; if none lies there, the copy nearest to that range.
+// An angle moved by whole revolutions to the copy nearest to `near` between lower and upper; if
+// there is none, to the copy nearest to that range.
 double wrapped_within(double angle, double near, double lower, double upper);
 
 // From each joint to the nearer of its limits, n values, rad or m; below 0 outside.

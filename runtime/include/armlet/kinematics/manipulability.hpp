@@ -12,9 +12,9 @@ namespace armlet {
 // source  T. Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4(2), 1985.
 double manipulability(const Robot& robot, JointsIn q);
 
-// How it changes with each joint value, per rad or m: with J = U diag(s) V^T the sum over k of
-// u_k^T (dJ/dq_i) v_k times the product of the other singular values. Where one of them is zero the
-// measure has a kink, and the gradient is that of one side.
+// The gradient of the measure, per rad or m of each joint value: with J = U diag(s) V^T, the sum
+// over k of u_k^T (dJ/dq_i) v_k times the product of the other singular values. Where a singular
+// value is zero the measure has a kink, and the gradient is that of one side.
 //
 // returns  n values.
 // throws   as manipulability().

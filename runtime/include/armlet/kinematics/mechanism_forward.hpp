@@ -16,7 +16,7 @@ using Matrix6Xd = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 // source  R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 4.
 std::vector<Eigen::Isometry3d> body_frames(const Mechanism& mechanism, JointsIn q);
 
-// Pose T_base_tip of a tip; q and what is thrown as above.
+// Pose T_base_tip of a tip; q and exceptions as above.
 Eigen::Isometry3d tip_pose(const Mechanism& mechanism, JointsIn q, const Tip& tip);
 
 // Maps actuator speeds to the velocity [v; w] of a tip's origin in the axes of the base: J C, where

@@ -6,14 +6,14 @@
 
 namespace armlet {
 
-// What makes a posture good, where several reach the same pose.
+// Measures of a good posture, for choosing between solutions for the same pose.
 //
 // kMidRange        joints in the middle of their ranges.
 // kManipulability  far from singularities.
 // kNearGiven       near to given joint values, each counted by its range.
 enum class Posture { kMidRange, kManipulability, kNearGiven };
 
-// A posture to strive for; q_given, n values, belongs to kNearGiven.
+// A posture as a goal; q_given, n values, is used by kNearGiven.
 struct PostureGoal {
   PostureGoal(Posture which) : posture(which) {}  // NOLINT: a posture alone is a goal
   PostureGoal(Posture which, Eigen::VectorXd q) : posture(which), q_given(std::move(q)) {}

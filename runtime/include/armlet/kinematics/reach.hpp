@@ -6,13 +6,13 @@
 
 namespace armlet {
 
-// How far the tool point gets within the joint limits, m. Robot::reach() is a bound that needs no
-// search; these are attained.
+// The largest distances of the tool point within the joint limits, m. Robot::reach() is a bound
+// that needs no search; these distances are attained.
 //
 // from_base   distance from the origin of the base.
-// from_axis   distance from the axis of the first revolute joint that stands still in the base; the
-//             same as from_base if the first joint slides.
-// q_base, q_axis  joint values that get there.
+// from_axis   distance from the axis of the first revolute joint, if it does not move in the base;
+//             the same as from_base if the first joint is prismatic.
+// q_base, q_axis  joint values with these distances.
 struct Reach {
   double from_base = 0.0;
   double from_axis = 0.0;
@@ -22,12 +22,12 @@ struct Reach {
 // source  coordinate search over the joints, as maximise_over_joints.
 Reach find_reach(const Robot& robot);
 
-// The joint values within the limits that make a function largest: one joint after another, from
-// evenly spread starts, the same ones every time.
+// The joint values within the limits that maximise a function: one joint after another, from evenly
+// spread starts, the same ones in every call.
 //
-// function  is given n joint values within the limits, rad or m.
-// starts    how many; the first is the home position.
-// returns   n joint values; a local maximum, which need not be the largest of all.
+// function  of n joint values within the limits, rad or m.
+// starts    number of starts; the first is the home position.
+// returns   n joint values; a local maximum, which need not be the global one.
 // throws    what the function throws.
 // source    J. Nocedal, S. J. Wright, Numerical Optimization, 2nd ed., 2006, chapter 9 (coordinate
 //           search).

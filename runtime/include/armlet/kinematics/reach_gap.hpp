@@ -6,7 +6,7 @@
 namespace armlet {
 
 // Why the closed form of an arm has no solution at all, in terms of the arm's geometry: which point
-// cannot get where the goal wants it, however the joints are turned.
+// cannot get to its position in the goal, whatever the joint values.
 //
 // kTooFar    beyond the stretched arm.
 // kTooNear   inside the hole that the folded arm leaves.
@@ -15,18 +15,18 @@ namespace armlet {
 // kOffPlane  off the plane in which the arm moves.
 enum class GapKind { kNone, kTooFar, kTooNear, kTooClose, kTooHigh, kOffPlane };
 
-// What of the arm misses: the tool point, the point where the axes of the wrist (or, for an arm
-// solved from its tool to its base, of the shoulder) meet, or the axis of a joint.
+// The point of the arm that cannot get there: the tool point, the point where the axes of the wrist
+// (or, for an arm solved from its tool to its base, of the shoulder) meet, or the axis of a joint.
 enum class GapPoint { kToolPoint, kWristCentre, kShoulderCentre, kAxis };
 
-// miss          by how much, m; the gap of subproblem 4 (circle and plane) or 3 (circle and sphere)
-//               of IK-Geo as a length.
-// distance      what the goal asks for: from the axis `from`, along it, or from the plane, m.
+// miss          distance that is missing, m; the gap of subproblem 4 (circle and plane) or 3
+//               (circle and sphere) of IK-Geo as a length.
+// distance      demanded by the goal: from the axis `from`, along it, or from the plane, m.
 // limit         the nearest distance that the arm allows, m.
 // from          joint whose axis the distance is measured from, from 0; for kTooFar and kTooNear of
 //               an arm without `links` it is the point where this axis meets the next.
 // axis          for GapPoint::kAxis: which joint's, from 0.
-// links         lengths of the two links that reach, m; 0 where it is not two links in a plane.
+// links         lengths of the two links of a planar arm, m; 0 for other structures.
 // link_numbers  which links these are, from 0: link i follows joint i.
 // source        A. Elias, J. Wen, IK-Geo: unified robot inverse kinematics using subproblem
 //               decomposition, Mech. Mach. Theory 209, 2025.

@@ -9,11 +9,11 @@
 
 namespace armlet {
 
-// Which coordinates of its tool an arm sets one by one, in their order.
+// The coordinates of the tool that an arm can set independently, in their order.
 //
 // kPose       x, y, z, roll, pitch, yaw: any pose. Six joints or more.
-// kPitchRoll  x, y, z, pitch, roll: five joints, of which the first turns about the vertical and
-//             the others keep the tool's axis in a vertical plane, as a Scorbot.
+// kPitchRoll  x, y, z, pitch, roll: five joints; the first rotates about the vertical and the
+//             others keep the tool's axis in a vertical plane, as in a Scorbot.
 // kPitch      x, y, z, pitch: the same with four joints.
 // kHeading    x, y, z and the rotation about z: a SCARA.
 // kPosition   x, y, z.
@@ -22,8 +22,8 @@ namespace armlet {
 // kOther      none of these.
 //
 // Coordinates are those of the world. `pitch` is the angle of the tool's z axis above the
-// horizontal, positive upwards: -90 deg points straight down. `roll` turns the tool about that
-// axis; at 0 the tool's y axis is horizontal, along z_world x (direction in which the arm reaches).
+// horizontal, positive upwards: -90 deg points straight down. `roll` rotates the tool about that
+// axis; at 0 the tool's y axis is horizontal, along z_world x (direction of the arm).
 enum class TaskSpace {
   kPose,
   kPitchRoll,
@@ -35,20 +35,20 @@ enum class TaskSpace {
   kOther
 };
 
-// How many coordinates, and their names: 5 and "x, y, z, pitch and roll". 0 and "" for kOther.
+// Number of coordinates, and their names: 5 and "x, y, z, pitch and roll". 0 and "" for kOther.
 int coordinate_count(TaskSpace space);
 std::string_view coordinate_names(TaskSpace space);
 
-// From the Jacobians at positions spread over the ranges of the joints; kept with the robot.
+// Found from the Jacobians at joint values spread over their ranges; stored with the robot.
 TaskSpace task_space(const Robot& robot);
 
-// The pose of the tool that the coordinates of an arm mean. What they do not say is what the arm
-// has: the height of its plane, the tilt of its tool. An arm with a pitch reaches forwards from its
+// The pose of the tool for given coordinates. What they do not determine is a constant of the arm:
+// the height of its plane, the tilt of its tool. An arm with a pitch reaches forwards from its
 // vertical axis; on that axis it reaches along x.
 //
 // values   one for each coordinate of task_space(robot), m and rad.
 // returns  T_world_tool; nothing for kOther, another number of values, or a point nearer to the
-//          vertical axis than the plane of the tool ever comes.
+//          vertical axis than the tool can get.
 std::optional<Eigen::Isometry3d> pose_of_coordinates(const Robot& robot,
                                                      std::span<const double> values);
 
