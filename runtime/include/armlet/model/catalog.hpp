@@ -9,17 +9,17 @@
 
 namespace armlet {
 
-// Ready-made arms. Each carries its source, limits, speeds, a home configuration and, where the
-// source gives them, masses and motors. Arms of four and more joints carry a parallel gripper whose
-// tool point is the end of the last link.
+// Ready-made arms. Each has its source, limits, speeds, a home configuration and, where the source
+// gives them, masses and motors. Arms of four and more joints have a parallel gripper whose tool
+// point is the end of the last link.
 //
-// What is known of one without making it. An arm is one row of runtime/src/model/catalog_*.cpp;
-// everything that lists the arms (the library's robots.NAME, `armlet robot`, the reference, the
-// tests) reads these entries.
+// This struct has what is known without constructing the arm. An arm is one row of
+// runtime/src/model/catalog_*.cpp; everything that lists the arms (the library's robots.NAME,
+// `armlet robot`, the reference, the tests) reads these entries.
 struct CatalogArm {
   std::string_view name;
-  std::string_view second_name;  // empty: it has none
-  std::string_view source;       // where its numbers come from
+  std::string_view second_name;  // empty: none
+  std::string_view source;       // of its numbers
   std::string_view help;         // a sentence
 };
 

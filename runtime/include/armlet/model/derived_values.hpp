@@ -5,18 +5,18 @@
 
 namespace armlet {
 
-// Values that are worked out once from a source that never changes: at most one of each type.
-// Copies share them. It may be used from many threads.
+// Values that are computed once from a constant source: at most one of each type. Copies share
+// them. Thread-safe.
 class DerivedValues {
  public:
   DerivedValues();
 
-  // The value of type T, which T(source) makes at the first call, in whichever thread comes first;
-  // the others wait for it. It lives as long as the last copy of this.
+  // The value of type T. T(source) is constructed in the first call, by whichever thread makes it;
+  // other threads wait. The value lives as long as the last copy of this object.
   //
-  // source  the same at each call; T must not keep a reference to it. While it is made, T may ask
+  // source  the same in each call; T must not keep a reference to it. The constructor of T may ask
   //         for values of other types.
-  // throws  what the constructor throws; then the next call tries again.
+  // throws  what the constructor throws; the next call tries again.
   template <class T, class Source>
   const T& get(const Source& source) const {
     static_assert(std::is_object_v<T> && std::is_same_v<T, std::remove_cv_t<T>>);
@@ -27,7 +27,7 @@ class DerivedValues {
   }
 
  private:
-  // Its address stands for the type.
+  // A key for the type: the address of this variable.
   template <class T>
   static constexpr char kKey = 0;
 

@@ -15,7 +15,7 @@ namespace armlet {
 enum class DhConvention { kStandard, kModified };
 
 // One Denavit-Hartenberg row, m and rad. The joint's value is added to theta (revolute) or to d
-// (prismatic), so the entry that moves is the zero offset.
+// (prismatic), so that entry is the zero offset.
 struct DhRow {
   double theta = 0.0;
   double d = 0.0;
@@ -26,7 +26,7 @@ struct DhRow {
 // Pose of frame i in frame i-1 for a row whose theta and d already include the joint's value.
 Eigen::Isometry3d dh_pose(DhConvention convention, const DhRow& row);
 
-// Sine and cosine of a twist angle, rad; results within 1e-12 of 0, 1 or -1 become exact, because
+// Sine and cosine of a link twist, rad; results within 1e-12 of 0, 1 or -1 are made exact, because
 // tables give rounded multiples of a right angle.
 struct SinCos {
   double sin = 0.0;
@@ -36,7 +36,7 @@ SinCos snapped_sin_cos(double angle);
 
 // No function of this header throws.
 
-// The same arm in the modified convention: modified rows, and what is left to put before the tool.
+// The same arm in the modified convention: modified rows, and a pose to put before the tool.
 struct ModifiedDh {
   std::vector<DhRow> rows;
   Eigen::Isometry3d T_last_flange = Eigen::Isometry3d::Identity();

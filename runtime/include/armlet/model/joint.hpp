@@ -11,20 +11,22 @@ namespace armlet {
 
 enum class JointKind { kRevolute, kPrismatic };
 
-// Limits at least this wide to both sides, in rad, stand for none: 10,000 revolutions.
+// Limits at least this wide to both sides, in rad, count as none: 10,000 revolutions.
 inline constexpr double kNoLimit = 2.0e4 * std::numbers::pi;
 inline constexpr bool is_no_limit(double lower, double upper) {
-  constexpr double kRounded = kNoLimit * (1.0 - 1e-12);  // read back from degrees
+  // tolerance for limits that were converted from degrees
+  constexpr double kRounded = kNoLimit * (1.0 - 1e-12);
   return lower <= -kRounded && upper >= kRounded;
 }
 
-// What moves a row of the joint table: a joint of its own, or another row that it copies,
+// The drive of a row of the joint table: a joint of its own, or (a mimic joint) the joint of
+// another row,
 //
 //   value of the row = ratio q + offset,
 //
-// q the value of the joint of row `of`.
+// with q the value of the joint of row `of`.
 //
-// of  a row that copies none, counted from 0; -1: the row has a joint of its own.
+// of  the row with that joint, from 0; -1: the row has a joint of its own.
 struct RowDrive {
   int of = -1;
   double ratio = 1.0;
@@ -47,7 +49,7 @@ struct Joint {
   RowDrive drive{};                                             // of its row
 
   bool is_revolute() const { return kind == JointKind::kRevolute; }
-  // Whether it may turn on and on: a joint without limits.
+  // Whether it may rotate without end: a revolute joint without limits.
   bool is_continuous() const { return is_revolute() && is_no_limit(lower, upper); }
 };
 
@@ -56,10 +58,11 @@ inline constexpr double kDefaultPrismaticSpeed = 0.5;              // m/s
 inline constexpr double kDefaultTimeToSpeed = 0.25;                // s
 inline constexpr double kDefaultTimeToAccel = 0.1;                 // s
 
-// A joint's value, rad or m, for people: "152.4 deg" for a revolute joint, "37.2 mm" for a
+// A joint's value, rad or m, in readable units: "152.4 deg" for a revolute joint, "37.2 mm" for a
 // prismatic one.
 std::string format_joint_value(JointKind kind, double value);
-// The same with as many decimals as tell it from another value: "140.03 deg" beside "140 deg".
+// The same with as many decimals as distinguish it from another value: "140.03 deg" beside "140
+// deg".
 std::string format_joint_value(JointKind kind, double value, double beside);
 
 // "turn" or "slide".

@@ -6,10 +6,10 @@
 
 namespace armlet {
 
-// A joint of a kind with the limits that it has where none are given: -360 to 360 deg, or 0 to 1 m.
+// A joint of a kind with the default limits: -360 to 360 deg, or 0 to 1 m.
 Joint joint_without_limits(JointKind kind);
 
-// Gives joints the limits of a table with one row lower, upper per joint (rad or m).
+// Sets the limits of joints from a table with one row lower, upper per joint (rad or m).
 //
 // throws  ArgumentError unless there is one row of two numbers for each joint. Robot checks their
 //         order.

@@ -1,6 +1,6 @@
 #pragma once
-// The shapes that an arm is drawn as: those that its description gives, or simple ones made from
-// its joint table.
+// The shapes with which an arm is drawn: those of its description, or simple ones made from its
+// joint table.
 
 #include <Eigen/Geometry>
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace armlet {
 
-// All lie along the z axis of their frame, with their middle in its origin.
+// All lie along the z axis of their frame, centred in its origin.
 //
 // kCapsule  a cylinder with half a sphere at each end; `length` is that of the cylinder alone.
 // kRing     the wall of a tube, `radius` outside.
@@ -18,14 +18,14 @@ enum class LinkShapeKind { kCylinder, kCapsule, kRing, kBox };
 // "cylinder", "capsule", "ring", "box".
 std::string_view to_text(LinkShapeKind kind);
 
-// kMark  a ring at the place where two links turn about or slide along each other.
+// kMark  a ring where two links rotate about or slide along each other.
 enum class LinkShapeRole { kBase, kJoint, kLink, kFlange, kTool, kFingerLeft, kFingerRight, kMark };
 // "base", "joint", "link", "flange", "tool", "finger_left", "finger_right", "mark".
 std::string_view to_text(LinkShapeRole role);
 
-// link  0: the base, in the frame of the base; i: what joint i - 1 moves, in the frame whose z axis
-//       is that of the joint and which moves with it (before T_joint_link of JointInfo); n + 1:
-//       what is fixed to the flange, in its frame.
+// link  0: the base, in the frame of the base; i: the link that joint i - 1 moves, in the frame
+//       that moves with the joint and has its axis as z (before T_joint_link of JointInfo); n + 1:
+//       parts fixed to the flange, in its frame.
 struct LinkShape {
   int link = 0;
   LinkShapeKind kind = LinkShapeKind::kCapsule;
@@ -35,21 +35,20 @@ struct LinkShape {
   double length = 0.0;                             // m, the same
   double thickness = 0.0;                          // m, of rings
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  // m, of boxes: along x, y and z
-  bool given = false;  // by a description: drawn beside the meshes of its link, not in their place
+  bool given = false;  // by a description: drawn in addition to the meshes of its link
 };
 
-// The shapes of an arm, of its base, and of the tool in its hand. Boxes, cylinders and spheres that
-// were given for a link are its shapes. Other links get some from the table, also links with
-// meshes, which stand in where these cannot be shown, and so does the base of an arm of which no
-// shape was given at all.
+// The shapes of an arm, its base and its tool. Boxes, cylinders and spheres that were given for a
+// link are its shapes. Other links get shapes made from the table. So do links with meshes, for
+// viewers that cannot show the meshes, and the base of an arm for which no shape was given at all.
 //
-// A link of the table runs along its own joint's
-// axis to the point nearest to the next axis, across to that axis, and along it to the next joint;
-// a sliding joint is a rod in a sleeve, long enough for all of its way. The fingers of a gripper
-// are open. How thick things are follows from the reach of the arm.
+// A link made from the table runs along its own joint's axis to the point nearest to the next axis,
+// across to that axis, and along it to the next joint. A prismatic joint is a rod in a sleeve, long
+// enough for its whole range. The fingers of a gripper are open. Thicknesses follow from the reach
+// of the arm.
 std::vector<LinkShape> link_shapes(const Robot& robot);
 
-// The shapes of a base made from the table alone, whatever was given: where the arm stands.
+// The shapes of a base made from the table alone, whatever was given: the pedestal of the arm.
 std::vector<LinkShape> pedestal_shapes(const Robot& robot);
 
 }  // namespace armlet

@@ -12,33 +12,31 @@ namespace armlet {
 
 enum class BodyJoint { kFixed, kRevolute, kPrismatic };
 
-// The limits that a description gives to a joint that copies another one, rad or m; the actuator
-// has its own. A speed of 0: not given.
+// The limits that a description gives to a mimic joint, rad or m; the actuator has its own. A speed
+// of 0: not given.
 struct CopyLimits {
   double lower = 0.0;
   double upper = 0.0;
   double max_speed = 0.0;
 };
 
-// A link of a mechanism and the joint that carries it. At the zero of its joint the link's frame is
-// T_parent_joint seen from its parent; a revolute joint rotates about `axis`, a sliding one moves
-// along it. The link's mass, centre and inertia are in its own frame.
+// A link of a mechanism and the joint that moves it. T_parent_joint is the pose of the link's frame
+// in its parent at the zero of the joint. A revolute joint rotates about `axis`, a prismatic one
+// moves along it. The link's mass, centre and inertia are in its own frame.
 struct Body {
   std::string name;
   std::string joint_name{};
   int parent = -1;  // an earlier body, or -1: the base
   BodyJoint joint = BodyJoint::kFixed;
   Eigen::Isometry3d T_parent_joint = Eigen::Isometry3d::Identity();
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // in the joint's frame; made a unit vector
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // in the joint's frame; normalised
   Link link{};
-  // Why the mass and inertia that its description gives are left out, a clause; empty: they are
-  // not.
+  // Why the mass and inertia of its description are ignored, a clause; empty: they are used.
   std::string inertia_fault{};
   std::optional<CopyLimits> copy_limits{};
 };
 
-// What drives the joints, in rad and m, N m and N. A rate or an effort of 0 is one that nobody
-// gave.
+// An actuator of joints, in rad and m, N m and N. A rate or an effort of 0 is not given.
 struct Actuator {
   std::string name;
   double lower = 0.0;
@@ -56,8 +54,8 @@ struct Tip {
 
 // Everything that defines a tree of links; Mechanism checks it.
 //
-// coupling, offset  joint values are coupling q + offset, with one row per joint that turns or
-//                   slides, in the order of the bodies, and one column per actuator. Empty: each
+// coupling, offset  joint values are coupling q + offset, with one row per revolute or prismatic
+//                   joint, in the order of the bodies, and one column per actuator. Empty: each
 //                   joint has its own actuator.
 struct MechanismSpec {
   std::string name = "mechanism";
@@ -69,13 +67,13 @@ struct MechanismSpec {
   Eigen::MatrixXd coupling;
   Eigen::VectorXd offset;
   std::vector<Tip> tips;
-  // What was assumed where a description left something open, one clause each.
+  // Assumptions about what a description left open, one clause each.
   std::vector<std::string> notes;
   InertiaCheck inertia_check = InertiaCheck::kRigidBody;
 };
 
-// Links in a tree, with joints that may be driven together: hands, grippers, arms with mimic
-// joints. It never changes after construction.
+// Links in a tree, with joints that may be coupled: hands, grippers, arms with mimic joints.
+// Immutable after construction.
 //
 // source  R. Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 4.
 class Mechanism {
@@ -94,12 +92,12 @@ class Mechanism {
 
   int actuator_count() const { return static_cast<int>(spec_.actuators.size()); }
   int joint_count() const { return static_cast<int>(moving_.size()); }
-  // The bodies whose joints turn or slide, in order.
+  // The bodies with a revolute or prismatic joint, in order.
   const std::vector<int>& moving() const { return moving_; }
   // The joint of a body as an index into joint values, or -1 if it is fixed.
   int joint_of(int body) const { return joint_of_[static_cast<std::size_t>(body)]; }
 
-  // coupling q + offset
+  // The joint values coupling q + offset.
   //
   // q       actuator values; limits are not checked.
   // throws  ArgumentError unless there is one value for each actuator.

@@ -10,12 +10,12 @@ enum class ToolKind { kNone, kParallelGripper, kSuctionCup, kPoint, kFingers };
 
 // The tool at the flange. Its tool point lies `length` along the z axis of the flange.
 //
-// stroke          widest opening of a gripper, m; wider things cannot be grasped.
+// stroke          widest opening of a gripper, m; wider objects cannot be grasped.
 // length          from the flange to the tool point, m.
 // force           closing force, N.
 // radius          of a suction cup, m.
-// max_force       that it can stand when it is pressed on something, N.
-// grasp_distance  how near the tool point must be to what is grasped, m.
+// max_force       limit of the contact force on the gripper, N.
+// grasp_distance  largest distance from the tool point to a grasped object, m.
 struct Tool {
   ToolKind kind = ToolKind::kNone;
   double stroke = 0.0;

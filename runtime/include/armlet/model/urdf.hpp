@@ -13,32 +13,32 @@ namespace armlet {
 
 struct UrdfOptions {
   InertiaCheck inertia_check = InertiaCheck::kRigidBody;
-  // Says whether a mesh exists, by the name that the file gives ("package://arm/link1.stl"). Null:
-  // meshes are not looked for.
+  // Returns whether a mesh exists, by its name in the file ("package://arm/link1.stl"). Null: the
+  // existence of meshes is not checked.
   std::function<bool(const std::string&)> has_mesh{};
-  // Reads one as GLB, or gives null for a kind of file that is not read. Null: no meshes are read.
-  // Called once for each name. Triangles are made of those for collisions; of those that are only
-  // drawn the bytes are kept (LinkMesh::picture).
+  // Reads a mesh as GLB, or returns null for a file type that is not supported; called once for
+  // each name. Null: no meshes are read. Meshes for collision checks become triangles; of meshes
+  // that are only drawn the bytes are kept (LinkMesh::picture).
   std::function<Result<std::shared_ptr<const std::string>>(const std::string&)> load_glb{};
 };
 
 // The links and joints of a robot description (URDF 1.0) as a mechanism, the root link as its base.
-// Mimic joints become couplings, continuous joints have no limits (kNoLimit),
-// angles within 1e-5 rad of a right angle count as right ("1.5708"), an effort or a speed of 0 as
-// one that the file does not give. Damping and friction belong to the joint; URDF knows no rotor
-// and no gear.
+// Mimic joints become couplings, and continuous joints have no limits (kNoLimit). Angles within
+// 1e-5 rad of a right angle count as right ("1.5708"). An effort or a speed of 0 counts as not
+// given. Damping and friction belong to the joint; URDF has neither rotor inertia nor gear.
 //
-// An inertia that no body has is left out (Body::inertia_fault), and so is a mesh that is missing
-// or cannot be read; MechanismSpec::notes says so of meshes.
+// An inertia that no body has is ignored (Body::inertia_fault), and so is a mesh that is missing or
+// cannot be read; MechanismSpec::notes reports the meshes.
 //
-// returns  an error that names the link or joint: broken XML, a link that is its own parent,
-//          missing or not connected, a joint of a kind that an arm has not, numbers that are none,
-//          swapped limits, elements of a xacro file.
+// returns  an error that names the link or joint: broken XML; a link that is its own parent,
+//          missing or not connected; a kind of joint that an arm cannot have; texts that are not
+//          numbers; swapped limits; elements of a xacro file.
 Result<Mechanism> read_urdf(std::string_view text, const UrdfOptions& options = {});
 
 // A part of a link of a fixed scene.
 //
-// mesh   file that the scene names, if it is one; otherwise empty, and `solid` says what it is.
+// mesh   file that the scene names, if the part is a mesh; otherwise empty, and `solid` is its
+//        shape.
 // scale  of the mesh, along its axes.
 // color  "#rrggbb"; empty: none.
 struct UrdfPart {
@@ -49,7 +49,7 @@ struct UrdfPart {
   std::string color{};
 };
 
-// A link of a fixed scene, the one before it first.
+// A link of a fixed scene; the link that it is fixed to comes before it.
 //
 // parent        index of the link that it is fixed to; -1: none, or it is free to move.
 // T_world_link  pose of the link in the scene.
@@ -63,26 +63,25 @@ struct UrdfLink {
   std::vector<UrdfPart> parts;
 };
 
-// What a robot description shows that has no joints of a robot: a scene of links that are fixed to
-// each other or float. Parts are those of visual elements, or of collision elements of a link
-// without visual ones.
+// A robot description as a scene of links that are fixed to each other or free. Its parts are those
+// of visual elements, or of collision elements of a link without visual ones.
 //
-// returns  an error as read_urdf, and for a joint that turns or slides.
+// returns  an error as read_urdf, and for a revolute or prismatic joint.
 Result<std::vector<UrdfLink>> read_urdf_scene(std::string_view text);
 
-// The mechanism as a URDF that read_urdf and others understand; numbers read back to the same bits
-// but for rotations, of which URDF gives the angles. Tips become links of their own. A comment at a
-// joint says what URDF cannot: the inertia of its rotor, friction that differs between the
-// directions or sticks.
+// The mechanism as a URDF that read_urdf and other programs read. Numbers read back to the same
+// bits, except rotations, which URDF stores as angles. Tips become links of their own. A comment at
+// a joint has what URDF cannot express: the inertia of its rotor, friction that differs between the
+// directions or has static friction.
 //
-// throws  ArgumentError if a joint is driven by several actuators at once, which URDF cannot say.
+// throws  ArgumentError if a joint is driven by several actuators at once, which URDF cannot
+//         express.
 std::string write_urdf(const Mechanism& mechanism);
 
-// Where packages are besides the folders around a URDF.
+// Folders of packages, in addition to the folders around a URDF.
 //
 // named    folders of packages by name.
-// folders  which hold packages as folders of their name, or are one, as ROS_PACKAGE_PATH lists
-//          them.
+// folders  that contain packages as folders of their name, or are packages, as in ROS_PACKAGE_PATH.
 struct PackageFolders {
   std::map<std::string, std::string> named{};
   std::vector<std::string> folders{};
@@ -93,7 +92,7 @@ struct PackageFolders {
 // `packages`.
 //
 // urdf_folder  folder of the URDF.
-// top          nothing above this folder is looked at but packages; empty: no limit.
+// top          folders above this one are not searched, except `packages`; empty: no limit.
 // returns      the path, or an empty text if there is no such file.
 std::string find_mesh(const std::string& urdf_folder, const std::string& top,
                       const std::string& name, const PackageFolders& packages = {});

@@ -7,8 +7,8 @@
 
 namespace armlet {
 
-// The acceleration of joint i as polynomials of time, one for each stretch between two knots of the
-// whole motion: a(t) = sum_k c[k] (t - start)^k. No pieces for a motion that takes no time.
+// The acceleration of joint i as polynomials of time, one for each interval between two knots of
+// the whole motion: a(t) = sum_k c[k] (t - start)^k. Empty for a motion of no duration.
 //
 // i       counts from 0.
 // returns pieces in rad/s^2 or m/s^2, times in s.

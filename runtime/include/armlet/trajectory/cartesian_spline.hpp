@@ -8,7 +8,8 @@
 
 namespace armlet {
 
-// How position and orientation run through the poses in time, see spline.hpp; at rest at both ends.
+// How position and orientation pass through the poses in time, see spline.hpp; at rest at both
+// ends.
 //
 // kCubic    cubic interpolator: no overshoot, accelerations jump at the poses.
 // kSpline3  cubic spline, continuous accelerations.
@@ -18,8 +19,8 @@ enum class SplineKind { kCubic, kSpline3, kSpline4, kSpline5 };
 
 // A move of the tool through poses, from rest to rest.
 //
-// poses   in order, of the tool in the world; those where nothing changes are left out.
-// task    what of the poses counts, as for LineMove, for all of them.
+// poses   in order, of the tool in the world; a pose equal to the one before is left out.
+// task    parts of the poses that count, as for LineMove, for all of them.
 // time    whole duration, s; nothing: as fast as the limits of the joints allow.
 // speed   fraction of the joint limits, above 0 and at most 1; not together with time.
 struct SplineMove {
@@ -31,12 +32,12 @@ struct SplineMove {
   double speed = 1.0;
 };
 
-// Plans the move: the legs share the time like the distances between the poses, a turn by one
-// radian counting for 0.2 m; position and rotation vector (seen from the first pose, without jumps)
-// are splines in time. Solved to joints as for plan_line.
+// Plans the move. The time is divided among the legs in proportion to the distances between poses;
+// a rotation by one radian counts as 0.2 m. Position and rotation vector (relative to the first
+// pose, continuous) are splines in time. Inverse kinematics as for plan_line.
 //
-// returns  as for a path, `length` being that of the curve, which misses no pose; the fraction of a
-//          fault is of its leg's time.
+// returns  as for a path; `length` is that of the curve, which passes through every pose; the
+//          fraction of a fault is of its leg's time.
 // throws  ArgumentError unless q0 has n finite elements, there is a position, positions are poses,
 //         and time and speed are as said.
 // source  splines in time as in spline.hpp; splines of the rotation vector: F. C. Park, B. Ravani,

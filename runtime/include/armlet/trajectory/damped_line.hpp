@@ -4,14 +4,14 @@
 
 namespace armlet {
 
-// Of the smallest singular value of the Jacobian, m and m/rad alike.
+// Threshold on the smallest singular value of the Jacobian, m and m/rad alike.
 constexpr double kUsualDamping = 0.05;
 
-// A line that was followed only as well as joints of limited speed can.
+// A line that was followed as well as joints of limited speed can.
 //
 // motion          verified as for plan_line.
-// deviation       the largest distance of the tool point from where it should be, m, and the
-//                 largest angle of its orientation, rad. Sampled finely.
+// deviation       the largest distance of the tool point from the line, m, and the largest angle of
+//                 its orientation from the demanded one, rad. Sampled finely.
 // at              where on the line that distance occurs, as a fraction.
 // length          of the line, m.
 struct DampedLine {
@@ -24,16 +24,16 @@ struct DampedLine {
   [[nodiscard]] bool ok() const { return motion.ok(); }
 };
 
-// Follows the line of plan_line through and along singularities: near them the joints are damped,
-// so that they stay slow and the tool leaves the line a little. Away from them the line is exact to
-// the damping's square.
+// Follows the line of plan_line through and along singularities: near them the joint speeds are
+// damped, so the tool leaves the line a little. Away from them the error is of the order of the
+// square of the damping.
 //
-// The path of the joints is run as fast as their speeds, accelerations and jerks and those of the
-// tool allow everywhere, or in the time that is asked for. Where joints all but jump, so that
-// limited jerk would take many times as long, accelerations step.
+// The joint path is followed as fast as the limits of the joints and of the tool allow, or in the
+// requested time. Where joints nearly jump, so that limited jerk would take many times as long,
+// accelerations jump.
 //
 // damping  the smallest singular value of the Jacobian below which joints are damped, above 0;
-//          larger values are slower and leave the line further.
+//          larger values make joints slower and the deviation larger.
 // returns  a plan whose `outside` names a joint that would leave its limits. With a task of
 //          kPositionFirst only the position is followed, and `angle` is 0.
 // throws   as plan_line, and for a damping that is not positive; only with a task of kPose or

@@ -6,10 +6,9 @@
 
 namespace armlet {
 
-// Times at which a motion is looked at to be drawn, ascending from 0 to its duration: `even` of
-// them evenly, and every knot with the instant before it, so that corners and jumps are drawn where
-// they are. Of more than 2000 knots none is looked at beside the even times, of which there are
-// then 4000.
+// Times at which a motion is sampled for drawing, ascending from 0 to its duration: `even` of them
+// evenly spaced, and every knot with the instant before it, so that corners and jumps are drawn
+// exactly. If there are more than 2000 knots, 4000 evenly spaced times without the knots.
 //
 // even     at least 2.
 // returns  times, s.

@@ -11,27 +11,27 @@
 
 namespace armlet {
 
-// Constant jerk for a while.
+// An interval of constant jerk.
 struct JerkStep {
   double duration = 0.0;  // s, > 0
   double jerk = 0.0;      // rad/s^3 or m/s^3
 };
 
-// Motion of one axis as a sequence of constant jerks. It needs no memory of its own.
+// Motion of one axis as a sequence of constant jerks, without allocation.
 class JerkProfile {
  public:
-  // One to bring an acceleration back to its limit, three up, a cruise, three down.
+  // One step to bring an acceleration back to its limit, three up, a cruise, three down.
   static constexpr int kMostSteps = 8;
 
   [[nodiscard]] std::span<const JerkStep> steps() const {
     return {steps_.data(), static_cast<std::size_t>(count_)};
   }
   [[nodiscard]] double duration() const { return duration_; }
-  // The highest or lowest speed, with sign, that it passes with no acceleration before it stops;
-  // 0 if it slows down all the way.
+  // The highest or lowest speed, with sign, at which the acceleration is zero before it stops; 0 if
+  // it only decelerates.
   [[nodiscard]] double peak_speed() const { return peak_speed_; }
 
-  // Adds a step; one that is too short to matter is left out.
+  // Adds a step; one of negligible duration is left out.
   void add(double duration, double jerk);
   void set_peak_speed(double v) { peak_speed_ = v; }
 
@@ -43,20 +43,21 @@ class JerkProfile {
 };
 
 // The fastest motion from `from` to rest at `to`. All three limits are finite and above zero. A
-// start that is faster or accelerates more than allowed is first brought back within the limits; a
-// start that cannot avoid to exceed the speed limit exceeds it as little as possible.
+// start with a speed or an acceleration above its limit is first brought back within the limits; a
+// start that cannot avoid exceeding the speed limit exceeds it as little as possible.
 //
-// The axis is accelerated towards a speed limit up to some moment and then stopped as fast as can
-// be; where it stops depends on that moment monotonically, so the moment is found by bracketing.
+// The axis accelerates towards a speed limit up to some instant and then stops as fast as possible.
+// The position where it stops is a monotonic function of that instant, which is found by
+// bracketing.
 //
 // from, to  state, rad or m and its derivatives, and target; finite.
-// throws    nothing; plan_jerk_limited checks what it is given.
+// throws    nothing; plan_jerk_limited checks the arguments.
 // source    L. Berscheid, T. Kroeger, Jerk-limited real-time trajectory generation with arbitrary
 //           target states, RSS 2021, for targets at rest.
 JerkProfile fastest_jerk_limited(const AxisState& from, double to, const AxisLimits& limits);
 
 // The same motion in exactly T seconds, with a lower speed between the same accelerations and
-// jerks; nothing if there is none (T too short, or a start that must first slow down).
+// jerks; nothing if there is none (T too short, or a start that must first decelerate).
 //
 // T        s.
 // fastest  of the same from, to and limits.
@@ -64,8 +65,8 @@ std::optional<JerkProfile> jerk_limited_in_time(const AxisState& from, double to
                                                 const AxisLimits& limits, double T,
                                                 const JerkProfile& fastest);
 
-// All axes to rest together: each as fast as it can, then those that are earlier are slowed down to
-// the duration of the slowest. An axis that cannot be slowed down waits at its end.
+// Moves all axes to rest: the fastest motion of each, slowed down to the duration of the slowest
+// axis. An axis that cannot be slowed down ends earlier and waits.
 //
 // profiles  receives one profile per axis.
 // returns   the duration, s.

@@ -7,7 +7,7 @@
 
 namespace armlet {
 
-// A move of all joints from rest at q0 to rest at q1; the rest as in MoveRequest.
+// A move of all joints from rest at q0 to rest at q1; other members as in MoveRequest.
 struct JointMove {
   Eigen::VectorXd q0{};
   Eigen::VectorXd q1{};
@@ -20,8 +20,8 @@ struct JointMove {
 
 // Plans a move between joint positions and verifies the whole of it.
 //
-// returns  a plan whose `outside` names joints that the target puts outside their limits, and whose
-//          `too_fast` names the joint that needs more time.
+// returns  a plan whose `outside` has the joints whose target is outside their limits, and whose
+//          `too_fast` has the joint that needs more time.
 // source   B. Siciliano et al., Robotics, 2009, section 4.2 (joint space trajectories).
 // throws   ArgumentError for sizes, planners, times and speeds as PlannerSet::plan does.
 MotionPlan plan_joint_move(const PlannerSet& planners, const Robot& robot, const JointMove& move);

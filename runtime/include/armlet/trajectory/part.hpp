@@ -1,4 +1,4 @@
-// A stretch of a motion as a motion of its own.
+// A part of a motion as a motion of its own.
 #pragma once
 
 #include "armlet/trajectory/trajectory.hpp"

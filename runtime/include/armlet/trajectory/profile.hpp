@@ -1,4 +1,4 @@
-// One-axis laws: cubic, quintic and trapezoidal travel, and the least time each of them needs.
+// Laws of one axis: cubic, quintic, septic, cycloid and trapezoid, and the least time of each.
 #pragma once
 
 #include <limits>
@@ -25,7 +25,7 @@ struct AxisState {
 
 enum class LimitKind { kSpeed, kAcceleration, kJerk, kForce };
 
-// The shortest admissible duration, and the limit that decides it.
+// The shortest admissible duration, and the limit that determines it.
 struct LeastTime {
   double time = 0.0;  // s
   LimitKind limit = LimitKind::kSpeed;
@@ -58,13 +58,13 @@ Segment quartic_segment(const AxisState& from, const AxisState& to, double T);
 //         section 2.1.
 Segment septic_segment(double q0, double q1, double T);
 
-// The cycloid D (x - sin(2 pi x) / 2 pi) with x = t / T as 32 pieces of degree 7 that have its
-// position, speed, acceleration and jerk at their ends; in between they stray by 1e-13 D at most.
+// The cycloid D (x - sin(2 pi x) / 2 pi) with x = t / T as 32 pieces of degree 7 with its position,
+// speed, acceleration and jerk at their ends; the error in between is at most 1e-13 D.
 // T       duration, s, > 0.
 // source  Biagiotti, Melchiorri 2008, section 2.2.
 std::vector<Segment> cycloid_segments(double q0, double q1, double T);
 
-// The same polynomial written from its other end: q(T - t), starting at `start`, s.
+// The same polynomial reversed in time: q(T - t), starting at `start`, s.
 Segment reversed(const Segment& piece, double start);
 
 // Least time from rest to rest over `travel`, D = |travel|, under limits V, A and J: from the
@@ -72,8 +72,8 @@ Segment reversed(const Segment& piece, double start);
 // source  Biagiotti, Melchiorri 2008, sections 2.1 (polynomials) and 2.2 (cycloid) and chapter 5
 //         (scaling in time).
 //
-// Cubic: max(1.5 D/V, sqrt(6 D/A)); its jerk is
-// unbounded at the ends, so a jerk limit is not considered.
+// Cubic: max(1.5 D/V, sqrt(6 D/A)); its jerk is unbounded at the ends, so the jerk limit is
+// ignored.
 LeastTime cubic_least_time(double travel, const AxisLimits& limits);
 
 // Quintic: max(1.875 D/V, sqrt(10/sqrt(3) D/A), cbrt(60 D/J)).
@@ -85,7 +85,8 @@ LeastTime septic_least_time(double travel, const AxisLimits& limits);
 // Cycloid: max(2 D/V, sqrt(2 pi D/A), cbrt(4 pi^2 D/J)).
 LeastTime cycloid_least_time(double travel, const AxisLimits& limits);
 
-// Speed rises evenly for `ramp` seconds to `speed`, stays, and falls evenly for `ramp` seconds.
+// Speed rises linearly for `ramp` seconds to `speed`, is constant, and falls linearly for `ramp`
+// seconds.
 struct Trapezoid {
   double ramp = 0.0;      // s
   double speed = 0.0;     // magnitude of the constant speed
@@ -102,10 +103,10 @@ LeastTime trapezoid_least_time(double travel, const AxisLimits& limits);
 // A T^2 < 4 D.
 std::optional<Trapezoid> trapezoid_in_time(double travel, double T, double A);
 
-// The trapezoid of duration T that speeds up for `ramp` seconds, 0 < ramp <= T / 2.
+// The trapezoid of duration T that accelerates for `ramp` seconds, 0 < ramp <= T / 2.
 Trapezoid trapezoid_with_ramp(double travel, double T, double ramp);
 
-// The pieces of a trapezoid that starts at q and travels (with sign) `travel`.
+// The pieces of a trapezoid from q over the distance `travel` (with sign).
 std::vector<Segment> trapezoid_segments(double q, double travel, const Trapezoid& shape);
 
 }  // namespace armlet

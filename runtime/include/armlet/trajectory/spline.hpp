@@ -31,19 +31,19 @@ struct PathEnds {
   double a_end = 0.0;
 };
 
-// The functions below take times and positions as cubic_spline does and throw as it does.
+// The functions below take times and positions like cubic_spline, and throw the same exceptions.
 
 // Cubics from point to point. The speed at a point is the mean of the slopes on both sides, zero
-// where the motion turns back: no overshoot, and a point acts only on its neighbours. Once
-// continuously differentiable; the accelerations in `ends` are not used.
+// where the direction reverses: there is no overshoot, and a point affects only its neighbours.
+// Once continuously differentiable; the accelerations in `ends` are ignored.
 // source  L. Biagiotti, C. Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008,
 //         section 4.3.1.
 std::vector<Segment> cubic_interpolator(std::span<const double> t, std::span<const double> q,
                                         const PathEnds& ends = {});
 
-// Cubics with a quartic at either end, which take the accelerations prescribed there; twice
-// continuously differentiable. Through four points it is the 4-3-4. Two points alone are joined by
-// two quartics that meet halfway with equal jerk.
+// Cubics with a quartic at either end, which has the prescribed acceleration there; twice
+// continuously differentiable. Through four points it is the 4-3-4 path. Two points alone are
+// joined by two quartics that meet at half the time with equal jerk.
 // source  K. S. Fu, R. C. Gonzalez, C. S. G. Lee, Robotics, 1987, section 4.3.
 std::vector<Segment> quartic_spline(std::span<const double> t, std::span<const double> q,
                                     const PathEnds& ends = {});
@@ -62,8 +62,8 @@ std::vector<Segment> path_353(std::span<const double> t, std::span<const double>
                               const PathEnds& ends = {});
 
 // Five cubics through exactly four points, twice continuously differentiable with speed and
-// acceleration prescribed at both ends. The first and the last leg are halved; where the halves
-// meet follows from the conditions.
+// acceleration prescribed at both ends. The first and the last leg are halved; the position where
+// the halves meet follows from the conditions.
 // source  Fu, Gonzalez, Lee 1987, section 4.3.
 std::vector<Segment> path_five_cubics(std::span<const double> t, std::span<const double> q,
                                       const PathEnds& ends = {});

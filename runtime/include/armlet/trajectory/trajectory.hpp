@@ -1,4 +1,4 @@
-// Motion as a function of time: one piecewise polynomial per joint, whatever planner made it.
+// Motion as a function of time: one piecewise polynomial per joint, for all planners.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,17 +26,17 @@ struct Segment {
   [[nodiscard]] double end() const { return start + duration; }
 };
 
-// The motion of one joint. Pieces follow one another without a gap from t = 0; no pieces: the joint
-// stands still at q_end. After the last piece the joint stays at q_end, which is exact.
+// The motion of one joint. Pieces follow one another without a gap from t = 0; without pieces the
+// joint is at rest at q_end. After the last piece the joint stays at q_end, which is exact.
 struct JointPath {
   std::vector<Segment> segments{};
   double q_end = 0.0;
 };
 
-// A motion of n joints, checked when it is made, immutable afterwards.
+// A motion of n joints, checked by the constructor, immutable afterwards.
 //
-// Time is clamped: before 0 and after duration() the joints stand still at the first and last
-// position. At duration() the position is exactly the one that was asked for.
+// Time is clamped: before 0 and after duration() the joints are at rest at the first and last
+// position. At duration() the position is exactly the requested one.
 class Trajectory {
  public:
   Trajectory() = default;
@@ -46,7 +46,7 @@ class Trajectory {
   // throws    ArgumentError when pieces overlap, leave gaps, do not start at 0 or are not finite.
   Trajectory(std::vector<JointPath> joints, double duration);
 
-  // n joints standing still at q for `duration` seconds (0 is allowed).
+  // n joints at rest at q for `duration` seconds (0 is allowed).
   static Trajectory at_rest(const Eigen::VectorXd& q, double duration);
 
   [[nodiscard]] int n() const { return static_cast<int>(joints_.size()); }
@@ -78,8 +78,8 @@ class Trajectory {
   };
   [[nodiscard]] Range range(int i) const;
 
-  // The same path run `factor` times slower: duration and knots are multiplied by it, the k-th
-  // derivative is divided by its k-th power.
+  // The same path, executed `factor` times slower: duration and knots are multiplied by it, the
+  // k-th derivative is divided by its k-th power.
   // throws  ArgumentError unless factor is finite and above zero.
   // source  J. M. Hollerbach, Dynamic scaling of manipulator trajectories, Journal of Dynamic
   //         Systems, Measurement, and Control 106, 1984.
@@ -89,15 +89,15 @@ class Trajectory {
   // throws  ArgumentError if the numbers of joints differ or a joint would jump more than 1e-9.
   [[nodiscard]] Trajectory then(const Trajectory& next) const;
 
-  // The same path run backwards, with the same duration.
+  // The same path in the opposite direction, with the same duration.
   [[nodiscard]] Trajectory reversed() const;
 
-  // How a motion begins: from standing still, or taking over the state that it starts in.
+  // The start of a motion: from rest, or from a given state.
   enum class Start { kAtRest, kMoving };
 
-  // How smoothly joint i moves to standing still at its end: the highest order of derivative that
-  // is continuous at every knot, zero at the end and, from rest, zero at the start; -1 if the
-  // position jumps. Differences count if above `tolerance` times the peak of that derivative.
+  // How smoothly joint i comes to rest: the highest order of derivative that is continuous at every
+  // knot, zero at the end and, from rest, zero at the start; -1 if the position jumps. Differences
+  // count if above `tolerance` times the peak of that derivative.
   [[nodiscard]] int continuity(int i, double tolerance = 1e-9, Start start = Start::kAtRest) const;
 
  private:

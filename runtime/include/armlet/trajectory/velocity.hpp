@@ -1,4 +1,4 @@
-// Velocity commands: take up a velocity, hold it, and stop unless another command takes over.
+// Velocity commands: reach a velocity, hold it, and stop unless another command follows.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,16 +12,15 @@
 
 namespace armlet {
 
-// A law by which the tool takes up a velocity.
+// A law by which the tool reaches a velocity (the take-up).
 //
-// share    part of the limits on acceleration and jerk that is for the take-up itself; the rest is
-//          for the joints turning under it.
-// turning  part of the limit on jerk with which an acceleration that another command has left is
-//          turned.
-// ref      position of the joints to which the law of the take-up refers; empty if it is in joint
-//          speeds.
-// crosses  whether the direction that the tool has all but lost at `ref` is left to the joints, to
-//          come to rest through a singular position.
+// share    part of the limits on acceleration and jerk for the take-up itself; the rest is for the
+//          change of the joint directions during it.
+// turning  part of the jerk limit for changing the direction of an acceleration that another
+//          command has left.
+// ref      joint values to which the law of the take-up refers; empty if it is in joint speeds.
+// crosses  whether the direction that the tool has nearly lost at `ref` is left to the joints, in
+//          order to come to rest through a singular position.
 struct ToolLaw {
   double share = 1.0;
   double turning = 1.0;
@@ -35,14 +34,14 @@ struct ToolSpeeds {
   double w = 0.0;
 };
 
-// How the tool takes up a velocity, and how far it has come.
+// How the tool reaches a velocity, and the progress so far.
 //
 // law          of the take-up.
-// brake_for    s, for which the tool is slowed down first, because the velocity cannot be taken up
-//              at once without making the tool faster than it may be; mostly 0.
-// brake        the law by which it is slowed down.
-// fastest      the largest speeds that were asked for and are still being taken up.
-// q, qd, qdd   the state in which the law that is now followed began.
+// brake_for    s, for which the tool first decelerates, because reaching the velocity at once would
+//              make the tool faster than allowed; mostly 0.
+// brake        the law of that deceleration.
+// fastest      the largest commanded speeds that are still being reached.
+// q, qd, qdd   the state at which the present law began.
 // elapsed      s, since then.
 struct ToolTakeUp {
   ToolLaw law{};
@@ -55,14 +54,14 @@ struct ToolTakeUp {
   double elapsed = 0.0;
 };
 
-// The state of a robot when a command comes, and for how long the command holds, s, > 0.
+// The state of a robot when a command arrives, and for how long the command holds, s, > 0.
 //
-// qdd      none gains speed if empty.
-// same     `take_up` of the plan before, if this command sends the same velocity of the tool again
-//          when the time of that plan ends: the take-up then goes on where it is. Left aside if the
-//          state is not the one which that plan led to.
-// fastest  `take_up.fastest` of the plan before, if the tool was taking up another velocity. If it
-//          is not known, what the tool does at the start counts.
+// qdd      empty: no joint accelerates.
+// same     `take_up` of the plan before, if this command repeats its velocity when the time of that
+//          plan ends: the take-up then continues. Ignored if the state is not the one to which that
+//          plan led.
+// fastest  `take_up.fastest` of the plan before, if the tool was reaching another velocity. If it
+//          is not known, the tool speed at the start is used.
 struct VelocityStart {
   Eigen::VectorXd q{};
   Eigen::VectorXd qd{};
@@ -80,19 +79,19 @@ struct RateTooHigh {
   double limit = 0.0;
 };
 
-// What planning a velocity command gave: a motion, or why there is none.
+// The result of planning a velocity command: a motion, or the reason why there is none.
 //
-// motion    begins with the state of the start. The speeds are taken up as fast as the limits on
+// motion    begins with the state of the start. The speeds are reached as fast as the limits on
 //           acceleration and jerk allow, all joints together, and held. When the command ends, also
-//           before the speeds are reached, the joints come to rest the same way. Accelerations
-//           never jump. The same command sent again from a state within its time goes on with the
-//           same motion, and while a velocity is taken up no speed exceeds the fastest velocity
-//           that was still being taken up (but for 1 %; next to a singular position, where no calm
-//           way is found, one of a thousand by a little more, and the path to rest as well).
+//           before the speeds are reached, the joints come to rest in the same manner.
+//           Accelerations never jump. A repeated command from a state within its time continues the
+//           same motion. While a velocity is being reached no speed exceeds the fastest commanded
+//           one by more than 1 % (next to a singular position, where no smooth solution is found,
+//           one in a thousand exceeds it by a little more, and so does the deceleration).
 // outside   a joint would leave its limits, at the latest while it stops.
-// too_high  a joint would be too fast, or gain speed or acceleration too fast.
-// lacking   part of the velocity of the tool that no joint speeds give, as a fraction of it.
-// take_up   how the tool takes up its velocity, for the command after this one.
+// too_high  a joint would exceed its limit of speed, acceleration or jerk.
+// lacking   part of the velocity of the tool that no joint speeds produce, as a fraction of it.
+// take_up   how the tool reaches its velocity, for the next command.
 struct VelocityPlan {
   std::optional<Trajectory> motion{};
   std::optional<LimitViolation> outside{};
@@ -101,15 +100,15 @@ struct VelocityPlan {
   ToolTakeUp take_up{};
 };
 
-// Holds joint speeds.
+// Plans a command for joint speeds.
 //
 // rates   n joint speeds, rad/s or m/s.
 // throws  ArgumentError for sizes that differ, numbers that are not finite, or no duration.
 VelocityPlan plan_joint_velocity(const Robot& robot, const VelocityStart& start,
                                  const Eigen::VectorXd& rates);
 
-// Holds a velocity of the tool point: v in m/s and w in rad/s, in the world. Of the joint speeds
-// that give it the smallest ones are taken.
+// Plans a command for a velocity of the tool point: v in m/s and w in rad/s, in the world. Of all
+// joint speeds that produce it the smallest are chosen.
 //
 // twist   [v; w] of the tool point, m/s and rad/s, along the axes of the world.
 // throws  as plan_joint_velocity.
