@@ -1,4 +1,4 @@
-// Who listens to a run. Backends only listen: nothing they do changes the run.
+// Listeners of a run. Nothing that they do changes the run.
 #pragma once
 
 #include <string>
@@ -7,23 +7,23 @@
 
 namespace armlet {
 
-// Listens to a run. Events come in the order of time, but where an Undone says
-// that the run went back: BeginRun first, EndRun last, each once. No
-// backend may throw because the outside fails.
+// A listener of a run. Events come in the order of time, except after an Undone, which says that
+// the run went back: BeginRun first, EndRun last, each once. No backend may throw because an output
+// fails.
 class Backend {
  public:
   virtual ~Backend() = default;
 
-  // event  lives only during the call, with everything that it points to.
+  // event  is valid only during the call, with everything that it points to.
   virtual void on(const Event& event) = 0;
 
-  // The events that it does nothing with; it need not be told of them.
+  // The events that this backend ignores; they need not be sent to it.
   [[nodiscard]] virtual EventKinds ignores() const { return {}; }
 
-  // Whether samples of joints are to carry the frames of the links, which have to be computed.
+  // Whether joint samples need the frames of the links, which take time to compute.
   [[nodiscard]] virtual bool wants_link_poses() const { return false; }
 
-  // Empty while everything was written; otherwise a sentence about the first thing that failed.
+  // Empty while every output succeeded; otherwise a sentence about the first failure.
   [[nodiscard]] virtual std::string error() const { return {}; }
 };
 

@@ -16,11 +16,12 @@
 
 namespace armlet {
 
-// What a queue left out, so that it does not grow.
+// What a queue has dropped to bound its size.
 struct Thinned {
   std::uint64_t joint_samples = 0;
   std::uint64_t object_samples = 0;
-  std::uint64_t figures = 0;  // states of a figure whose next state came before they were taken
+  // states of a figure that a later state replaced before they were taken
+  std::uint64_t figures = 0;
   std::uint64_t frames = 0;
   bool operator==(const Thinned&) const = default;
 };
@@ -28,23 +29,25 @@ struct Thinned {
 // Keeps copies of events until the listener takes them, in the same thread or in another one. The
 // sender never waits for the listener. Events keep their order.
 //
-// When there are more than `capacity` events and at least an eighth of them are ones that may
-// go, every second of these goes, for each robot, object and camera, beginning with the oldest; and
-// again until there are not. So the same events, taken at the same moments, leave the same ones.
+// When there are more than `capacity` events and at least an eighth of them may be dropped, every
+// second of these is dropped, for each robot, object and camera separately, beginning with the
+// oldest. This is repeated while the condition holds. So the same events, taken at the same
+// moments, lead to the same drops.
 //
-//   joint samples   may go, unless they are the first or the last of their motion so far or belong
-//                   to none.
-//   object samples  may go if a later one of that object is there, and nothing else was told of
+//   joint samples   may be dropped, unless they are the first or the last of their motion so far or
+//                   belong to none.
+//   object samples  may be dropped if there is a later one of that object and no other event about
 //                   that object between the two.
-//   pictures        may go if a later one of that camera is there.
-//   FigureChanged   is a whole state: it takes the place of the one before that was not taken yet,
-//                   full or not, because a figure can be large.
+//   pictures        may be dropped if there is a later one of that camera.
+//   FigureChanged   contains the complete figure: it always replaces an earlier one that was not
+//                   taken yet, because a figure can be large.
 //
-// All else stays, beyond the capacity if it has to. What the listener ignores is not kept.
+// All other events are kept, beyond the capacity if necessary. Events that the listener ignores are
+// not queued.
 class BoundedQueue : public Backend {
  public:
-  // listener  not owned; lives at least as long as this. What it ignores and whether it wants the
-  //           poses of links is asked here.
+  // listener  not owned; lives at least as long as this. Its ignores() and wants_link_poses() are
+  //           called in the constructor.
   // throws    ArgumentError for a capacity of 0.
   BoundedQueue(Backend& listener, std::size_t capacity);
 
@@ -52,38 +55,38 @@ class BoundedQueue : public Backend {
   void on(const Event& event) override;
   [[nodiscard]] EventKinds ignores() const override { return ignored_; }
   [[nodiscard]] bool wants_link_poses() const override { return wants_link_poses_; }
-  // That of the listener; to be asked when nothing is delivered any more.
+  // The error of the listener; to be called when nothing is delivered any more.
   [[nodiscard]] std::string error() const override { return listener_.error(); }
-  // Nothing more comes; so it is after EndRun.
+  // Ends the queue: no event follows. EndRun does the same.
   void close();
 
   // ---- for the listener
   // The oldest event; null if there is none.
   [[nodiscard]] std::unique_ptr<const OwnedEvent> take();
-  // Hands the listener what there is when the call begins; returns how many events that were.
+  // Delivers the events present at the start of the call to the listener; returns their number.
   std::size_t deliver();
-  // Waits until there is an event or nothing more comes; whether there is one.
+  // Waits until there is an event, or the queue has ended; returns whether there is an event.
   [[nodiscard]] bool wait();
 
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] Thinned thinned() const;
 
  private:
-  // serial  counts what was pushed.
-  // source  of samples and pictures: counts robots, objects and cameras.
+  // serial  number of the event in the order of arrival.
+  // source  of samples and pictures: index of the robot, object or camera.
   struct Entry {
     std::unique_ptr<const OwnedEvent> event;
     std::uint64_t serial = 0;
     std::size_t source = 0;
     bool may_go = false;
   };
-  // The sample of a robot or an object, or the picture of a camera, that was pushed last.
+  // The last sample of a robot or an object, or the last picture of a camera.
   struct LastSample {
     std::size_t source = 0;
     std::uint64_t serial = 0;
     int motion = -1;
     bool is_first = true;    // of its motion
-    bool is_latest = false;  // nothing else was told of that object since
+    bool is_latest = false;  // no other event about that object since
   };
 
   void track(const JointSample& sample, Entry& entry);
@@ -104,7 +107,7 @@ class BoundedQueue : public Backend {
   mutable std::mutex mutex_;  // guards all that follows
   std::condition_variable arrived_;
   std::deque<Entry> entries_;
-  std::size_t may_go_ = 0;  // how many of them
+  std::size_t may_go_ = 0;  // number of events that may be dropped
   std::uint64_t pushed_ = 0;
   std::size_t sources_ = 0;
   std::map<int, LastSample> robots_;

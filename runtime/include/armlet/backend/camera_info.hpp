@@ -1,4 +1,4 @@
-// What a camera of a run is, and the pictures that it takes.
+// Cameras of a run, and the pictures that they take.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,12 +19,12 @@ inline constexpr int kCameraFlange = -1;
 //
 // width, height, fx, fy, cx, cy  pixels.
 // distortion  k1, k2, p1, p2, k3 of Brown and Conrady.
-// near, far   depths between which things are seen, m.
+// near, far   smallest and largest depth that is seen, m.
 // rate        pictures a second; 0: whenever one is asked for.
-// robot       index of the robot that carries it; -1: none. `link`: what joint `link` moves, 0: the
-//             base; or kCameraFlange.
-// object, frame  name of the object or the frame of the world that it is on; empty: none.
-// T_on_camera    its frame there, or in the world.
+// robot       index of the robot that carries it; -1: none. `link`: the joint that moves its link,
+//             0: the base; or kCameraFlange.
+// object, frame  name of the object or the frame of the world that it is mounted on; empty: none.
+// T_on_camera    its pose there, or in the world.
 struct CameraInfo {
   std::string name;
   int width = 0;
@@ -44,14 +44,14 @@ struct CameraInfo {
   Eigen::Isometry3d T_on_camera = Eigen::Isometry3d::Identity();
 };
 
-// A picture that a camera has taken. Its pixels and names live only during the call.
+// A picture that a camera has taken. Its pixels and names are valid only during the call.
 //
 // camera    name of the camera.
 // frame     number among the pictures of that camera, from 0.
 // channels  1: grey, 3: red, green and blue; a byte each.
 // pixels    width * height * channels bytes: rows from the top, each from the left.
-// T_world_camera  where it was taken from.
-// file      where FrameFiles in front of the listener has put it; empty: nowhere.
+// T_world_camera  pose of the camera.
+// file      path written by FrameFiles; empty: none.
 struct ImageFrame {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;

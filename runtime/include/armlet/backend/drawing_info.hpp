@@ -1,4 +1,4 @@
-// What an event says of a shape that is shown and is no body: an arrow, a text, a disk.
+// Event data of shapes that are shown and are not bodies: an arrow, a text, a disk.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,17 +12,17 @@ namespace armlet {
 // The link of a DrawingInfo that is at the tool point.
 inline constexpr int kDrawingTip = -1;
 
-// What a shape is and with what it moves.
+// A shape and what it moves with.
 //
 // kind     "arrow", "line", "text", "disk", "ellipsoid" or "capsule".
 // size     m: length along z and width of an arrow or a line; height of a text, which faces the
 //          viewer; radius of a disk, which faces along z; semi-axes of an ellipsoid; radius and
-//          length of a capsule, which is along z and round behind both ends. The frame of an arrow,
-//          a line and a capsule is at their beginning, that of the others in the middle.
-// robot    index of the robot with which it moves; -1: none. `link`: what joint `link` moves, 0:
-//          its base; or kDrawingTip.
+//          length of a capsule, which lies along z with a half ball beyond each end. The origin of
+//          an arrow, a line and a capsule is at their start, that of other shapes in the centre.
+// robot    index of the robot with which it moves; -1: none. `link`: the joint that moves its link,
+//          0: its base; or kDrawingTip.
 // object   name of the object with which it moves; empty: none.
-// T_on_drawing  where it is in that frame, or in the world.
+// T_on_drawing  its pose in that frame, or in the world.
 struct DrawingInfo {
   std::string name;
   std::string kind;

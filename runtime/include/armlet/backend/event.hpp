@@ -1,7 +1,7 @@
-// What a run tells the outside, as values: one small struct for each kind of event.
+// Events of a run as values: one small struct for each kind.
 //
-// Every event has a time and a number. The numbers of a run count from 0 in the order in which the
-// events are told, without gaps, and do not depend on who listens. Both go back only at an Undone.
+// Every event has a time and a number. The numbers of a run count from 0 in the order of the
+// events, without gaps, and do not depend on the listeners. Both decrease only at an Undone.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,9 +22,9 @@
 
 namespace armlet {
 
-// An object when it appears. `size`, m: x, y, z of a box; radius and height of what is round.
+// An object when it appears. `size`, m: x, y, z of a box; radius and height of round shapes.
 //
-// glb      bytes of a GLB, shared with the mesh that they gave, for shape "mesh"; otherwise null.
+// glb      bytes of a GLB, shared with the mesh made from them, for shape "mesh"; otherwise null.
 // T_obj_glb  from the coordinates of that file, z up, to those of the object.
 // texture  bytes of a PNG or JPEG, shared with the world; null: none.
 struct ObjectInfo {
@@ -45,21 +45,21 @@ struct RunInfo {
   std::vector<CameraInfo> cameras{};
 };
 
-// The run begins, with what is there.
+// The run begins, with these robots, objects and cameras.
 struct BeginRun {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
   RunInfo run;
 };
 
-// A robot that joins later; its index follows those before it.
+// A robot that is added later; its index follows the existing ones.
 struct RobotAdded {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
   RobotInfo robot;
 };
 
-// A robot has another tool or tool point, or stands elsewhere: what it is from now on.
+// A robot has another tool, tool point or base pose; its data from now on.
 struct RobotChanged {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
@@ -67,9 +67,9 @@ struct RobotChanged {
   RobotInfo robot;
 };
 
-// State of one robot at one instant. The spans live only during the call.
+// State of one robot at one instant. The spans are valid only during the call.
 //
-// motion         number of the motion in the run; -1 while the robot stands.
+// motion         number of the motion in the run; -1 while the robot is at rest.
 // T_world_links  frames of the links, one for each joint, if a backend wants them; otherwise empty.
 struct JointSample {
   std::int64_t t_ns = 0;
@@ -89,7 +89,7 @@ struct ObjectAdded {
   ObjectInfo object;
 };
 
-// The name lives only during the call; so do those of other events.
+// The name is valid only during the call, as in other events.
 struct ObjectSample {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
@@ -97,8 +97,8 @@ struct ObjectSample {
   Eigen::Isometry3d T_world_obj = Eigen::Isometry3d::Identity();
 };
 
-// kAttached and kDetached say which robot; kRemoved and kFell (what it rested on went away) have
-// none (-1).
+// kAttached and kDetached have a robot; kRemoved and kFell (its support was removed) have none
+// (-1).
 enum class ObjectChange { kAttached, kDetached, kRemoved, kFell };
 struct ObjectEvent {
   std::int64_t t_ns = 0;
@@ -108,7 +108,7 @@ struct ObjectEvent {
   int robot = -1;
 };
 
-// kOutput is what the program prints, kMessage what went wrong, kAdvice what could be better.
+// kOutput is printed by the program, kMessage is an error, kAdvice an improvement.
 enum class NoteKind { kOutput, kMessage, kAdvice };
 struct Note {
   std::int64_t t_ns = 0;
@@ -117,11 +117,11 @@ struct Note {
   std::string_view text;
 };
 
-// A figure has begun or has changed: the whole of it as it is now. Of a figure that changed before
-// the run began only the last state is told, when it begins.
+// A figure has begun or has changed; the event has the complete figure. Of figures that changed
+// before the run begins only the last state is reported, at the beginning.
 //
-// index   of the figure in the run: they count from 0 as they are begun.
-// figure  never null; it lives only during the call.
+// index   of the figure in the run: they count from 0 in the order of their beginnings.
+// figure  never null; it is valid only during the call.
 struct FigureChanged {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
@@ -129,7 +129,7 @@ struct FigureChanged {
   const Figure* figure = nullptr;
 };
 
-// A figure as the program left it, after everything else; index and figure as above.
+// A figure at the end of the program, after all other events; index and figure as above.
 struct FinalFigure {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
@@ -137,12 +137,12 @@ struct FinalFigure {
   const Figure* figure = nullptr;
 };
 
-// Of what was told, the events with the numbers from `from` on are undone, because an entry failed
-// or the session went elsewhere; those below it count, also where an earlier mark said otherwise.
-// What is told next goes on with that number at the time `back_ns`, or where another run has come
-// to that takes its place (Session::change, take_up).
+// Marks the events with the numbers from `from` on as undone, because an entry failed or the
+// session went to another time. Events below it count, even if an earlier mark undid them. The next
+// event continues with that number at the time `back_ns`, or at the time of the run that replaces
+// this one (Session::change, take_up).
 //
-// number  one more than that of the last event before it; it is given once more.
+// number  one more than that of the last event before it; the next event has the same number.
 struct Undone {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
@@ -155,8 +155,8 @@ struct EndRun {
   std::uint64_t number = 0;
 };
 
-// A shape that is only shown has appeared, has changed, or is gone (`removed`): the whole of it as
-// it is now. Those that were there before the run began come behind its beginning.
+// A shape that is only shown has appeared, has changed, or is removed (`removed`); the event has
+// the complete shape. Shapes from before the run began are reported after its beginning.
 struct DrawingChanged {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
@@ -164,14 +164,15 @@ struct DrawingChanged {
   bool removed = false;
 };
 
-// A camera that joins after the run has begun. What it takes are ImageFrames (camera_info.hpp).
+// A camera that is added after the run has begun. Its pictures are ImageFrames (camera_info.hpp).
 struct CameraAdded {
   std::int64_t t_ns = 0;
   std::uint64_t number = 0;
   CameraInfo camera{};
 };
 
-// What a backend is told. BeginRun comes first, and again behind an Undone from 0; EndRun last.
+// The events that a backend receives. BeginRun comes first, and again after an Undone from 0;
+// EndRun last.
 using Event = std::variant<BeginRun, RobotAdded, RobotChanged, JointSample, ObjectAdded,
                            ObjectSample, ObjectEvent, Note, FigureChanged, FinalFigure, Undone,
                            EndRun, DrawingChanged, CameraAdded, ImageFrame>;
@@ -228,7 +229,7 @@ class EventKinds {
     return (bits_ & bit(static_cast<std::size_t>(kind))) != 0;
   }
 
-  // Those in both.
+  // The intersection.
   friend constexpr EventKinds operator&(EventKinds one, EventKinds other) {
     one.bits_ &= other.bits_;
     return one;
@@ -249,7 +250,7 @@ class EventKinds {
   std::uint32_t bits_ = 0;
 };
 
-// Functions for different events as one, for std::visit:
+// Combines functions for different events into one, for std::visit:
 //
 //   std::visit(Overload{[](const Note& note) { ... }, [](const auto&) {}}, event);
 template <class... Functions>
@@ -259,8 +260,8 @@ struct Overload : Functions... {
 template <class... Functions>
 Overload(Functions...) -> Overload<Functions...>;
 
-// What a backend does with events that it ignores, in an Overload; kinds() is what it declares. An
-// event that is neither handled nor ignored does not compile.
+// In an Overload: the kinds of events that a backend ignores; kinds() returns them. An event that
+// is neither handled nor ignored does not compile.
 template <class Ignored>
 struct IgnoreOne {
   constexpr void operator()(const Ignored&) const {}

@@ -10,22 +10,22 @@
 namespace armlet {
 
 // Writes each picture that a camera takes into a folder, and passes all events on. A picture is
-// passed on with the path of its file. A picture with the name of an earlier one replaces it, as
-// when a run was undone.
+// passed on with the path of its file. A picture with the name of an earlier one replaces it, for
+// example after an Undone.
 class FrameFiles : public Backend {
  public:
-  // folder  as paths of files begin.
-  // next    not owned; lives at least as long as this; null: events are passed on to nobody.
+  // folder  the beginning of the paths of files.
+  // next    not owned; lives at least as long as this; null: events are not passed on.
   FrameFiles(std::string folder, Backend* next);
 
-  // Opens the folder, which has to exist; pictures before that get no files. error() says if it
-  // cannot be opened.
+  // Opens the folder, which has to exist. Pictures before this call are not written. error() says
+  // if it cannot be opened.
   void open();
 
   void on(const Event& event) override;
   [[nodiscard]] EventKinds ignores() const override;
   [[nodiscard]] bool wants_link_poses() const override;
-  // Its own first; otherwise that of the next one.
+  // Its own error first; otherwise that of the next backend.
   [[nodiscard]] std::string error() const override;
   [[nodiscard]] const std::string& own_error() const { return error_; }
 

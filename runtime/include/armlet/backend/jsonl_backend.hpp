@@ -31,16 +31,16 @@ namespace armlet {
 //   {"t":..,"what":"undone","line":17,"back":1.5}                   (or redone: see below)
 //   {"t":..,"what":"end"}
 //
-// Cameras that are there at the beginning stand in "cameras" behind "robots". The hash is FNV-1a
-// of the bytes of the pixels; "on" is where the camera is on what carries it, link -1 the flange.
-// A robot's p and r are those of its tool point in the world; r is a unit quaternion. The poses
-// "on":0 before "base", only of a hand: the robot whose flange carries it, in whose frame base is.
-// before, after, base and pose are p and r in one list of seven numbers; with them the arm can be
-// drawn: see JointInfo and ToolInfo (event.hpp). A limit that there is not is null, and a link
-// without a file of its shape has no mesh. Where links copy others there are more links than
-// joints, and each has "joint":0,"ratio":1,"offset":0: see RowInfo. Lines of the file from `line`
-// (from 1) up to the one that says so are undone, and time goes on at `back`; redone says that what
-// was undone last counts up to `back`.
+// Cameras of the beginning are in "cameras" after "robots". The hash is FNV-1a of the bytes of the
+// pixels; "on" is the pose of the camera on what carries it, link -1 the flange. A robot's p and r
+// are those of its tool point in the world; r is a unit quaternion. The number "on" before "base"
+// is only written for a hand with fingers: the robot whose flange carries it and in whose frame
+// "base" is. before, after, base and pose are p and r in one list of seven numbers; with them the
+// arm can be drawn: see JointInfo and ToolInfo (event.hpp). A limit that does not exist is null,
+// and a link without a file of its shape has no mesh. With mimic joints there are more links than
+// joints, and each has "joint":0,"ratio":1,"offset":0: see RowInfo. "undone" marks the lines of the
+// file from `line` (from 1) up to itself as undone, and time continues at `back`; "redone" says
+// that the lines that were undone last count again up to `back`.
 //
 // out  not owned; lives at least as long as the backend.
 [[nodiscard]] std::unique_ptr<Backend> make_jsonl_backend(std::ostream& out);

@@ -8,8 +8,8 @@
 
 namespace armlet {
 
-// A copy of an event with everything that it points to. It stays where it was made, because the
-// event points into it.
+// A copy of an event with everything that it points to. It cannot be moved, because the event
+// points into it.
 class OwnedEvent {
  public:
   explicit OwnedEvent(const Event& event);

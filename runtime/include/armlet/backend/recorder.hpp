@@ -4,7 +4,7 @@
 
 namespace armlet {
 
-// What a Recorder keeps: copies of what backends are told.
+// Copies of events that a Recorder keeps.
 struct RecordedJoints {
   std::int64_t t_ns = 0;
   int robot = 0;
@@ -39,7 +39,7 @@ struct RecordedFrame {
   int width = 0;
   int height = 0;
   int channels = 0;
-  std::uint64_t pixels = 0;  // their hash
+  std::uint64_t pixels = 0;  // hash of the pixels
   Eigen::Matrix4d T_world_camera = Eigen::Matrix4d::Identity();
   bool operator==(const RecordedFrame&) const = default;
 };
@@ -53,26 +53,26 @@ struct RecordedUndoing {
   bool operator==(const RecordedUndoing&) const = default;
 };
 
-// Keeps the events of a run in memory, all but figures and drawings. Events that are undone stay,
-// and undoings() says which they are. An object that appears is recorded as a sample of its pose.
+// Keeps the events of a run in memory, except figures and drawings. Undone events stay, and
+// undoings() identifies them. An object that appears is recorded as a sample of its pose.
 class Recorder : public Backend {
  public:
   void on(const Event& event) override;
   [[nodiscard]] EventKinds ignores() const override;
 
-  // What began the run, with the robots and cameras that joined, as they are
-  // now.
+  // The beginning of the run, with the robots and cameras that were added later, in their present
+  // state.
   [[nodiscard]] const RunInfo& run() const { return run_; }
   [[nodiscard]] const std::vector<RecordedJoints>& joints() const { return joints_; }
   [[nodiscard]] const std::vector<RecordedObject>& objects() const { return objects_; }
   [[nodiscard]] const std::vector<RecordedEvent>& events() const { return events_; }
   [[nodiscard]] const std::vector<RecordedNote>& notes() const { return notes_; }
-  // Pictures that cameras took; of their pixels the hash.
+  // Pictures that cameras took, with the hash of their pixels.
   [[nodiscard]] const std::vector<RecordedFrame>& frames() const { return frames_; }
   [[nodiscard]] const std::vector<RecordedUndoing>& undoings() const { return undoings_; }
   [[nodiscard]] std::int64_t end_ns() const { return end_ns_; }
 
-  // The same samples, events, notes, pictures and marks, bit by bit.
+  // Whether samples, events, notes, pictures and marks are equal, bit by bit.
   [[nodiscard]] bool same_as(const Recorder& other) const;
 
  private:

@@ -1,4 +1,4 @@
-// What a robot of a run is, as one needs it to draw it.
+// The data of a robot that are needed to draw it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -33,9 +33,8 @@ struct JointInfo {
   std::string mesh;
 };
 
-// A link of a robot whose joints move several links each: it moves as `moves` says with the value
-// ratio q + offset, q the position of joint `joint`, counted from 0. Its limits are those of that
-// value.
+// A link of a robot with mimic joints: it moves as `moves` describes, with the value ratio q +
+// offset, where q is the value of joint `joint`, from 0. Its limits are those of that value.
 struct RowInfo {
   JointInfo moves;
   int joint = 0;
@@ -48,7 +47,7 @@ struct RowInfo {
 // kind    "none", "gripper", "suction cup", "point" or "fingers".
 // stroke  widest opening of a gripper, m.
 // radius  of a suction cup, m.
-// length  from the flange to the end of the hand along z, m.
+// length  from the flange to the end of the tool along z, m.
 // T_flange_tool  the tool point.
 struct ToolInfo {
   std::string kind = "none";
@@ -58,11 +57,11 @@ struct ToolInfo {
   Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
 };
 
-// A picture of what joint `link` moves, counted from 1; it moves before T_joint_link.
+// The shape of a link for drawing. Joint `link`, from 1, moves it; its pose is before T_joint_link.
 //
 // glb    bytes of a GLB, shared with the mesh of the link; never null.
 // T_glb  from the coordinates of the file, z up, to that frame.
-// is_drawn, collides  whether it is a shape for pictures, and one for collisions.
+// is_drawn, collides  whether it is a shape for drawing, and one for collision checks.
 struct LinkPicture {
   int link = 1;
   std::shared_ptr<const std::string> glb;
@@ -71,13 +70,13 @@ struct LinkPicture {
   bool collides = true;
 };
 
-// A robot of the run, as one needs it to draw it. Its index in RunInfo names it in what follows.
+// A robot of the run, as needed to draw it. Later events use its index in RunInfo.
 //
-// joints    of which each moves the link of its number, unless there are rows.
-// rows      of each link, where links copy the motion of others; else empty.
+// joints    joint i moves link i, unless there are rows.
+// rows      one for each link of an arm with mimic joints; else empty.
 // home      of each joint, rad or m.
 // on        the robot that carries the base, in whose flange T_world_base is then; -1: none.
-// pictures  in the place of the shapes of their links.
+// pictures  replace the shapes of their links.
 struct RobotInfo {
   std::string name;
   std::vector<JointInfo> joints;
@@ -89,7 +88,7 @@ struct RobotInfo {
   std::vector<LinkPicture> pictures;
 
   std::size_t link_count() const { return rows.empty() ? joints.size() : rows.size(); }
-  // How link i moves, counted from 0.
+  // The joint that moves link i, from 0.
   const JointInfo& link(std::size_t i) const { return rows.empty() ? joints[i] : rows[i].moves; }
 };
 

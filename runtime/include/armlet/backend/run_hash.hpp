@@ -7,11 +7,11 @@
 
 namespace armlet {
 
-// One number for all that a run tells: robots, samples, objects and their events, notes and figures
-// as they are left, in order, as bits. Two runs with the same hash went the same way.
+// A hash of all events of a run: robots, samples, objects and their events, notes and final
+// figures, in order, as bits. Equal hashes mean equal runs.
 //
-// It does not depend on who else listens, nor on where the run pauses: states of figures that a
-// later one replaces and the frames of links, which follow from the samples, do not count.
+// It depends neither on other listeners nor on where the run pauses: states of figures that a later
+// one replaces are left out, and so are the frames of links, which follow from the samples.
 class RunHash : public Backend {
  public:
   void on(const Event& event) override;

@@ -17,16 +17,16 @@ struct RunMark {
   bool operator==(const RunMark&) const = default;
 };
 
-// The hash of a run as it grows, so that it can be said where two runs part: a mark for each 10 ms
-// in which something was told, or for longer stretches when there would be more than kMost of them.
-// Only the events decide where marks are.
+// The hash of a run at many instants, from which the time is found at which two runs begin to
+// differ: a mark for each 10 ms with an event, or for longer intervals when there would be more
+// than kMost marks. The positions of marks depend on the events alone.
 class RunMarks : public RunHash {
  public:
   static constexpr std::size_t kMost = 4096;
 
   void on(const Event& event) override;
 
-  // With one at the last event.
+  // The marks, including one at the last event.
   [[nodiscard]] std::vector<RunMark> marks() const;
 
  private:
@@ -38,13 +38,13 @@ class RunMarks : public RunHash {
   std::int64_t stretch_ns_ = 10'000'000;
 };
 
-// Where two runs part: they are the same up to `same_ns`, and no longer at `differ_ns`, or one of
-// them has ended there.
+// Where two runs begin to differ: they are equal up to `same_ns`, and differ at `differ_ns`, or one
+// of them has ended there.
 struct RunParting {
   std::int64_t same_ns = 0;
   std::int64_t differ_ns = 0;
 };
-// Nothing: the runs are the same.
+// The first difference of two runs; nothing: they are equal.
 [[nodiscard]] std::optional<RunParting> where_runs_part(std::span<const RunMark> one,
                                                         std::span<const RunMark> other);
 

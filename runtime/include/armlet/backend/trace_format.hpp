@@ -1,4 +1,4 @@
-// What a run can be written to a file as.
+// File formats of traces.
 #pragma once
 
 #include <iosfwd>
@@ -15,14 +15,14 @@ namespace armlet {
 // help and the manual page read these rows.
 struct TraceFormat {
   std::string_view ending;  // of the name of the file: ".csv"
-  std::string_view holds;   // what is written: "every sample, as a table"
+  std::string_view holds;   // contents: "every sample, as a table"
   // out  not owned; lives at least as long as the backend.
   std::unique_ptr<Backend> (*make)(std::ostream& out) = nullptr;
 };
 
 [[nodiscard]] std::span<const TraceFormat> trace_formats();
 
-// The format of a file of that name, by its ending; null if there is none.
+// The format of a file by the ending of its name; null if there is none.
 [[nodiscard]] const TraceFormat* trace_format_of(std::string_view path);
 
 // The endings as words of a sentence: ".csv or .jsonl".

@@ -1,5 +1,5 @@
 #pragma once
-// Colours by name, as objects of a cell have them.
+// Colours by name, as used for the objects of a cell.
 
 #include <optional>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace armlet {
 
-// Linear light of a colour that color_code (world/looks.hpp) knows; nothing for other words.
+// Linear light of a colour that color_code (world/looks.hpp) accepts; nothing for other words.
 std::optional<LinearRgb> color_named(std::string_view text);
 
 }  // namespace armlet

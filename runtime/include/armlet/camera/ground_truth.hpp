@@ -1,5 +1,5 @@
 #pragma once
-// What a camera sees, from the scene itself instead of its picture.
+// Exact answers about what a camera sees, from the scene itself instead of its picture.
 
 #include <optional>
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace armlet {
 
-// Distance to the first triangle, or the ground, that a ray meets: p + t d, t > 0; nothing if there
-// is none. Closed bodies are met from outside only, as they are drawn.
+// Distance to the first triangle, or the ground, on a ray: p + t d, t > 0; nothing if there is
+// none. Closed bodies are hit from outside only, as they are drawn.
 //
 // p, d    in the world, m; d of any length but zero.
-// body    the number of the body met, kGroundBody for the ground.
+// body    the number of the body, kGroundBody for the ground.
 // throws  ArgumentError as check_scene, and for numbers that are not finite or d = 0.
 // source  T. Moeller and B. Trumbore, Fast, minimum storage ray-triangle intersection, Journal of
 //         Graphics Tools 2(1), 1997.
@@ -34,7 +34,8 @@ struct SeenCorner {
   Eigen::Vector2d pixel{0.0, 0.0};
 };
 
-// Features of a body at which nothing lies in front, by up to 10 millionths of their distance.
+// Features of a body that are not hidden; a surface nearer by up to 10 millionths of their distance
+// does not hide them.
 //
 // body    number in the scene.
 // throws  ArgumentError as Renderer::visible_share.

@@ -1,15 +1,15 @@
 #pragma once
-// How points of a picture move when the camera moves.
+// Motion of points in a picture when the camera moves.
 
 #include "armlet/camera/pinhole.hpp"
 #include "armlet/math/eigen_layout.hpp"
 
 namespace armlet {
 
-// ds/dt = L [v; w] for k resting points in pixels. For a normalised point (x, y) at depth Z
+// ds/dt = L [v; w] for k fixed points, in pixels. For a normalised point (x, y) at depth Z
 //   L = [ -1/Z   0    x/Z   x y      -(1 + x^2)   y ]
 //       [  0   -1/Z   y/Z   1 + y^2  -x y        -x ],
-// which d(pixel)/d(x, y) of the camera, distortion included, turns into pixels per second.
+// which d(pixel)/d(x, y) of the camera, distortion included, converts to pixels per second.
 //
 // pixels   k x 2.
 // depth    z of each point in the camera's frame, m, > 0: k numbers, or one for all.

@@ -1,5 +1,5 @@
 #pragma once
-// The pin-hole camera: where points of space lie in a picture, and back.
+// The pin-hole camera: from points in space to pixels, and back.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -16,7 +16,7 @@ namespace armlet {
 // fx, fy         focal lengths, pixels.
 // cx, cy         pixel of the optical axis.
 // distortion     k1, k2, p1, p2, k3 of Brown and Conrady.
-// near, far      depths z between which things are seen, m.
+// near, far      smallest and largest depth z that is seen, m.
 struct Intrinsics {
   int width = 640;
   int height = 480;
@@ -32,7 +32,7 @@ struct Intrinsics {
   bool operator==(const Intrinsics&) const = default;
 };
 
-// Square pixels, the axis in the middle of the picture: f pixels, or f = W / (2 tan(fov / 2)).
+// Square pixels, the axis in the centre of the picture: f pixels, or f = W / (2 tan(fov / 2)).
 //
 // fov     angle of view across the width, rad, between 0 and pi.
 // throws  ArgumentError as Pinhole, and for an angle outside of that.
@@ -60,8 +60,8 @@ class Pinhole {
   //
   // p        m.
   // returns  an error "behind_camera" for a depth at or below near, "beyond_distortion" where the
-  //          picture folds back: see largest_radius.
-  // throws   ArgumentError for a coordinate that is not finite; so do the functions below.
+  //          distortion is not unique: see largest_radius.
+  // throws   ArgumentError for a coordinate that is not finite, as all functions below.
   [[nodiscard]] Result<Eigen::Vector2d> project(const Eigen::Vector3d& p) const;
 
   // The point (x, y, 1) of the camera's frame that is seen at a pixel; times a depth it is the
@@ -74,14 +74,15 @@ class Pinhole {
   // The point of the camera's frame at a pixel and a depth z, m, > 0.
   [[nodiscard]] Result<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel, double depth) const;
 
-  // Where a camera without distortion but otherwise equal sees what this one sees at a pixel.
+  // The pixel at which a camera without distortion but otherwise equal sees what this one sees at a
+  // pixel.
   [[nodiscard]] Result<Eigen::Vector2d> undistort(const Eigen::Vector2d& pixel) const;
 
-  // d(u, v) / d(x, y) at normalised coordinates (x, y).
+  // The derivative d(u, v) / d(x, y) at normalised coordinates (x, y).
   [[nodiscard]] Eigen::Matrix2d pixel_jacobian(const Eigen::Vector2d& x) const;
 
   // The distance r from the axis, in normalised coordinates, up to which r (1 + k1 r^2 + k2 r^4 +
-  // k3 r^6) grows: beyond it two points would be seen at one pixel. Infinite without distortion.
+  // k3 r^6) increases: beyond it two points would have the same pixel. Infinite without distortion.
   [[nodiscard]] double largest_radius() const { return largest_radius_; }
 
   // Whether a pixel lies in the picture: -0.5 <= u < width - 0.5, and v alike.
@@ -96,9 +97,9 @@ class Pinhole {
   double largest_radius_;
 };
 
-// Pose of a camera at `from` whose axis runs through p; its picture has `up` upwards. Where the
-// axis is parallel to `up` (a camera straight above the table), x of the picture is x of the world,
-// or y if that is parallel too.
+// Pose of a camera at `from` whose axis runs through p, with the direction `up` upwards in its
+// picture. Where the axis is parallel to `up` (a camera straight above the table), x of the picture
+// is x of the world, or y if that is parallel too.
 //
 // p, from, up  in the world, m; up need not be a unit vector.
 // throws       ArgumentError if p and from are closer than 1e-9 m, up is zero, or a number is not

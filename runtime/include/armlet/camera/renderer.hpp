@@ -12,7 +12,7 @@
 
 namespace armlet {
 
-// Where no body is seen.
+// Value of pixels at which no body is seen.
 inline constexpr std::int32_t kNoBody = -1;
 inline constexpr std::int32_t kGroundBody = -2;
 
@@ -25,7 +25,7 @@ struct PictureOptions {
   bool bodies = false;
 };
 
-// What was asked for; the rest stays as it was.
+// The requested pictures; others are unchanged.
 //
 // depth   z in the camera's frame, m; 0 where nothing is seen between near and far.
 // bodies  row by row, the number of the body in the scene, kGroundBody or kNoBody.
@@ -35,16 +35,16 @@ struct Pictures {
   std::vector<std::int32_t> bodies;
 };
 
-// Draws scenes with a z-buffer over edges in 24.8 fixed-point numbers. It keeps its memory:
-// pictures of one size after the first allocate nothing. Only additions, multiplications, divisions
-// and square roots of IEEE 754 numbers and whole numbers decide on a pixel.
+// Draws scenes with a z-buffer over edges in 24.8 fixed-point numbers. Memory is reused: only the
+// first picture of a size allocates. Pixels are computed with additions, multiplications, divisions
+// and square roots of IEEE 754 numbers and with integers alone.
 //
-// A camera with distortion is drawn without it, as large as it sees, and every pixel then takes
-// what lies at its ray: colours between four pixels, depths and bodies of the nearest one. So
-// straight lines bend without being cut into short ones first. Pixels without a ray are black and
-// show no body.
+// For a camera with distortion an undistorted picture of its whole field of view is drawn first;
+// every pixel then takes the value at its ray: colours interpolated between four pixels, depths and
+// bodies of the nearest one. So straight lines become curves without being divided into short ones.
+// Pixels without a ray are black and have no body.
 //
-// A closed body is not seen from inside: with the camera in it, what lies behind it is seen.
+// A closed body is not seen from inside: a camera in it sees what is behind it.
 class Renderer {
  public:
   Renderer();
@@ -54,15 +54,15 @@ class Renderer {
 
   // T_world_eye  pose of the camera.
   // throws       ArgumentError for what check_scene and check_pose refuse, samples other than 1 and
-  //              4, and a distortion whose picture without it has a side above Image::kMostSide.
+  //              4, and a distortion whose undistorted picture has a side above Image::kMostSide.
   // source       J. Pineda, A parallel algorithm for polygon rasterization, Computer Graphics
   //              22(4), 1988 (edges and their rule); shadows: L. Williams, 1978.
   void render(const Scene& scene, const Pinhole& camera, const Eigen::Isometry3d& T_world_eye,
               const PictureOptions& options, Pictures& pictures);
 
-  // Share of the pixels of a body that is not hidden by others and lies in the picture, 0 to 1: of
-  // those that it covers alone, up to one picture beyond each border. 0 if it covers none. Of a
-  // camera with distortion it is counted without it.
+  // Share of the pixels of a body that are in the picture and not hidden by other bodies, 0 to 1,
+  // of all pixels that it would cover alone, up to one picture beyond each border. 0 if it covers
+  // none. The distortion of the camera is ignored.
   //
   // body    number in the scene.
   // throws  as render, and for a number that no body has.

@@ -1,5 +1,5 @@
 #pragma once
-// What a camera sees: surfaces of bodies, a light and the ground.
+// The scene before a camera: surfaces of bodies, a light and the ground.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -17,13 +17,13 @@ namespace armlet {
 //
 // positions  m.
 // normals    unit vectors, one for each position; empty: every triangle is flat.
-// on_image   where each position lies on a picture, 0 to 1 from its upper left corner; empty: there
-//            is no picture.
+// on_image   point of the texture at each position, 0 to 1 from its upper left corner; empty: there
+//            is no texture.
 // corners    three positions of each triangle, counterclockwise seen from outside.
-// materials  which material of the body each triangle has; empty: the first one.
-// closed     whether it surrounds a body: its triangles are not drawn from inside. Others are drawn
-//            from both sides.
-// features   points whose pixels are asked for as the corners of the body.
+// materials  index of the material of each triangle; empty: the first one.
+// closed     whether the surface encloses a body: then its triangles are not drawn from inside.
+//            Others are drawn from both sides.
+// features   points that count as the corners of the body (seen_corners).
 struct SurfaceParts {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Vector3f> normals{};
@@ -34,11 +34,11 @@ struct SurfaceParts {
   std::vector<Eigen::Vector3d> features{};
 };
 
-// Parts that fit together, with a box and a ball around them.
+// A checked surface, with its bounding box and bounding ball.
 class Surface {
  public:
-  // throws  ArgumentError that says what is wrong: no triangles, a position that does not exist,
-  //         arrays of other lengths than they need, a number that is not finite or beyond 10 km.
+  // throws  ArgumentError with the error: no triangles, a position that does not exist, arrays
+  //         whose lengths do not match, a number that is not finite or beyond 10 km.
   explicit Surface(SurfaceParts parts);
 
   [[nodiscard]] const SurfaceParts& parts() const { return parts_; }
@@ -47,7 +47,7 @@ class Surface {
   [[nodiscard]] const Eigen::Vector3d& middle() const { return middle_; }
   [[nodiscard]] double radius() const { return radius_; }  // of the ball about the middle, m
   [[nodiscard]] int material_count() const { return material_count_; }  // the highest one + 1
-  // A hash of what is drawn of it.
+  // A hash of all that is drawn.
   [[nodiscard]] std::uint64_t fingerprint() const { return fingerprint_; }
 
  private:
@@ -64,7 +64,7 @@ struct Material {
   std::shared_ptr<const Texture> texture{};
 };
 
-// surface  shared by bodies of the same shape and by pictures; never null when it is drawn.
+// surface  shared by bodies of the same shape and by pictures; must not be null when drawn.
 struct SceneBody {
   std::string name;
   std::shared_ptr<const Surface> surface;
@@ -73,8 +73,8 @@ struct SceneBody {
   bool casts_shadow = true;
 };
 
-// A surface of reflectance c looks c (ambient + key max(0, n . l)) where the light reaches it, and
-// c ambient in the shadow. Ambient light comes from a sky that is brighter above.
+// A surface of reflectance c has the brightness c (ambient + key max(0, n . l)) in the light, and c
+// ambient in the shadow. Ambient light comes from a sky that is brighter above.
 //
 // towards           direction to the light, in the world; any length but zero.
 // key               strength of the directed light.
@@ -87,7 +87,7 @@ struct Light {
   double sky_down = 0.25;
   bool shadows = true;
 
-  // Every surface shows its own colour, whichever way it faces.
+  // A light in which every surface has its own colour, in any orientation.
   static Light flat() { return {.key = 0.0, .sky_up = 1.0, .sky_down = 1.0, .shadows = false}; }
 };
 
@@ -108,10 +108,11 @@ struct Scene {
   LinearRgb background{0.78F, 0.81F, 0.85F};
 };
 
-// Throws ArgumentError that names the body or number that is wrong: a body without a surface or
-// with fewer materials than that needs, a pose that is none or beyond 10 km, a light from nowhere.
+// Throws ArgumentError with the wrong body or number: a body without a surface or with fewer
+// materials than it needs, a matrix that is not a pose or a position beyond 10 km, a light without
+// direction.
 void check_scene(const Scene& scene);
-// Throws ArgumentError unless the scene has a body of that number, counted from 0.
+// Throws ArgumentError unless the scene has a body of that number, from 0.
 void check_body(const Scene& scene, int body);
 
 }  // namespace armlet

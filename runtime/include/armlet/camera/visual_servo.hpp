@@ -1,6 +1,6 @@
 #pragma once
-// The loop of visual servoing without a camera and an arm: from the points of a picture to joint
-// speeds, and why the loop ends.
+// The control loop of visual servoing without a camera and an arm: from the points of a picture to
+// joint speeds, and the reason why the loop ends.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -18,11 +18,12 @@
 
 namespace armlet {
 
-// Image-based with the interaction matrix of now, of the goal or the mean of both; by the pose of
-// the points; by one point of the image, its depth and the rotation (2 1/2 D).
+// Control laws. Image-based, with the present interaction matrix, that of the goal, or the mean of
+// both; position-based, by the pose of the points; hybrid (2 1/2 D), by one point of the image, its
+// depth and the rotation.
 enum class ServoLaw : std::uint8_t { kCurrent, kDesired, kMean, kPosition, kHybrid };
 
-// Why a loop has ended; kNone: it goes on. kStopped is for whoever runs it.
+// Why a loop has ended; kNone: it continues. kStopped is set by the caller of the loop.
 enum class ServoEnd : std::uint8_t {
   kNone,
   kConverged,
@@ -38,12 +39,13 @@ enum class ServoEnd : std::uint8_t {
 
 using ObjectPoints = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-// Where points are wanted in the picture, and what is known of them.
+// The goal: pixels of the points, and their depths or positions.
 //
 // wanted  k x 2, pixels within the picture, 4 to kMostServoPoints points.
-// depths  Z of the points, m: one for each, or one for all. Empty: of the poses of `points`.
-// points  k x 3, m, of a flat object in its own frame. Empty: not known, which position-based and
-//         hybrid laws need.
+// depths  Z of the points, m: one for each, or one for all. Empty: computed from the poses of
+//         `points`.
+// points  k x 3, m, of a flat object in its own frame. Empty: not known; position-based and hybrid
+//         laws need them.
 struct ServoGoal {
   PlanePoints wanted;
   Eigen::VectorXd depths{};
@@ -55,14 +57,14 @@ inline constexpr Eigen::Index kMostServoPoints = 200;
 //
 // lower, upper, max_speed, max_accel  n values, rad or m, per s and s^2; may be infinite.
 // turns  whether the joint is revolute, for messages.
-// rank   camera_directions where the arm is not singular.
+// rank   camera_directions at a position of the arm that is not singular.
 struct ServoArm {
   Eigen::VectorXd lower, upper, max_speed, max_accel;
   std::vector<bool> turns;
   Eigen::Index rank = 6;
 };
 
-// In how many directions joints move a camera. Directions whose singular value is below a
+// Number of directions in which joints move a camera. Directions whose singular value is below a
 // thousandth of the largest, in m and rad, do not count.
 //
 // J_camera  6 x n (camera_jacobian).
@@ -70,10 +72,10 @@ struct ServoArm {
 
 // gain      1/s; gain.at(x) with x the largest element of the error of the law: of the image in
 //           normalised coordinates; of the pose in m and rad.
-// period    s, from picture to picture; gain * period is below 2.
+// period    s, between pictures; gain * period is below 2.
 // within    px: the loop has converged when the norm of all errors in the picture is at most this.
 // timeout   s.
-// patience  so many pictures without the points, one after the other, are bridged by prediction.
+// patience  number of consecutive pictures without the points that are bridged by prediction.
 // smooth    1/s: the speeds begin at 0 and reach those of the law like 1 - e^(-smooth t). 0: at
 //           once.
 struct ServoOptions {
@@ -86,13 +88,13 @@ struct ServoOptions {
   double smooth = 0.0;
 };
 
-// What one picture shows, and how the arm stands when it is taken.
+// What one picture shows, and the state of the arm when it is taken.
 //
 // t         s, from the start.
-// pixels    k x 2 in the order of the goal; nothing: they were not found, and why.
+// pixels    k x 2 in the order of the goal; an error with the reason if they were not found.
 // J_camera  6 x n, from joint speeds to the twist of the camera in its own axes (camera_jacobian).
 // q, qd     n values.
-// depths    k values of Z if they are known better than the goal knows them; else empty.
+// depths    k values of Z if they are known better than from the goal; else empty.
 struct ServoSight {
   double t = 0.0;
   std::optional<PlanePoints> pixels{};
@@ -104,11 +106,11 @@ struct ServoSight {
 
 // One step of the loop.
 //
-// error     px, norm of all differences of points from where they are wanted.
+// error     px, norm of the differences of all points from their goals.
 // points    k x 2, px; predicted ones if `held`.
-// twist     of the camera in its own axes, m/s and rad/s, and qd, of the joints: what is commanded.
-// smallest, condition  singular values of the interaction matrix of the law, or of the points if it
-//           takes none, in normalised coordinates.
+// twist     of the camera in its own axes, m/s and rad/s, and qd, of the joints: the command.
+// smallest, condition  of the singular values of the law's interaction matrix, or that of the
+//                      points if the law has none, in normalised coordinates.
 struct ServoRow {
   double t = 0.0;
   double error = 0.0;
@@ -120,10 +122,10 @@ struct ServoRow {
   double condition = 0.0;
 };
 
-// The loop. Joint speeds are -gain A^+ e for the error e of the law and its derivative A with
-// respect to the joints; arms with more joints than the task needs keep away from their limits.
-// All speeds are scaled alike so that no joint is faster than it may be or leaves its limits, and
-// so that no point leaves the picture within a period.
+// The control loop. Joint speeds are -gain A^+ e for the error e of the law and its derivative A
+// with respect to the joints; redundant arms use self-motion to keep away from their limits. All
+// speeds are scaled by one factor so that no joint exceeds its speed or its limits, and no point
+// leaves the picture within a period.
 //
 // source  F. Chaumette, S. Hutchinson, Visual servo control, IEEE Robotics and Automation Magazine
 //         13(4), 2006 and 14(1), 2007; joint limits as F. Chaumette, E. Marchand, A
@@ -131,41 +133,42 @@ struct ServoRow {
 //         Automation 17(5), 2001.
 class VisualServo {
  public:
-  // throws  ArgumentError that names the number that cannot be.
+  // throws  ArgumentError that names the impossible number.
   VisualServo(const Pinhole& lens, ServoGoal goal, ServoArm arm, const ServoOptions& options);
 
-  // Takes the next picture. It ends the loop if the points are where they are wanted; if `timeout`
-  // is over; if they were not found for too long; if the speeds no longer change the picture while
-  // the error has not fallen for 50 pictures; if the arm, or the picture of the points, has lost a
-  // direction of motion; if a joint limit or the edge of the picture has stopped the arm for 10
-  // pictures; if a point lies outside of the picture or of the depths that the camera sees.
+  // Processes the next picture. It ends the loop when the points are at their goals; when `timeout`
+  // is over; when the points were not found for too long; when the speeds no longer change the
+  // picture while the error has not decreased for 50 pictures; when the arm, or the picture of the
+  // points, has lost a direction of motion; when a joint limit or the edge of the picture has
+  // stopped the arm for 10 pictures; or when a point is outside of the picture or of the camera's
+  // range of depths.
   //
   // returns  n joint speeds for the period that begins, zero once the loop has ended.
-  // throws   ArgumentError for sizes that do not fit, numbers that are not finite, and after the
-  //          end.
+  // throws   ArgumentError for sizes that do not match, numbers that are not finite, and a call
+  //          after the end.
   const Eigen::VectorXd& look(const ServoSight& sight);
 
-  // Where the points are expected a period after the last picture, if the joints have moved with
-  // qd; no rows before the points were first found.
+  // The predicted points a period after the last picture, if the joints have moved with qd; no rows
+  // before the points were first found.
   [[nodiscard]] PlanePoints expected(const Eigen::VectorXd& qd) const;
 
   [[nodiscard]] ServoEnd end() const { return end_; }
-  // A clause with the numbers behind the end.
+  // A clause with the reason of the end, in numbers.
   [[nodiscard]] const std::string& why() const { return why_; }
-  // Ends the loop for a reason outside of it; one that has ended stays as it is.
+  // Ends the loop for a reason outside of it; no effect after the end.
   void finish(ServoEnd end, std::string why);
   [[nodiscard]] Eigen::Index wanted_points() const { return goal_.wanted.rows(); }
-  // The steps so far. Pictures before the points were first found have none.
+  // The steps so far, without pictures before the points were first found.
   [[nodiscard]] const std::vector<ServoRow>& rows() const { return rows_; }
 
-  // Directions of the picture, 2k x d, orthonormal, in which a camera that moves freely can change
-  // it and this arm cannot: what L reaches and L J does not, at the last picture.
+  // Directions of the picture, 2k x d, orthonormal, in which a freely moving camera can change it
+  // and this arm cannot: in the range of L and not in that of L J, at the last picture.
   [[nodiscard]] Eigen::MatrixXd uncontrollable() const;
-  // Why the loop ended, and in which directions the picture cannot be controlled, in a few lines.
+  // A few lines: why the loop ended, and the directions in which the picture cannot be controlled.
   [[nodiscard]] std::string explanation() const;
 
  private:
-  // A picture as the law takes it.
+  // The quantities of a law for one picture.
   struct Task {
     PlanePoints seen;        // normalised
     Eigen::VectorXd depths;  // of the points now
@@ -197,7 +200,7 @@ class VisualServo {
   ServoOptions options_;
   PlanePoints wanted_;  // normalised
   Eigen::VectorXd depths_wanted_;
-  std::optional<Eigen::Isometry3d> T_goal_obj_{};  // pose of the points in the wanted camera
+  std::optional<Eigen::Isometry3d> T_goal_obj_{};  // pose of the points in the goal camera
   std::optional<Eigen::Isometry3d> T_camera_obj_{};
   PlanePoints points_ = PlanePoints(0, 2);  // px, of the last picture
   Eigen::MatrixXd pixel_L_{};               // px per second and twist, at the last picture

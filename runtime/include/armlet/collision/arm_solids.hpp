@@ -1,4 +1,4 @@
-// An arm as bodies.
+// The bodies of an arm for collision checks.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@ namespace armlet {
 //
 // frame   0: the base; k: the frame after joint k, of link_frames.
 // solid   with its T in that frame.
-// still   a body round about the first axis, on which it turns, or of the base: it stays where it
-//         is.
-// given   its shape is that of a description or a mesh, not one made from the joint table.
+// still   a part of the base, or a round body about the first axis, on which it rotates: it
+//         occupies the same space in all poses.
+// given   its shape is from a description or a mesh, not made from the joint table.
 struct ArmSolid {
   int frame = 0;
   LinkShapeRole role = LinkShapeRole::kLink;
@@ -23,20 +23,19 @@ struct ArmSolid {
   bool given = false;
 };
 
-// What is the hand, for the rules about grasping.
+// Whether the part belongs to the gripper, for the rules about grasping.
 [[nodiscard]] inline bool is_hand(LinkShapeRole role) {
   return role == LinkShapeRole::kTool || role == LinkShapeRole::kFingerLeft ||
          role == LinkShapeRole::kFingerRight;
 }
 
-// Worked out once for an arm: `robot.derived<ArmSolids>()`. Links and bases that have meshes or
-// simple bodies are these, and a base without them is none: the column that it may be drawn as is
-// not known to be there. The other bodies are those of link_shapes, without the rings that only
-// mark joints, and rods of sliding joints only up to the next frame. The end of an arm without a
-// hand of a length of its own is a point in this table, around which things are taken; no hand is
-// drawn for it there that could be right. What turns and slides on the last axis is as thin as a
-// stick then, and the other links leave room for a hand of 150 mm. A tool that is a point alone is
-// a needle from the flange to it.
+// Computed once for an arm: `robot.derived<ArmSolids>()`. Links and bases with meshes or simple
+// bodies consist of these. A base without them has no body, since the column with which it may be
+// drawn is an assumption. The other bodies are those of link_shapes, without the rings that only
+// mark joints, and with rods of prismatic joints only up to the next frame. An arm without a
+// gripper of a length of its own ends in a point, because the size of a gripper is not known. The
+// parts that rotate and slide on its last axis are as thin as a rod then, and the other links leave
+// room for a gripper of 150 mm. A tool that is a point alone is a thin rod from the flange to it.
 class ArmSolids {
  public:
   using FromShape = void;
@@ -44,18 +43,19 @@ class ArmSolids {
 
   [[nodiscard]] const std::vector<ArmSolid>& solids() const { return solids_; }
 
-  // The link that the last one is a neighbour of: frames before it can be hit by what the hand
-  // carries. Links are neighbours across all joints that turn and slide on one axis.
+  // The link that counts as the neighbour of the last one: what the gripper carries can collide
+  // with the frames before it. Links are neighbours across all joints that rotate and slide on one
+  // axis.
   [[nodiscard]] int neighbour_of_last() const { return neighbour_of_last_; }
 
-  // Whether the end of the arm is a stick.
+  // Whether the arm ends in a rod without a gripper.
   [[nodiscard]] bool is_bare() const { return is_bare_; }
 
-  // The same bodies, those from the table half as thick: what the arm is compared with itself by.
+  // The bodies for self-collisions: the same, with those from the table half as thick.
   [[nodiscard]] const std::vector<ArmSolid>& slim() const { return slim_; }
 
-  // Where the arm stands, in the frame of its base: the column made from its joint table. It is
-  // compared with the columns of other arms alone.
+  // The base column made from the joint table, in the frame of the base. It is compared only with
+  // the columns of other arms.
   [[nodiscard]] const std::vector<Solid>& pedestal() const { return pedestal_; }
 
  private:

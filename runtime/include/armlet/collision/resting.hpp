@@ -1,4 +1,4 @@
-// Where bodies of any shape come to rest on each other.
+// Heights at which bodies of any shape come to rest on each other.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace armlet {
 
-// z of the frame of `falling` where it rests on `below`, moving only along z: the highest one that
-// is no more than kRestTolerance above where it is; nothing if it passes. The shapes count as they
-// are, meshes by their triangles; what overlaps another body by less than a micrometre from the
-// side passes it. Right to 1e-8 m; the same bits on every machine.
+// z of the frame of `falling` at which it rests on `below`, moving only along z: the highest one
+// that is at most kRestTolerance above its present z; nothing if it passes. Shapes are exact,
+// meshes by their triangles; a body that overlaps another one sideways by less than a micrometre
+// passes it. Exact to 1e-8 m; the same bits on every machine.
 //
 // source  conservative advancement along one direction: B. Mirtich, Impulse-based dynamic
 //         simulation of rigid body systems, 1996, chapter 2; between convex bodies each step goes

@@ -1,4 +1,4 @@
-// Bodies and how far they are apart.
+// Bodies and the distances between them.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,15 +11,16 @@
 namespace armlet {
 
 // A convex core and all points up to `margin` from it. A ball is a point with a margin, a capsule a
-// segment with one. The core lies in the middle of its frame, along z. Meshes lie in theirs as
-// their vertices say: a hull is all of a mesh that is convex, a triangle one piece of it, and the
-// core kMesh, which alone need not be convex, the set of all its triangles and what they enclose.
+// segment with one. The core is centred in its frame, along z. Meshes are positioned by their
+// vertices: a hull is the whole of a convex mesh, a triangle one part of a mesh, and the core
+// kMesh, the only one that need not be convex, the set of all triangles and the volume that they
+// enclose.
 //
-// half    half the sides of a box, and of the box around a mesh; (radius, radius, half height) of a
-//         cylinder and a cone, whose tip is at +z; (0, 0, half length) of a segment. m
-// margin  m, >= 0; none of meshes.
-// mesh    not owned; null unless the core is one of it.
-// T       its frame, in the frame that both bodies of a question share.
+// half    half the sides of a box, and of the bounding box of a mesh; (radius, radius, half height)
+//         of a cylinder and a cone, whose tip is at +z; (0, 0, half length) of a segment. m
+// margin  m, >= 0; 0 for meshes.
+// mesh    not owned; null unless the core is a mesh or a part of one.
+// T       its frame, in the common frame of the two compared bodies.
 struct Solid {
   enum class Core : std::uint8_t {
     kPoint,
@@ -39,25 +40,25 @@ struct Solid {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
 
   [[nodiscard]] bool is_convex() const { return core != Core::kMesh; }
-  // Radius of a ball about the origin of its frame that holds it, m.
+  // Radius of the smallest ball about the origin of its frame that contains it, m.
   [[nodiscard]] double reach() const;
-  // The body has no inside: nothing can be in its way.
+  // Whether the body has no points: it cannot collide.
   [[nodiscard]] bool is_empty() const { return !(half.maxCoeff() > 0.0) && !(margin > 0.0); }
 };
 
 // The shape of an object in its own frame, and that of a part of an arm in the frame of its link. A
-// ring counts as the cylinder that it surrounds: an arm fills it.
+// ring counts as the cylinder that it surrounds, since the arm fills it.
 Solid solid_of(const Shape& shape);
 Solid solid_of(const LinkShape& shape);
-// The whole mesh, which has to live as long: a hull if it is convex.
+// The whole mesh, which has to live as long; a hull if it is convex.
 Solid solid_of(const TriangleMesh& mesh);
 
-// How two bodies lie to each other.
+// The distance between two bodies.
 //
-// distance  m, below zero: how far one of them has to be moved at least to free it.
+// distance  m; if they overlap, minus the length of the smallest displacement that separates them.
 // p_a, p_b  the nearest points of both; of bodies that overlap, the pair of deepest penetration:
-//           p_b - p_a is the motion of `a` that frees it.
-// away      unit vector: `a` moved along it leaves `b` the quickest way.
+//           p_b - p_a is the displacement of `a` that separates them.
+// away      unit vector: the direction in which `a` leaves `b` by the shortest displacement.
 struct Gap {
   double distance = 0.0;
   Eigen::Vector3d p_a = Eigen::Vector3d::Zero();
@@ -65,13 +66,13 @@ struct Gap {
   Eigen::Vector3d away = Eigen::Vector3d::UnitZ();
 };
 
-// The distance is right to 1e-9 m, or 1e-9 of itself, where the bodies are apart, and to 1e-7 m or
-// 1e-7 of their size where they overlap; there it is never less deep than the truth. The same bits
-// on every machine. Of meshes that are not convex (core kMesh) the distance is that of the nearest
-// triangles. Where they overlap with something convex, the depth is that of the triangle which is
-// deepest in it, towards the outside of the mesh, and at most that of the hull; two such meshes
-// overlap as deep as the deepest vertex of one lies in the other. What lies inside of a closed mesh
-// overlaps it.
+// The distance is exact to 1e-9 m, or 1e-9 of itself, where the bodies are apart, and to 1e-7 m or
+// 1e-7 of their size where they overlap; there the depth is never underestimated. The same bits on
+// every machine. For meshes that are not convex (core kMesh) the distance is that of the nearest
+// triangles. Where one overlaps with a convex body, the depth is that of the triangle which is
+// deepest in it, towards the outside of the mesh, and at most that of the hull; for two such meshes
+// it is the depth of the deepest vertex of one in the other. A body inside a closed mesh overlaps
+// it.
 //
 // source  E. G. Gilbert, D. W. Johnson, S. S. Keerthi, A fast procedure for computing the distance
 //         between complex objects in three-dimensional space, IEEE J. Robotics and Automation 4,
@@ -79,13 +80,13 @@ struct Gap {
 //         chapter 4.
 Gap gap_between(const Solid& a, const Solid& b);
 
-// Of two bodies that overlap so: whether they are free when `a` has moved as far as the gap says,
-// so that the depth is all of it. It always is of convex bodies; of meshes that are not, finely cut
-// ones for example, it may be a lower bound.
+// For two overlapping bodies with this gap: whether they are separate when `a` has moved as far as
+// the gap says, so that the depth is the whole one. This is always true of convex bodies; for other
+// meshes, for example finely divided ones, the depth may be a lower bound.
 bool is_whole_depth(const Solid& a, const Solid& b, const Gap& gap);
 
-// Whether they are more than `distance` apart, distance >= 0; quicker than gap_between. Never true
-// of bodies that are nearer.
+// Whether they are more than `distance` apart, distance >= 0; faster than gap_between. Never true
+// for bodies that are nearer.
 bool is_farther(const Solid& a, const Solid& b, double distance);
 
 }  // namespace armlet

@@ -9,17 +9,17 @@
 
 namespace armlet {
 
-// A precondition was broken: what() is a full sentence with what was given and what was expected.
+// A violated precondition: what() is a full sentence with the given and the expected value.
 class ArgumentError : public std::invalid_argument {
  public:
   explicit ArgumentError(const std::string& message) : std::invalid_argument(message) {}
 };
 
-// Throws it: headers that say this instead of `throw` can be read by hosts compiled without
+// Throws it. Headers that call this instead of `throw` can be used by hosts compiled without
 // exceptions.
 [[noreturn]] void refuse_argument(const std::string& message);
 
-// Why a question has no answer.
+// Why there is no answer.
 //
 // code     short name that programs can compare, for example "unreachable".
 // message  full sentence for people, with numbers and units.

@@ -1,11 +1,11 @@
 #pragma once
-// Files, read and written so that nothing is surprised: below a folder no link is followed and no
-// name leads out, what is not a regular file is refused, and a file that cannot be written to its
-// end leaves the one before as it was.
+// Safe reading and writing of files. Below a folder no link is followed and no name leads outside,
+// only regular files are accepted, and a file that cannot be written completely leaves the former
+// one unchanged.
 //
-// Reasons are parts of a sentence without an end: "there is no such file". Codes of errors:
-// missing (the file, or a folder on the way), outside, link, kind (no regular file), large, name,
-// system (what the system says).
+// Reasons are parts of a sentence without a full stop: "there is no such file". Codes of errors:
+// missing (the file, or a folder of its path), outside, link, kind (not a regular file), large,
+// name, system (the system's message).
 
 #include <cstdint>
 #include <memory>
@@ -20,23 +20,24 @@
 
 namespace armlet {
 
-// Writes some of the bytes to an open file, as write(2) does: how many, or -1 with errno set.
+// Writes some of the bytes to an open file, as write(2) does; returns their number, or -1 with
+// errno set.
 using WriteBytes = long (*)(int file, const void* bytes, std::size_t count);
 
-// A file that comes into being all at once: it is written beside its name and takes its place in
-// `finish`. Unless that succeeds what had the name before stays as it was, and nothing else is
-// left. A file that is replaced gives the new one its permissions and owner.
+// A file that is replaced atomically: it is written under a temporary name and renamed in `finish`.
+// Unless that succeeds the former file is unchanged, and no other file remains. The new file gets
+// the permissions and the owner of the former one.
 class NewFile {
  public:
   NewFile(NewFile&& other) noexcept;
   NewFile& operator=(NewFile&& other) noexcept;
   ~NewFile();
 
-  // False: it failed, now or before; `finish` says why.
+  // Writes bytes; false: this or an earlier call failed, and `finish` returns the reason.
   bool write(std::string_view bytes);
-  // What is written next goes over the bytes from `offset` on. False as from `write`.
+  // The next write overwrites the bytes from `offset` on. False as from `write`.
   bool seek(std::uint64_t offset);
-  // The reason if the file could not be written to its end and put in its place.
+  // Completes the file; returns the reason if it could not be written completely and renamed.
   [[nodiscard]] std::optional<Error> finish();
 
  private:
@@ -46,12 +47,12 @@ class NewFile {
   std::unique_ptr<Open> open_;
 };
 
-// A folder that is held open: it stays the same one whatever becomes of its name. Names of files
-// are relative to it, with / between folders; a name from the root is understood if it begins with
-// the folder's own. `..` leads up to the folder itself and no farther.
+// A folder that is held open: it stays the same folder when it is renamed. Names of files are
+// relative to it, with / between folders; an absolute name is accepted if it begins with the
+// folder's own path. `..` never leads above the folder itself.
 class Folder {
  public:
-  // Links on the way to the folder are followed. An empty path is the working folder.
+  // Links in the path to the folder are followed. An empty path is the working folder.
   [[nodiscard]] static Result<Folder> open(const std::string& path);
   Folder(Folder&& other) noexcept;
   Folder& operator=(Folder&& other) noexcept;
@@ -60,16 +61,16 @@ class Folder {
   // most  bytes; a larger file is refused.
   [[nodiscard]] Result<std::string> read(std::string_view name, std::size_t most) const;
   [[nodiscard]] bool has_file(std::string_view name) const;
-  // The names in a folder that end so, sorted; nothing if it cannot be read. At most 1000.
+  // The names in a folder with this ending, sorted; none if it cannot be read. At most 1000.
   [[nodiscard]] std::vector<std::string> names(std::string_view folder,
                                                std::string_view ending) const;
 
-  // write  null: as the system does.
+  // write  null: write(2).
   [[nodiscard]] Result<NewFile> create(std::string_view name, WriteBytes write = nullptr) const;
-  // The reason if it could not be written.
+  // Writes a file; returns the reason if it failed.
   [[nodiscard]] std::optional<Error> save(std::string_view name, std::string_view content,
                                           WriteBytes write = nullptr) const;
-  // The name without . and .. and double /; an error if it is none or leads out.
+  // The name without . and .. and double /; an error if it is not a name or leads outside.
   [[nodiscard]] Result<std::string> clean(std::string_view name) const;
 
  private:
@@ -81,23 +82,23 @@ class Folder {
   std::string path_;  // without links
 };
 
-// The same for files that a person named: links are followed.
+// Reads a file that a user named: links are followed.
 [[nodiscard]] Result<std::string> read_file(const std::string& path, std::size_t most);
 [[nodiscard]] Result<NewFile> create_file(const std::string& path, WriteBytes write = nullptr);
-// The text that comes through an open file which may be a pipe; waits for its end.
+// Reads text from an open file, which may be a pipe, up to its end.
 [[nodiscard]] Result<std::string> read_all(int file, std::size_t most);
-// Whether both names stand for one file that exists.
+// Whether both names denote the same existing file.
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
-// The path from the root, without links, . and .. as far as it exists.
+// The absolute path, without links, . and .. as far as it exists.
 [[nodiscard]] std::string real_path(const std::string& path);
-// Whether a regular file has this path, links being followed.
+// Whether this path is a regular file; links are followed.
 [[nodiscard]] bool is_file(const std::string& path);
 
-// Takes away what unfinished files of this process have left beside their names. For signal
-// handlers that end the process.
+// Removes temporary files that unfinished writes of this process have left. For signal handlers
+// that end the process.
 void remove_unfinished_files() noexcept;
 
-// A NewFile as a stream, for those who write to one. It does not finish the file.
+// A NewFile as a stream. It does not finish the file.
 class FileStream : public std::ostream {
  public:
   explicit FileStream(NewFile& file) : std::ostream(nullptr), buffer_(file) { rdbuf(&buffer_); }

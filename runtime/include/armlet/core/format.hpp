@@ -4,7 +4,7 @@
 
 namespace armlet {
 
-// Numbers for people: at most `digits` decimals, no trailing zeros, never "-0".
+// Readable numbers: at most `digits` decimals, no trailing zeros, never "-0".
 std::string format_number(double value, int digits = 3);
 
 // "37.2 mm" from metres and "12.3 deg" from radians, with one decimal at most.

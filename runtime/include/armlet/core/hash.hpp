@@ -1,4 +1,4 @@
-// A small hash for telling contents apart, the same on every machine. Not for secrets.
+// A small hash for comparing contents, the same on every machine. Not cryptographic.
 #pragma once
 
 #include <bit>
@@ -17,15 +17,15 @@ class Fnv1a {
   }
   constexpr void add(std::int64_t number) { add(static_cast<std::uint64_t>(number)); }
   constexpr void add(int number) { add(std::int64_t{number}); }
-  // The bits; every NaN is the same one.
+  // Adds the bits; all NaN count as the same.
   constexpr void add(double number) {
     add(number == number ? std::bit_cast<std::uint64_t>(number) : kNan);
   }
-  // The bytes alone: what follows is not kept apart from them.
+  // Adds the bytes without a separator.
   constexpr void add_bytes(std::string_view bytes) {
     for (const char byte : bytes) add_byte(static_cast<std::uint8_t>(byte));
   }
-  // The bytes and how many they are.
+  // Adds the bytes and their number.
   constexpr void add(std::string_view text) {
     add(static_cast<std::uint64_t>(text.size()));
     add_bytes(text);

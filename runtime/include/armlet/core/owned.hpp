@@ -1,4 +1,4 @@
-// A value on the heap that belongs to whoever has it.
+// A value on the heap with a single owner.
 #pragma once
 
 #include <memory>
@@ -6,8 +6,8 @@
 
 namespace armlet {
 
-// Copies copy the value. It stays at its address when the Owned moves, and constness passes on to
-// it. Empty only after it was moved from.
+// Copies copy the value. The value keeps its address when the Owned is moved, and a const Owned
+// gives const access. Empty only after it was moved from.
 template <class T>
 class Owned {
  public:

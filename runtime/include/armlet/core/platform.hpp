@@ -1,9 +1,8 @@
 #pragma once
-// What a machine and its system have to provide, besides files (files.hpp) and deep stacks
-// (ample_stack.hpp): memory that keeps its addresses, time that passes outside of programs, other
-// threads, libraries loaded while running. Whatever else is in the libraries asks the C++ library
-// alone, so that a new platform is a folder beside runtime/src/core/posix; the smallest one, bare,
-// is that of WebAssembly.
+// What the operating system has to provide, besides files (files.hpp) and deep stacks
+// (ample_stack.hpp): memory with fixed addresses, elapsed time outside of programs, threads,
+// libraries loaded at run time. All other code uses the C++ library alone, so a new platform is a
+// folder beside runtime/src/core/posix; the smallest one, bare, is that of WebAssembly.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,9 +12,9 @@
 
 namespace armlet {
 
-// Bytes whose addresses do not change, meant to be reserved long before they are used: where the
-// system can do so, a page gets memory only when it is first touched. What is read before it is
-// written is not specified.
+// Bytes with fixed addresses, meant to be reserved long before they are used: where the system
+// supports it, a page gets memory only when it is first used. Bytes that were not written are
+// unspecified.
 class ReservedMemory {
  public:
   // throws  std::bad_alloc if the system has no addresses left.
@@ -26,7 +25,8 @@ class ReservedMemory {
 
   [[nodiscard]] void* begin() const { return begin_; }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  // What lies behind the first bytes is not needed for now: its memory may go back to the system.
+  // The bytes after the first `first` are not needed for now: their memory may return to the
+  // system.
   void give_back(std::size_t first);
 
  private:
@@ -34,22 +34,22 @@ class ReservedMemory {
   std::size_t bytes_;
 };
 
-// Whether much more may be reserved than is ever used. Without it, a reservation takes its bytes
-// from the little that there is.
+// Whether a reservation may be much larger than what is used. If not, a reservation takes its bytes
+// from scarce memory.
 [[nodiscard]] bool reserves_for_free();
 
-// Time on a clock that only goes on, ns since some moment.
+// Time of a monotonic clock, ns since an unspecified moment.
 [[nodiscard]] std::int64_t steady_time_ns();
 
-// Lets other threads go on, for those who wait for a moment.
+// Lets other threads run; for waiting loops.
 void yield_thread();
 
-// Calls a function in a thread of its own when the time has passed, counted from now. Destroyed
-// earlier, it does nothing; destroyed while the function runs, it waits for its end.
+// Calls a function in a thread of its own after a time, counted from now. If it is destroyed
+// earlier, there is no call; if it is destroyed during the call, it waits for its end.
 class Alarm {
  public:
-  // throws  std::system_error where there are no other threads: a host then runs its programs in
-  //         slices, and looks at the clock between two of them.
+  // throws  std::system_error if there are no threads: a host then runs its programs in slices, and
+  //         reads the clock between two of them.
   Alarm(std::int64_t after_ns, std::function<void()> call);
   ~Alarm();
   Alarm(const Alarm&) = delete;
@@ -60,7 +60,7 @@ class Alarm {
   std::unique_ptr<State> state_;
 };
 
-// A library that is loaded while the program runs, and stays until it ends.
+// A library that is loaded at run time and stays loaded until the process ends.
 class LoadedLibrary {
  public:
   explicit LoadedLibrary(const std::string& name);
@@ -71,7 +71,7 @@ class LoadedLibrary {
   void* handle_;
 };
 
-// The folder of the program that runs, without a slash at its end; empty where there is none.
+// The folder of the running executable, without a slash at its end; empty if there is none.
 [[nodiscard]] std::string program_folder();
 
 }  // namespace armlet

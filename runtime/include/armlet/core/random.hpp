@@ -6,7 +6,7 @@
 namespace armlet {
 
 // Seeded generator with the same numbers on every machine: xoshiro256** (Blackman and Vigna, 2018),
-// seeded by splitmix64. Always passed in, never global.
+// seeded by splitmix64. Always an argument, never global.
 class Random {
  public:
   explicit Random(std::uint64_t seed);
@@ -23,8 +23,8 @@ class Random {
   // A whole number in [0, n), all equally likely. Throws ArgumentError if n is 0.
   std::uint64_t below(std::uint64_t n);
 
-  // A generator of its own for a part of the work. It depends on this one's seed and on the stream
-  // number, not on how many numbers were drawn before.
+  // An independent generator for a part of the work. It depends on this one's seed and on the
+  // stream number, not on how many numbers were drawn before.
   Random split(std::uint64_t stream) const;
 
  private:

@@ -5,8 +5,8 @@
 
 namespace armlet {
 
-// A text as it stands in XML, between tags or in an attribute, and is read back with its tabs and
-// line breaks. Other control characters, which XML has no way to write, become blanks.
+// A text with its XML escapes, for use between tags or in an attribute, so that reading it gives
+// the same tabs and line breaks. Other control characters, which XML cannot contain, become blanks.
 std::string xml_escaped(std::string_view text);
 
 }  // namespace armlet

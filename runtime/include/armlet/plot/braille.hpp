@@ -9,7 +9,7 @@ namespace armlet {
 // A figure as text for a terminal: braille characters of 2 x 4 dots inside axes with their values.
 //
 // columns, rows  of the field of dots, in characters; at least 8 and 4.
-// color          one colour of the terminal for each series.
+// color          whether each series has a colour of the terminal.
 std::string to_braille(const Figure& figure, int columns = 72, int rows = 18, bool color = false);
 
 }  // namespace armlet

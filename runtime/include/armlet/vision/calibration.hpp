@@ -1,5 +1,5 @@
 #pragma once
-// What a camera is and where it is on an arm, from pictures of a pattern that is known, by OpenCV
+// Parameters of a camera and its pose on an arm, from pictures of a known pattern, by OpenCV
 // (opencv.hpp).
 
 #include <Eigen/Geometry>
@@ -15,8 +15,8 @@
 
 namespace armlet {
 
-// The lens of a camera as camera/pinhole.hpp writes it: focal lengths and axis in px, and k1, k2,
-// p1, p2, k3.
+// The lens of a camera with the parameters of camera/pinhole.hpp: focal lengths and axis in px, and
+// k1, k2, p1, p2, k3.
 struct LensNumbers {
   double fx = 0.0;
   double fy = 0.0;
@@ -25,11 +25,11 @@ struct LensNumbers {
   std::array<double, 5> distortion{};
 };
 
-// What calibrate_camera found.
+// The result of calibrate_camera.
 //
-// error            root of the mean square distance between points seen and computed, px.
+// error            root of the mean square distance between observed and computed points, px.
 // deviation        standard deviations of fx, fy, cx, cy, k1, k2, p1, p2, k3.
-// T_camera_target  where the pattern was in each view.
+// T_camera_target  pose of the pattern in each view.
 struct CameraCalibration {
   LensNumbers lens;
   double error = 0.0;
@@ -37,14 +37,15 @@ struct CameraCalibration {
   std::vector<Eigen::Isometry3d> T_camera_target;
 };
 
-// The lens that explains several views of a flat pattern best in the least squares of pixels.
+// The lens that fits several views of a flat pattern best, in the least squares of pixels.
 //
 // views          3 to 30, each n x 2, px: the points of the pattern in their order.
 // points         n x 3, n >= 4, m, all with z = 0 and not on a line; at most 2,000 in all views.
 // width, height  of the pictures, px.
-// terms          how many of k1, k2, p1, p2, k3 are found: 0, 1, 2, 4 or 5; the others are 0.
-// returns  the calibration, or an error "degenerate" if the views do not determine it: they all
-//          look from the same side.
+// terms          number of coefficients k1, k2, p1, p2, k3 that are found: 0, 1, 2, 4 or 5; the
+//                others are 0.
+// returns  the calibration, or an error "degenerate" if the views do not determine it, because they
+//          are all from the same side.
 // throws   ArgumentError for lists of different length, counts out of range, numbers that are not
 //          finite, and where there is no OpenCV.
 // source   Z. Zhang, A flexible new technique for camera calibration, IEEE Trans. PAMI 22, 2000.
@@ -54,30 +55,30 @@ Result<CameraCalibration> calibrate_camera(std::span<const PlanePoints> views,
 
 enum class HandEyeMethod : std::uint8_t { kTsai, kPark, kHoraud, kDaniilidis };
 
-// Where a camera is on the tool, and how far the target seems to move from station to station: the
-// root of the mean square distance, m, and angle, rad, from its mean pose.
+// Pose of a camera on the tool; and the root of the mean square distance, m, and angle, rad,
+// between the pose of the target found at a station and the mean pose.
 struct HandEye {
   Eigen::Isometry3d T_tool_camera = Eigen::Isometry3d::Identity();
   double error = 0.0;
   double tilt = 0.0;
 };
 
-// The pose of the camera on the tool, from stations at which it saw a target that did not move:
+// The pose X of the camera on the tool, from stations at which the camera saw a fixed target:
 // T_world_tool X T_camera_target is the same for all.
 //
 // T_world_tool, T_camera_target  3 to 100, in the same order.
 // returns  the pose, or an error "degenerate" if the tool did not rotate about two axes that differ
 //          by 5 degrees or more.
-// throws   ArgumentError for lists of different or other length, poses that are none, and where
-//          there is no OpenCV.
+// throws   ArgumentError for lists of different or other length, matrices that are not poses, and
+//          without OpenCV.
 // source   R. Tsai, R. Lenz 1989; F. Park, B. Martin 1994; R. Horaud, F. Dornaika 1995;
 //          K. Daniilidis 1999.
 Result<HandEye> hand_eye(std::span<const Eigen::Isometry3d> T_world_tool,
                          std::span<const Eigen::Isometry3d> T_camera_target,
                          HandEyeMethod method = HandEyeMethod::kPark);
 
-// What a camera without distortion but otherwise equal would have seen; black where the picture
-// shows nothing of that.
+// The picture of a camera without distortion but otherwise equal; black where it shows what this
+// picture does not.
 //
 // image   8 bits.
 // throws  ArgumentError for a picture of depths, more than 4,194,304 pixels, focal lengths that are

@@ -1,5 +1,5 @@
 #pragma once
-// Corners by one of the detectors, refined, and those near given places.
+// Corners by one of the detectors, refined, and those near given positions.
 
 #include <cstdint>
 
@@ -12,8 +12,8 @@ enum class CornerMethod : std::uint8_t { kSusan, kHarris, kFast };
 
 // threshold    of SUSAN and FAST, grey levels (susan.hpp, fast.hpp).
 // quality, distance, sensitivity  of Harris (harris.hpp).
-// max          at most so many corners, the strongest ones; 0: all.
-// refine       to fractions of a pixel (refine.hpp); a corner that cannot be refined stays at whole
+// max          largest number of corners, the strongest ones; 0: all.
+// refine       to fractions of a pixel (refine.hpp); a corner that cannot be refined keeps whole
 //              pixels.
 struct CornerOptions {
   CornerMethod method = CornerMethod::kSusan;
@@ -25,20 +25,18 @@ struct CornerOptions {
   bool refine = true;
 };
 
-// The corners of a picture from the strongest to the weakest, equally strong ones in the order of
-// rows, n x 2.
+// The corners of a picture, the strongest first, equally strong ones in the order of rows, n x 2.
 //
 // grey    one channel of 8 bits.
 // throws  ArgumentError for another kind of picture or an option out of range; kFast also where
 //         there is no OpenCV.
 PlanePoints find_corners(const Image& grey, const CornerOptions& options = {});
 
-// The same corners, as far as they are in the smallest upright box around some places that is
-// `within` pixels larger on every side; only that part of the picture is looked at. Responses of
-// Harris are compared within it.
+// The corners near some positions. Only a part of the picture is searched: the bounding box of the
+// positions, enlarged by `within` pixels on every side. Responses of Harris are compared within it.
 //
 // places  k x 2, k >= 1, px; they may lie outside of the picture.
-// throws  as find_corners, and for no places or numbers that are not finite.
+// throws  as find_corners, and for no positions or numbers that are not finite.
 PlanePoints find_corners_around(const Image& grey, const PlanePoints& places, double within,
                                 const CornerOptions& options = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which point of one picture is which of another one.
+// Correspondence of points between pictures.
 
 #include <vector>
 
@@ -7,21 +7,22 @@
 
 namespace armlet {
 
-// For each wanted point the one that is taken for it.
+// For each goal point the point that is assigned to it.
 //
-// index     row of the points, or -1: none is near enough. No point is taken twice.
-// distance  pixels; for those without one, to the nearest point there is, infinity without any.
+// index     row of the assigned point, or -1: none is near enough. No point is assigned twice.
+// distance  pixels; for goal points without one, to the nearest point, or infinity if there are no
+//           points.
 struct Matches {
   std::vector<int> index;
   std::vector<double> distance;
 
-  [[nodiscard]] std::vector<int> lost() const;  // rows of the wanted points, in order
+  [[nodiscard]] std::vector<int> lost() const;  // rows of the goal points without one, in order
 };
 
 inline constexpr int kMostMatched = 500;  // points of each list
 
-// As many pairs as possible no farther apart than `within`, and of those choices the one with the
-// smallest sum of distances. Pairs of the same sums are taken in the order of the rows.
+// The assignment with the largest number of pairs no farther apart than `within`; of those, the one
+// with the smallest sum of distances. Of equal sums the first in the order of the rows is chosen.
 //
 // points, wanted  n x 2 and k x 2, pixels.
 // throws  ArgumentError for more than kMostMatched points, numbers that are not finite, and a
@@ -31,33 +32,33 @@ inline constexpr int kMostMatched = 500;  // points of each list
 //         1987.
 Matches match_points(const PlanePoints& points, const PlanePoints& wanted, double within);
 
-// Keeps the labels of points from picture to picture. A point that is not found stays where it was
-// predicted for at most `patience` pictures; then it is lost.
+// Keeps the labels of points from picture to picture. A point that is not found keeps its predicted
+// position for at most `patience` pictures; then it is lost.
 class PointTracker {
  public:
   // start     k x 2, pixels.
-  // gate      how far a point may be from its prediction, pixels.
+  // gate      largest distance of a point from its prediction, pixels.
   // throws    as match_points; and for a negative patience.
   PointTracker(PlanePoints start, double gate, int patience = 5);
 
-  // Takes the points of the next picture, in any order, to the labels.
+  // Assigns the points of the next picture, in any order, to the labels.
   //
-  // predicted  k x 2: where the points are expected; empty: expected().
+  // predicted  k x 2: the predicted points; empty: expected().
   // returns    k x 2 in the order of the start.
   // throws     as match_points, and for a prediction of another number of points.
   const PlanePoints& update(const PlanePoints& points, const PlanePoints& predicted = {});
 
   [[nodiscard]] const PlanePoints& points() const { return points_; }
-  // Where they should be in the next picture: where they were, plus what they moved by before.
+  // The predicted points of the next picture: the present ones plus their last displacement.
   [[nodiscard]] PlanePoints expected() const { return points_ + moved_; }
-  // Labels that have not been found for more pictures than `patience`, in order.
+  // Labels that have been missed in more than `patience` pictures, in order.
   [[nodiscard]] std::vector<int> lost() const;
-  // In how many pictures, one after the other, a label has not been found.
+  // Number of consecutive pictures in which each label has been missed.
   [[nodiscard]] const std::vector<int>& missed() const { return missed_; }
 
  private:
   PlanePoints points_;
-  PlanePoints moved_;  // by the last step
+  PlanePoints moved_;  // displacement in the last step
   std::vector<int> missed_;
   double gate_;
   int patience_;

@@ -13,15 +13,15 @@ namespace armlet {
 // 255 on edges one pixel wide, else 0.
 //
 // grey       one channel of 8 bits.
-// low, high  grey levels: the length of the gradient by Sobel's masks, which is 4 for a slope of
-//            half a grey level per pixel. An edge begins where it is above high, and goes on as
-//            long as it is above low.
+// low, high  grey levels: thresholds on the length of the gradient by Sobel's masks, which is 4 for
+//            a slope of half a grey level per pixel. An edge begins where it is above high, and
+//            continues as long as it is above low.
 // source     J. Canny, A computational approach to edge detection, IEEE Trans. PAMI 8(6), 1986.
 Image find_edges(const Image& grey, double low = 50.0, double high = 150.0);
 
-// votes       pixels of a line at least.
+// votes       least number of pixels of a line.
 // min_length  px; shorter segments are left out.
-// max_gap     px; pieces of a line nearer to each other are one segment.
+// max_gap     px; pieces of a line with a smaller gap are one segment.
 struct LineOptions {
   int votes = 40;
   double min_length = 30.0;
@@ -38,9 +38,9 @@ Eigen::Matrix<double, Eigen::Dynamic, 4> find_lines(const Image& edges,
                                                     const LineOptions& options = {});
 
 // min_radius, max_radius  px.
-// distance   px; centres of circles are at least so far apart.
+// distance   px; least distance between the centres of circles.
 // edge       grey levels: the upper limit of find_edges; the lower one is half of it.
-// roundness  0.5 to 1: how round a circle has to be.
+// roundness  0.5 to 1: how round a circle has to be (1: perfect).
 struct CircleOptions {
   int min_radius = 5;
   int max_radius = 200;

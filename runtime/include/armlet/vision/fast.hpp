@@ -11,7 +11,7 @@ namespace armlet {
 // neighbours the strongest one.
 //
 // grey       one channel of 8 bits.
-// threshold  grey levels, 1 to 255: by how much the pixels of the circle differ at least.
+// threshold  grey levels, 1 to 255: least difference of the pixels of the circle.
 // throws     ArgumentError for another kind of picture, more than 4,194,304 pixels, a threshold out
 //            of range, and where there is no OpenCV.
 // source     E. Rosten, T. Drummond, Machine learning for high-speed corner detection, ECCV 2006.

@@ -1,5 +1,5 @@
 #pragma once
-// Corners by Harris: places where the brightness changes in two directions.
+// Corners by Harris: positions where the brightness changes in two directions.
 
 #include <vector>
 
@@ -8,9 +8,9 @@
 namespace armlet {
 
 // quality      corners whose response is not above this share of the strongest one are left out.
-// distance     px; a corner nearer than this to a stronger one is left out. 0: none is.
+// distance     px; a corner nearer than this to a stronger one is left out. 0: no corner is.
 // sensitivity  k, 0 to 0.25; edges have negative responses from about 0.04 on.
-// max          at most so many corners; 0: all.
+// max          largest number of corners; 0: all.
 struct HarrisOptions {
   double quality = 0.01;
   double distance = 10.0;
@@ -29,9 +29,9 @@ struct HarrisCorner {
 //
 // M = sum of [gx gx, gx gy; gx gy, gy gy] over 3 x 3 pixels, with gradients by 3 x 3 Sobel masks
 // divided by 3060 (1 for a step from black to white), and the response det(M) - k trace(M)^2. A
-// corner is positive and as large as its 8 neighbours. Beyond the border the picture is mirrored
-// about the pixels of the border, which are no corners themselves. Sums are whole numbers, so that
-// the corners are the same on every machine.
+// corner has a positive response that is at least that of its 8 neighbours. Beyond the border the
+// picture is mirrored about its border pixels, which are never corners. Sums are integers, so the
+// corners are the same on every machine.
 //
 // grey    one channel of 8 bits.
 // throws  ArgumentError for another kind of picture or an option out of range.

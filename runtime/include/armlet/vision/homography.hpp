@@ -8,11 +8,11 @@
 
 namespace armlet {
 
-// The projective map that takes the points `from` to the points `to`, best in the least squares of
-// its equations after both have been centred and scaled.
+// The projective map from the points `from` to the points `to`, by the least squares of its linear
+// equations after both lists have been centred and scaled.
 //
 // from, to  n x 2, n >= 4, in the same order; any unit.
-// returns   H, 3 x 3, H(2, 2) = 1 where that is possible and a norm of 1 elsewhere; the error
+// returns   H, 3 x 3, H(2, 2) = 1 where that is possible and a norm of 1 otherwise; the error
 //           "degenerate" if the points do not determine it: all but one lie on a line, or coincide.
 // throws    ArgumentError for lists of different length, fewer than four points, and numbers that
 //           are not finite.
@@ -20,9 +20,9 @@ namespace armlet {
 //           R. Hartley, A. Zisserman, Multiple View Geometry, 2nd ed., 2004, algorithm 4.2.
 Result<Eigen::Matrix3d> homography(const PlanePoints& from, const PlanePoints& to);
 
-// Points through H, n x 2.
+// The images of points under H, n x 2.
 //
-// throws  ArgumentError that names the first point that goes to infinity.
+// throws  ArgumentError that names the first point whose image is at infinity.
 PlanePoints map_points(const Eigen::Matrix3d& H, const PlanePoints& points);
 
 }  // namespace armlet

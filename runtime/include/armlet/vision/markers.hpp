@@ -10,7 +10,7 @@
 
 namespace armlet {
 
-// A marker that was seen.
+// A marker found in a picture.
 //
 // corners  px, of its black square: upper left, upper right, lower right and lower left of the
 //          marker when it stands upright.
@@ -36,8 +36,8 @@ std::vector<FoundMarker> find_markers(const Image& grey, int dictionary);
 // throws  ArgumentError for a number that the dictionary does not have, and as find_markers.
 Image marker_picture(int id, int dictionary, int cell);
 
-// The corners of a marker in its own frame in the order of FoundMarker: x to the right, y upwards,
-// z out of the marker, the origin in its middle.
+// The corners of a marker in its own frame, in the order of FoundMarker: x to the right, y upwards,
+// z out of the marker, the origin in its centre.
 //
 // size    m, of a side of the black square.
 // throws  ArgumentError for a size that is not above 0.

@@ -8,18 +8,18 @@
 namespace armlet {
 
 // window  px, odd: side of the square around a point that is compared, 5 to 51.
-// levels  how often the pictures are halved, 0 to 8, for points that move far.
-// within  px: a point that is farther than this from where it was after it was followed to the
-//         other picture and back is lost.
+// levels  number of halvings of the pictures, 0 to 8, for large displacements.
+// within  px: a point is lost if following it to the other picture and back ends farther than this
+//         from its start.
 struct FlowOptions {
   int window = 21;
   int levels = 3;
   double within = 0.5;
 };
 
-// points    where the points of the first picture are in the second, px; lost ones where they were.
-// way_back  px, how far each is from its start after it was followed back; infinity if it was lost
-//           on the way.
+// points    positions in the second picture, px; of lost points the first position.
+// way_back  px, distance from the start after following back; infinity if the point was lost
+//           before.
 // lost      rows of the points that were lost.
 struct FollowedPoints {
   PlanePoints points;

@@ -9,22 +9,22 @@
 
 namespace armlet {
 
-// A pose and how well it explains what is seen.
+// A pose and its error.
 //
-// error  root of the mean square distance between the points seen and those of the pose, in the
-//        unit of normalised coordinates (times the focal length: pixels).
+// error  root of the mean square distance between the observed points and those of the pose, in
+//        normalised coordinates (times the focal length: pixels).
 struct FoundPose {
   Eigen::Isometry3d T_camera_obj = Eigen::Isometry3d::Identity();
   double error = 0.0;
 };
 
-// A plane that is small or far away looks nearly the same in two orientations: both are given, the
-// better one first.
+// The two poses of a plane. A small or distant plane looks nearly the same in two orientations; the
+// better one is first.
 struct PlanarPose {
   FoundPose best, other;
 
-  // Whether the two explain the picture almost equally well: the error of the other is less than
-  // 20 % larger.
+  // Whether the two fit the picture almost equally well: the error of the other is less than 20 %
+  // larger.
   [[nodiscard]] bool is_ambiguous() const { return other.error < 1.2 * best.error; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Corners at fractions of a pixel.
+// Corners to fractions of a pixel.
 
 #include <vector>
 
@@ -8,18 +8,19 @@
 
 namespace armlet {
 
-// window      px; gradients are looked at in a square with 2 window + 1 pixels on each side. It
-//             should hold one corner only.
-// iterations  at most so many steps.
-// precision   px; a shorter step is the last one.
+// window      px; gradients are used from a square with 2 window + 1 pixels on each side. It should
+//             contain one corner only.
+// iterations  largest number of steps.
+// precision   px; the search ends after a shorter step.
 struct RefineOptions {
   int window = 5;
   int iterations = 40;
   double precision = 0.001;
 };
 
-// How a search ended: with a short step; after all iterations; because the window is flat or holds
-// a straight edge only; or because it went farther than the window, which gives back the start.
+// How a search ended: with a short step; after all iterations; because the window is flat or
+// contains a straight edge only; or because it left the window, in which case the start is
+// returned.
 enum class RefineEnd { kConverged, kIterations, kNoCorner, kLeft };
 
 // x, y  px.
@@ -29,10 +30,10 @@ struct RefinedCorner {
   RefineEnd end = RefineEnd::kConverged;
 };
 
-// Corners near the starts: the gradient at any point of an edge is perpendicular to the line from
-// the corner to that point, so the corner c minimises the sum of w (g . (p - c))^2 over the points
-// p of the window, with bell-shaped weights w around the last c. Brightness between pixels is
-// bilinear.
+// Refined corners near given starts. The gradient at any point of an edge is perpendicular to the
+// line from the corner to that point, so the corner c minimises the sum of w (g . (p - c))^2 over
+// the points p of the window, with Gaussian weights w around the last c. Brightness between pixels
+// is bilinear.
 //
 // grey    one channel of 8 bits.
 // starts  n x 2, px, within the picture.

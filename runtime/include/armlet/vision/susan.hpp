@@ -8,7 +8,7 @@
 
 namespace armlet {
 
-// threshold  grey levels, 1 to 255: pixels whose brightness differs by much less count as alike.
+// threshold  grey levels, 1 to 255: pixels whose brightness differs by much less count as similar.
 // set        the widest vector registers that are used; the corners do not depend on it.
 struct SusanOptions {
   int threshold = 20;
@@ -36,14 +36,14 @@ struct SusanCorner {
 
 // The corners of a picture in the order of rows from the top, each row from the left.
 //
-// With the mask of 37 pixels, similarity c(d) = 100 exp(-(d / threshold)^6), truncated, and
-// n = sum of c over the mask: a corner has n < 1850 = 100 * 37 / 2, a centroid farther than
-// sqrt(1/2) px from it, three pixels towards the centroid that are alike, and the largest response
-// of 7 x 7 pixels, the first of several equal ones. Pixels nearer than 5 px to the border are none.
+// With the mask of 37 pixels, similarity c(d) = 100 exp(-(d / threshold)^6), truncated, and n = sum
+// of c over the mask: a corner has n < 1850 = 100 * 37 / 2, a centroid farther than sqrt(1/2) px
+// from it, three similar pixels towards the centroid, and the largest response of 7 x 7 pixels (of
+// several equal ones the first). Pixels nearer than 5 px to the border are not corners.
 //
 // grey    one channel of 8 bits.
 // throws  ArgumentError for another kind of picture, a threshold out of range, or a set that this
-//         machine lacks.
+//         processor does not have.
 // source  S. M. Smith and J. M. Brady, SUSAN - a new approach to low level image processing,
 //         International Journal of Computer Vision 23(1), 1997, eq. 4, 24, 25 and section 4.
 std::vector<SusanCorner> susan_corners(const Image& grey, const SusanOptions& options = {});

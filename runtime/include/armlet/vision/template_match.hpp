@@ -4,10 +4,10 @@
 
 namespace armlet {
 
-// Where a template fits best.
+// The position where a template fits best.
 //
-// x, y   px, of the middle of the template in the picture, to fractions of a pixel.
-// score  correlation of the deviations from the means, -1 to 1; 1 where both are equal but for
+// x, y   px, of the centre of the template in the picture, to fractions of a pixel.
+// score  correlation of the deviations from the means, -1 to 1; 1 where both are equal except for
 //        brightness and contrast.
 struct TemplateMatch {
   double x = 0.0;
@@ -15,8 +15,8 @@ struct TemplateMatch {
   double score = 0.0;
 };
 
-// The place of a picture that looks most like a template, by OpenCV (opencv.hpp): normalised
-// correlation at whole pixels, and the highest point of a parabola through it and its neighbours.
+// The part of a picture that is most similar to a template, by OpenCV (opencv.hpp): the maximum of
+// the normalised correlation at whole pixels, refined by a parabola through its neighbours.
 //
 // image, part  8 bits, of one kind; the template is not larger than the picture.
 // throws  ArgumentError for other kinds and sizes, a template of one brightness, more than

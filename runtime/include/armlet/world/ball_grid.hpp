@@ -1,4 +1,4 @@
-// Balls, found by where they are.
+// Balls, found by their positions.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,33 +13,35 @@
 
 namespace armlet {
 
-// Each ball lies in a cube of a grid whose cubes are as wide as the ball or less than twice as
-// wide; a grid for each power of two. The balls near a place are found without looking at the
-// others, however different their sizes. A cube with many balls is divided into eight, and so on.
+// Each ball lies in a cube of a grid whose cubes are once to twice as wide as the ball; there is a
+// grid for each power of two. So the balls near a position are found without testing the others,
+// however different their sizes. A cube with many balls is divided into eight, and so on.
 //
-// A ball may have a core, a smaller ball with the same middle. A query can leave out the balls
-// whose cores surely overlap a core of its own; of thousands in one place it then looks at few.
+// A ball may have a core, a smaller concentric ball. A query with a core can leave out the balls
+// whose cores certainly overlap its own; among thousands of balls at one position it then tests
+// few.
 //
 // source  C. Ericson, Real-Time Collision Detection, 2005, 7.2 (hierarchical grids), 7.3 (octrees).
 class BallGrid {
  public:
-  // Heights count, or balls are columns along z.
+  // kWhole: balls in space; kColumns: balls count as columns along z, whatever their heights.
   enum class Space { kWhole, kColumns };
   explicit BallGrid(Space space) : space_(space) {}
 
   static constexpr double kNoCore = -std::numeric_limits<double>::infinity();
 
-  // A ball that is there already is moved.
+  // Adds a ball; an existing one is moved.
   //
   // middle, radius  finite, m; radius >= 0.
   // core            its radius, m, or kNoCore.
   void put(std::uint32_t id, const Eigen::Vector3d& middle, double radius, double core = kNoCore);
-  // Nothing happens if it is not there.
+  // Removes a ball; no effect if there is none.
   void take(std::uint32_t id);
   [[nodiscard]] std::size_t size() const { return places_.size(); }
 
-  // All balls that a ball touches, by rising numbers; it may touch some of them but for rounding.
-  // Those whose cores overlap `core` are left out; heights count there, in columns too.
+  // All balls that touch a given ball, in ascending order of their numbers; because of rounding a
+  // few may only nearly touch it. Balls whose cores overlap `core` are left out; heights count for
+  // cores, with kColumns too.
   [[nodiscard]] std::vector<std::uint32_t> touching(const Eigen::Vector3d& middle, double radius,
                                                     double core = kNoCore) const;
 
@@ -57,9 +59,9 @@ class BallGrid {
   using Query = Ball;
   // A cube, or a part of one. The balls are in its children, if it has any.
   //
-  // centre, width  of the part; middles lie on its low sides too.
-  // low, high      around all middles that were put into it since it was empty.
-  // core           the least of them.
+  // centre, width  of the part; centres of balls on its lower sides belong to it.
+  // low, high      bounds of all centres that were put into it since it was empty.
+  // core           the smallest core radius among them.
   struct Part {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double width = 0.0;
@@ -73,7 +75,7 @@ class BallGrid {
     Part& child_with(const Eigen::Vector3d& middle);
     void widen_for(const Ball& ball);
   };
-  // balls  all of the level, for queries that reach far.
+  // balls  all of the level, for queries with a large radius.
   struct Level {
     std::unordered_map<Cell, Part, CellHash> cells;
     std::vector<Ball> balls;
