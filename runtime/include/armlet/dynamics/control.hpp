@@ -6,25 +6,26 @@
 
 namespace armlet {
 
-// The joint forces that give some directions of the tool an acceleration a, and the others what
-// follows: J' Lambda (a - Jdot qd) + h with Lambda = (J M^-1 J')^-1.
+// The joint forces that give the tool an acceleration a in k directions, and leave the other
+// directions free: J' Lambda (a - Jdot qd) + h with Lambda = (J M^-1 J')^-1.
 //
-// M       n x n, the inertia matrix.
-// J       k x n, k rows of the Jacobian.
-// a       k accelerations without what the speeds alone make of them: a - Jdot qd.
-// h       n joint forces at these speeds without acceleration.
-// damping rate, 1/s, at which motions die out that these directions do not see; 0: they do not.
-// qd      n joint speeds.
-// returns an error if the k directions are not independent, as at a singular position.
-// throws  ArgumentError on mismatched sizes, elements that are not finite, and an M that is not
-//         positive definite.
-// source  O. Khatib, A unified approach for motion and force control of robot manipulators, IEEE
-//         Journal of Robotics and Automation 3(1), 1987.
+// M        n x n, the inertia matrix.
+// J        k x n, k rows of the Jacobian.
+// a        k accelerations minus the part that the speeds alone cause: a - Jdot qd.
+// h        n joint forces at these speeds without acceleration.
+// damping  rate, 1/s, at which self-motions decay, which these directions do not affect; 0:
+//          undamped.
+// qd       n joint speeds.
+// returns  an error if the k directions are not independent, as at a singular position.
+// throws   ArgumentError on mismatched sizes, elements that are not finite, and an M that is not
+//          positive definite.
+// source   O. Khatib, A unified approach for motion and force control of robot manipulators, IEEE
+//          Journal of Robotics and Automation 3(1), 1987.
 Result<JointVector> operational_forces(const Eigen::MatrixXd& M, const Eigen::MatrixXd& J,
                                        const Eigen::VectorXd& a, JointsIn h, JointsIn qd,
                                        double damping = 0.0);
 
-// By how much, and how fast, what is held gives way to a force: m a + d v + k x = f in each of six
+// Displacement and velocity of a compliant tool under a force: m a + d v + k x = f in each of six
 // directions.
 struct Compliance {
   Vector6d offset = Vector6d::Zero();  // x, m and rad

@@ -8,8 +8,8 @@ namespace armlet {
 // 1/2 qd' M(q) qd, with the motors' rotors, J.
 double kinetic_energy(const Robot& robot, JointsIn q, JointsIn qd);
 
-// Minus the sum over the links of mass times gravity times centre of mass, J; zero where a mass
-// stands at the world's origin.
+// Minus the sum over the links of mass times gravity times centre of mass, J; a mass at the world's
+// origin contributes zero.
 double potential_energy(const Robot& robot, JointsIn q);
 
 }  // namespace armlet

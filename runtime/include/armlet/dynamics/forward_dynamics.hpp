@@ -6,8 +6,8 @@
 
 namespace armlet {
 
-// The inertia matrix M(q), n x n, symmetric, with the inertia of the rotors behind their gears on
-// the diagonal; kg m^2, kg m and kg.
+// The inertia matrix M(q), n x n, symmetric; its diagonal includes the inertia of the rotors, seen
+// at the joints; kg m^2, kg m and kg.
 //
 // throws  ArgumentError unless q has n finite elements.
 // source  M. W. Walker, D. E. Orin, Efficient dynamic computer simulation of robotic mechanisms,
@@ -19,15 +19,15 @@ JointMatrix mass_matrix(const Robot& robot, JointsIn q);
 //
 // tau     n joint forces, N m or N.
 // throws  ArgumentError unless all have n finite elements and the result is finite, and if M(q) is
-//         not positive definite: then it names the joint that no mass resists.
+//         not positive definite: it names the joint without inertia.
 JointVector forward_dynamics(const Robot& robot, JointsIn q, JointsIn qd, JointsIn tau);
 
-// The same by the recursion for articulated bodies, whose work grows with n and not with its cube.
+// The same by the articulated-body algorithm, whose cost grows with n and not with its cube.
 //
 // source  R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 7.1.
 JointVector articulated_body(const Robot& robot, JointsIn q, JointsIn qd, JointsIn tau);
 
-// The inertia that a force at the tool point meets: (J M^-1 J')^-1, 6 x 6 in the axes of J.
+// The effective inertia at the tool point: (J M^-1 J')^-1, 6 x 6 in the axes of J.
 //
 // M        n x n, positive definite.
 // J        6 x n, from jacobian().

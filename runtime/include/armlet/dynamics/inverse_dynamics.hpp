@@ -3,13 +3,13 @@
 #include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/twist.hpp"
 
-// Which joint forces a motion takes. Throughout, tau is what the motors give, seen at the joints,
+// The joint forces of a motion. Throughout, tau are the forces of the motors, seen at the joints,
 // in N m (revolute) and N (prismatic):
 //
 //   tau = M(q) qdd + C(q, qd) qd + g(q) + f(qd) - J(q)' w
 //
-// with the inertia of rotors behind their gears in M, friction f and a wrench w that the
-// surroundings exert on the tool. q, qd and qdd are n joint values, rad or m, and their rates;
+// with the inertia of rotors, seen at the joints, in M, friction f and a wrench w that the
+// environment exerts on the tool. q, qd and qdd are n joint values, rad or m, and their rates;
 // limits are not checked. All functions throw ArgumentError unless their arguments have n finite
 // elements and every result is finite.
 namespace armlet {
@@ -20,7 +20,7 @@ namespace armlet {
 //         manipulators, Journal of Dynamic Systems, Measurement, and Control 102, 1980.
 JointVector inverse_dynamics(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd);
 
-// The same with a wrench [f; m] that the surroundings exert on the tool point, in world axes, N and
+// The same with a wrench [f; m] that the environment exerts on the tool point, in world axes, N and
 // N m.
 JointVector inverse_dynamics(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd,
                              const Vector6d& wrench);
@@ -28,7 +28,7 @@ JointVector inverse_dynamics(const Robot& robot, JointsIn q, JointsIn qd, Joints
 // C(q, qd) qd + g(q): inverse dynamics without acceleration and friction.
 JointVector bias_forces(const Robot& robot, JointsIn q, JointsIn qd);
 
-// g(q): what holds the arm still.
+// g(q): the joint forces that hold the arm at rest.
 JointVector gravity_forces(const Robot& robot, JointsIn q);
 
 // C(q, qd) qd: Coriolis and centrifugal forces.
@@ -37,7 +37,7 @@ JointVector coriolis_forces(const Robot& robot, JointsIn q, JointsIn qd);
 // f(qd), as Link::friction describes it. Throws ArgumentError also where qd is not finite.
 JointVector friction_forces(const Robot& robot, JointsIn qd);
 
-// J(q)' w: the joint forces that balance a wrench [f; m] which the tool exerts on its surroundings.
+// J(q)' w: the joint forces that balance a wrench [f; m] which the tool exerts on its environment.
 JointVector wrench_forces(const Robot& robot, JointsIn q, const Vector6d& wrench);
 
 }  // namespace armlet

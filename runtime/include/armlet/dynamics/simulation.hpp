@@ -10,9 +10,9 @@
 
 namespace armlet {
 
-// step         s, the longest step of a method with fixed ones.
-// tolerance    of a method that chooses its steps.
-// restitution  0 to 1: the part of its speed with which a joint leaves the stop at its limit.
+// step         s, the longest step of a method with a fixed step size.
+// tolerance    of a method with step control.
+// restitution  0 to 1: ratio of the speeds after and before a joint hits the stop at its limit.
 struct SimulationOptions {
   OdeMethod method = OdeMethod::kRungeKutta4;
   double step = 1e-3;
@@ -20,9 +20,9 @@ struct SimulationOptions {
   double restitution = 0.0;
 };
 
-// kStop   a joint ran against the stop at its limit; `speed` is that before.
-// kStick  dry friction holds a joint from now on.
-// kSlip   a joint that stood, held by friction or pressed against its stop, moves.
+// kStop   a joint hit the stop at its limit; `speed` is that before.
+// kStick  static friction holds a joint from now on.
+// kSlip   a joint that was at rest, held by friction or pressed against its stop, begins to move.
 enum class SimulationEventKind : std::uint8_t { kStop, kStick, kSlip };
 struct SimulationEvent {
   double t = 0.0;  // s, to 1e-10
@@ -33,11 +33,11 @@ struct SimulationEvent {
 
 enum class SimulationStatus : std::uint8_t {
   kDone,
-  kMassless,     // nothing resists the joint
-  kNotFinite,    // its acceleration is beyond the range of numbers
-  kStepTooLong,  // it moves by more than 1 rad or 1 m in one step, or no step is short enough
-  kStiff,        // its viscous friction makes the method unstable with this step
-  kZeno,         // events of it do not cease: more than 100 within a nanosecond
+  kMassless,     // the joint moves no inertia
+  kNotFinite,    // its acceleration overflows
+  kStepTooLong,  // it moves by more than 1 rad or 1 m in one step, or no step size is small enough
+  kStiff,        // its viscous friction makes the method unstable with this step size
+  kZeno,         // infinitely many events: more than 100 of it within a nanosecond
 };
 struct SimulationOutcome {
   SimulationStatus status = SimulationStatus::kDone;
@@ -54,17 +54,17 @@ struct SimulationNode {
 
 class JointModes;
 
-// An arm under forces: M(q) qdd + C(q, qd) qd + g(q) + f(qd) = tau, with dry friction that holds
-// and lets go, and stops at the limits of the joints. What happens in a joint switches the equation
-// at the instant at which it happens; nothing is smoothed.
+// Simulation of an arm under forces: M(q) qdd + C(q, qd) qd + g(q) + f(qd) = tau, with static and
+// dry friction and with stops at the joint limits. The equation changes at the exact instant of
+// such an event; nothing is smoothed.
 //
 // source  D. Karnopp, Computer simulation of stick-slip friction in mechanical dynamic systems,
 //         Journal of Dynamic Systems, Measurement, and Control 107, 1985; impacts by Newton's law
 //         along the joint.
 class ArmSimulation {
  public:
-  // q, qd   n positions and rates; positions beyond a limit by rounding are put on it.
-  // throws  ArgumentError for a wrong size or number, a position outside the limits, a step, a
+  // q, qd   n joint values and rates; values beyond a limit by rounding are set to it.
+  // throws  ArgumentError for a wrong size or number, a value outside the limits, a step or a
   //         tolerance that is not positive, a restitution outside 0 to 1.
   ArmSimulation(std::shared_ptr<const Robot> robot, JointsIn q, JointsIn qd,
                 const SimulationOptions& options = {});
@@ -72,11 +72,13 @@ class ArmSimulation {
   ArmSimulation(const ArmSimulation&) = delete;
   ArmSimulation& operator=(const ArmSimulation&) = delete;
 
-  // Another arm with as many joints from now on, for example after a grasp; its speeds stay.
+  // Replaces the arm by another one with as many joints, for example after a grasp; the speeds
+  // stay.
   void set_robot(std::shared_ptr<const Robot> robot);
 
-  // Goes on by h >= 0 under constant joint forces. If that fails, the state is that before the step
-  // that failed. It takes no memory, but for `nodes`, to which the ends of all steps are added.
+  // Advances time by h >= 0 under constant joint forces. After a failure the state is the one
+  // before the failed step. No allocation, except for `nodes`, to which the ends of all steps are
+  // added.
   //
   // throws  ArgumentError for a wrong size and forces that are not finite.
   SimulationOutcome advance(JointsIn tau, double h, std::vector<SimulationNode>* nodes = nullptr);
@@ -86,11 +88,11 @@ class ArmSimulation {
   [[nodiscard]] auto qd() const { return y_.tail(n_); }
   [[nodiscard]] const Robot& robot() const { return *robot_; }
 
-  // The first thousand events, and how many there were.
+  // The first thousand events, and the number of all events.
   [[nodiscard]] const std::vector<SimulationEvent>& events() const { return events_; }
   [[nodiscard]] std::int64_t event_count() const { return event_count_; }
 
-  // By how much the energy has changed beyond what forces brought and friction and impacts took, J:
+  // The change of the energy minus the work of forces and the losses by friction and impacts, J:
   // the error of the integration.
   [[nodiscard]] double energy_drift() const;
 
@@ -119,10 +121,11 @@ class ArmSimulation {
   Eigen::VectorXd y_, next_, trial_;  // [q; qd]
   JointVector tau_;
   double start_energy_ = 0.0, received_ = 0.0;
-  std::array<bool, kMaxJoints> stood_{};  // which joints stood before the last change of modes
+  // which joints were at rest before the last change of modes
+  std::array<bool, kMaxJoints> stood_{};
   std::vector<SimulationEvent> events_;
   std::int64_t event_count_ = 0;
-  double burst_begin_ = 0.0;  // of the events of the last nanosecond
+  double burst_begin_ = 0.0;  // begin of the events of the last nanosecond
   int burst_ = 0;
   bool knows_stiffness_ = false;
 };

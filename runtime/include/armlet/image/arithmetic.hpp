@@ -1,5 +1,5 @@
 #pragma once
-// Pixel by pixel: results are pictures of the same size, rounded in one documented way.
+// Operations on single pixels: results are pictures of the same size, with documented rounding.
 
 #include "armlet/image/image.hpp"
 

@@ -6,8 +6,8 @@
 
 namespace armlet {
 
-// Throws ArgumentError "`susan_corners` takes a grey picture, not one of red, green and blue." or
-// one that says that the picture has no pixels.
+// Throws ArgumentError "`susan_corners` takes a grey picture, not one of red, green and blue." or a
+// message that the picture has no pixels.
 void check_grey(std::string_view function, const Image& image);
 
 // The same unless the picture is grey or coloured.

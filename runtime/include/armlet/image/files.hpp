@@ -1,6 +1,6 @@
 #pragma once
-// Pictures as the bytes of files. Nothing here opens a file: bytes come from and go to
-// core/files.hpp.
+// Encoding and decoding of picture files. No function here opens a file: core/files.hpp reads and
+// writes the bytes.
 
 #include <string>
 #include <string_view>
@@ -10,20 +10,19 @@
 
 namespace armlet {
 
-// Reads the bytes of a PNG, JPEG, PGM or PPM file. The first bytes decide which of them it is.
+// Decodes a PNG, JPEG, PGM or PPM file. The first bytes determine the format.
 //
 // PNG    grey, RGB and palettes of 1 to 16 bits, interlaced or not. 16 bits become 8 by the high
 //        byte. Pixels that are partly transparent are laid over white.
-// JPEG   baseline and progressive, 8 bits; CMYK becomes RGB. Notes on orientation are not followed.
+// JPEG   baseline and progressive, 8 bits; CMYK becomes RGB. The orientation tag is ignored.
 // PGM, PPM  text and binary (P2, P3, P5, P6); scaled to 0 ... 255 where their largest value
 //        differs.
 //
 // returns  a grey picture for one channel, else RGB, with sides up to Image::kMostSide; or an error
 //          with the code "picture" whose message is a sentence with the position and the numbers.
-//          Memory is asked for only if the file is long enough to fill it.
+//          Memory is allocated only if the file is long enough for the pixels.
 //
-// In WebAssembly nothing is read or written: read_image returns such an error, and the others throw
-// ArgumentError.
+// WebAssembly has no codecs: read_image returns such an error, and the others throw ArgumentError.
 [[nodiscard]] Result<Image> read_image(std::string_view bytes);
 
 // The bytes of a PNG file, by libpng. Reading them gives the same picture.

@@ -8,15 +8,15 @@
 
 namespace armlet {
 
-// What a pixel is: one byte of grey, three of red, green and blue, or a depth in metres.
+// The kind of pixels: one byte of grey, three of red, green and blue, or a depth in metres.
 enum class PixelKind : std::uint8_t { kGrey, kRgb, kDepth };
 
-// Grey or coloured pixels of 8 bits, or depths as floats. Its size never changes.
+// Grey or colour pixels of 8 bits, or depths as floats. The size never changes.
 class Image {
  public:
   static constexpr int kMostSide = 8192;  // pixels
 
-  Image() = default;  // of no pixels
+  Image() = default;  // without pixels
   // Black, or depths of 0.
   //
   // throws  ArgumentError for a side below 1 or above kMostSide.
@@ -28,7 +28,7 @@ class Image {
   [[nodiscard]] int channels() const { return kind_ == PixelKind::kRgb ? 3 : 1; }
   [[nodiscard]] bool is_empty() const { return width_ == 0; }
 
-  // A row of a grey or coloured picture, width * channels bytes; of a depth picture, width floats.
+  // A row of a grey or colour picture, width * channels bytes; of a depth picture, width floats.
   [[nodiscard]] std::uint8_t* row(int y) { return bytes_.data() + offset(y); }
   [[nodiscard]] const std::uint8_t* row(int y) const { return bytes_.data() + offset(y); }
   [[nodiscard]] float* depth_row(int y) { return depths_.data() + offset(y); }

@@ -1,5 +1,5 @@
 #pragma once
-// The functions of pictures with their parameters as data, for whatever offers, explains or sets
+// The functions of pictures and their parameters as data, for code that offers, explains or sets
 // them. The functions check their arguments against this table.
 
 #include <array>
@@ -8,15 +8,15 @@
 
 namespace armlet {
 
-// What `method` of corners may be, in the order of CornerMethod.
+// Values of `method` of corners, in the order of CornerMethod.
 inline constexpr std::array<std::string_view, 3> kCornerMethods{"susan", "harris", "fast"};
-// What `dictionary` of markers may be: cells of the code and how many markers there are, those of
-// ArUco (5 x 5, 1024) and of AprilTag (6 x 6, 587).
+// Values of `dictionary` of markers: cells of the code and number of markers. Those with 5 x 5
+// cells and 1024 markers are ArUco's, with 6 x 6 and 587 AprilTag's.
 inline constexpr std::array<std::string_view, 5> kMarkerDictionaries{"4x4_50", "5x5_100", "6x6_250",
                                                                      "aruco", "apriltag_36h11"};
 
-// What a value of a parameter may be: any number of the range, a whole number of it, or one of the
-// names in `choices`.
+// The values of a parameter: any number in the range, an integer in it, or one of the names in
+// `choices`.
 enum class ParameterKind { kNumber, kWhole, kChoice };
 
 // A parameter of a function of pictures.
@@ -25,7 +25,7 @@ enum class ParameterKind { kNumber, kWhole, kChoice };
 // least, most    the range, both included; for a choice the first and the last index.
 // default_value  for a choice an index.
 // unit           "px", "grey levels", "rad"; empty for a plain number.
-// sentence       what it does.
+// sentence       its meaning.
 // choices        the names that a choice has; empty for numbers.
 struct PictureParameter {
   std::string_view name;
@@ -45,7 +45,7 @@ struct PictureFunction {
   std::span<const PictureParameter> parameters;
 };
 
-// All functions, in the order of the alphabet.
+// All functions, in alphabetical order.
 std::span<const PictureFunction> picture_functions();
 
 // The function of that name, or null.

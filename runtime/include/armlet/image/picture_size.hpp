@@ -1,5 +1,4 @@
-// Files of pictures that are looked at no further than their sizes. Reading them is
-// image/files.hpp.
+// Sizes of picture files, without decoding them (image/files.hpp does that).
 #pragma once
 
 #include <cstddef>
@@ -13,7 +12,7 @@ namespace armlet {
 // "image/png" or "image/jpeg" by the first bytes; empty for other kinds.
 std::string_view image_kind(std::string_view bytes);
 
-// Of a picture that can be shown, in each direction.
+// Largest side of a picture that can be shown.
 inline constexpr std::size_t kMostPixels = Image::kMostSide;
 
 struct PictureSize {
@@ -25,8 +24,8 @@ struct PictureSize {
   }
 };
 
-// Of a PNG, which is looked at to its end, or a JPEG, up to where it says how large it is; nothing
-// if it is neither, or not whole.
+// The size of a PNG, which is checked to its end, or of a JPEG, which is read up to its size;
+// nothing if it is neither, or incomplete.
 //
 // source  W3C, Portable Network Graphics, 2003, chapters 5 and 11; ITU-T T.81 (JPEG), 1992, annex
 //         B.

@@ -18,7 +18,7 @@ inline double wrap_angle(double angle) {
   return wrapped <= -kPi ? kPi : wrapped;
 }
 
-// The shortest turn that leads from one angle to another, in (-pi, pi].
+// The smallest rotation from one angle to another, in (-pi, pi].
 inline double angle_difference(double to, double from) { return wrap_angle(to - from); }
 
 // The copy of an angle (by whole revolutions) that is nearest to another.

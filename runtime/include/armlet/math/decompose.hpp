@@ -10,25 +10,25 @@ namespace armlet {
 // Linear algebra on matrices of any size up to kMostDecomposed rows and columns.
 //
 // Every function throws ArgumentError if an element is not finite, if the matrix is larger than
-// that, or if it has to be square and is not. Where the numbers of the answer would be too large
-// for a double, the answer is the error "overflow".
+// that, or if it has to be square and is not. Where a number of the result would be too large for a
+// double, the result is the error "overflow".
 // source  G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 2013.
 
-// Up to here no sum is split differently on machines with other caches.
+// Up to this size the order of sums does not depend on the size of caches.
 inline constexpr Eigen::Index kMostDecomposed = 400;
 
-// X, n x k, with A X = B, A m x n and B m x k. A square: by LU with row exchanges, or the error
-// "singular". More rows than columns: least squares by QR, or "singular" if the columns depend on
-// each other. Fewer rows: of all solutions the smallest, or "singular" if the rows depend on each
-// other.
+// X, n x k, with A X = B, A m x n and B m x k. A square A is solved by LU with row exchanges, or
+// the error "singular". With more rows than columns: least squares by QR, or "singular" if the
+// columns are linearly dependent. With fewer rows: of all solutions the smallest, or "singular" if
+// the rows are linearly dependent.
 Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
-// "singular" if A has no inverse that a double can tell from rounding.
+// The inverse; "singular" if A has none that differs from the effect of rounding.
 Result<Eigen::MatrixXd> inverse(const Eigen::MatrixXd& A);
 // The determinant of a square matrix.
 Result<double> determinant(const Eigen::MatrixXd& A);
 
-// Singular values above max(rows, cols) * 2^-52 times the largest.
+// The number of singular values above max(rows, cols) * 2^-52 times the largest.
 Eigen::Index rank(const Eigen::MatrixXd& A);
 
 // P A = L U with rows exchanged for the largest pivots: L has ones on its diagonal.
@@ -55,7 +55,8 @@ struct SvdParts {
   Eigen::MatrixXd V;
 };
 SvdParts singular_values(const Eigen::MatrixXd& A);
-// The same with U and V square: also the directions that A does not reach and does not see.
+// The same with U and V square: the additional columns span the complements of the range and of the
+// row space of A.
 SvdParts full_singular_values(const Eigen::MatrixXd& A);
 
 // Eigenvalues in ascending order of their real parts, then of their imaginary parts; all
@@ -65,9 +66,9 @@ struct EigenvalueParts {
 };
 Result<EigenvalueParts> eigenvalues(const Eigen::MatrixXd& A);
 
-// Real eigenvalues in ascending order and a column for each, of length 1, whose first entry of
-// largest size is positive; orthonormal for a symmetric matrix. The error "complex" if there are
-// others.
+// Real eigenvalues in ascending order and an eigenvector for each, of length 1, whose first entry
+// of largest size is positive; orthonormal for a symmetric matrix. The error "complex" if an
+// eigenvalue is not real.
 struct EigenParts {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;

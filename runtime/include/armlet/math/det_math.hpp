@@ -12,7 +12,7 @@ struct SinCos {
   double cos;
 };
 
-// Sine and cosine of any finite angle, rad; the reduction is exact however large it is.
+// Sine and cosine of any finite angle, rad; the range reduction is exact for all angles.
 SinCos sincos(double x);
 double sin(double x);
 double cos(double x);
@@ -30,7 +30,7 @@ double exp(double x);
 double log(double x);  // natural logarithm
 double pow(double x, double y);
 
-// Square root of x^2 + y^2 without the C library; x and y of ordinary size.
+// Square root of x^2 + y^2 without the C library, for x and y without overflow or underflow.
 double hypot(double x, double y);
 
 }  // namespace armlet::det

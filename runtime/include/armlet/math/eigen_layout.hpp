@@ -1,9 +1,10 @@
 #pragma once
-// Stops the compiler where types of Eigen would have another layout than in the library.
+// Stops the compilation if types of Eigen would have another memory layout than in the library.
 //
-// Headers of the runtime keep and pass types of Eigen, whose alignment follows from the flags of
-// the compiler. A host that passes such a struct to the library would be read wrongly, without a
-// word: sizeof(Event) would be 496 with SSE, 544 with -mavx and 704 with -mavx512f instead of 456.
+// Headers of the runtime contain types of Eigen, whose alignment depends on compiler flags. If a
+// host with other flags passed such a struct to the library, its members would be read at wrong
+// addresses without any error: sizeof(Event) is 496 with SSE, 544 with -mavx and 704 with -mavx512f
+// instead of 456.
 
 #include <Eigen/Core>
 #include <cstddef>

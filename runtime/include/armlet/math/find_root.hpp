@@ -1,5 +1,5 @@
 #pragma once
-// Where a function of one number is zero.
+// Root of a function of one number.
 
 #include <cstdint>
 #include <functional>
@@ -18,9 +18,9 @@ struct RootSearch {
     kJump,       // f changes its sign at x without coming near zero: a jump or a pole
   };
   Status status = Status::kFound;
-  double x = 0.0;      // the root, or the place of trouble
+  double x = 0.0;      // the root, or the x of a failure
   double value = 0.0;  // f(x)
-  double at_lo = 0.0;  // f at the two ends
+  double at_lo = 0.0;  // f at the lower and the upper end
   double at_hi = 0.0;
   int evaluations = 0;
 };
@@ -28,7 +28,7 @@ struct RootSearch {
 // A zero of f between lo and hi, where f has different signs (or is zero at one of them), to within
 // 4 eps |x| + 1e-30 |hi - lo|.
 //
-// Inverse quadratic interpolation where it can be trusted, halving elsewhere.
+// Inverse quadratic interpolation where it converges, bisection elsewhere.
 //
 // lo, hi  finite, in any order.
 // throws  ArgumentError if an end is not finite.

@@ -14,7 +14,7 @@ namespace armlet {
 // source  C. W. Wampler, IEEE Trans. Systems, Man and Cybernetics 16(1), 1986.
 Eigen::MatrixXd damped_pseudo_inverse(const Eigen::MatrixXd& J, double lambda = 0.0);
 
-// Projector onto the motions that J does not see: I - V_r V_r^T, n x n.
+// Projector onto the null space of J: I - V_r V_r^T, n x n.
 //
 // J          m x n.
 // tolerance  singular values below tolerance times the largest count as zero.

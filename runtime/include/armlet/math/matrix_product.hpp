@@ -4,11 +4,11 @@
 
 namespace armlet {
 
-// Products of matrices that lie row by row in memory.
+// Products of matrices in row-major order.
 //
-// Every element is the sum of its products from the first to the last, each rounded, beginning
-// with 0: the same bits on every machine, however many elements are worked on at once.
-// The result may not overlap the factors. Nothing is checked and nothing is thrown.
+// Every element is the sum of its products from the first to the last, each rounded, beginning with
+// 0: the same bits on every machine, whatever the vector width. The result must not overlap the
+// factors. Arguments are not checked; no exceptions.
 
 // c = a b, where a is rows x inner and b is inner x cols.
 void multiply(const double* a, const double* b, double* c, std::size_t rows, std::size_t inner,

@@ -1,5 +1,5 @@
 #pragma once
-// Where a function of several numbers is smallest.
+// Minimum of a function of several numbers.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -9,8 +9,7 @@
 
 namespace armlet {
 
-// Writes f(x) to `value`; infinity is allowed and means "not here". Returns false to end the
-// search.
+// Writes f(x) to `value`; infinity means that x is not allowed. Returns false to end the search.
 using VectorFunction = std::function<bool(const Eigen::VectorXd& x, double& value)>;
 
 struct MinimiseOptions {
@@ -22,22 +21,22 @@ struct Minimum {
   enum class Status : std::uint8_t {
     kFound,
     kStopped,     // the function returned false
-    kUndefined,   // f(x) is not a number
+    kUndefined,   // f(x) is NaN
     kBottomless,  // f(x) is minus infinity
     kTooMany,     // most_evaluations did not suffice
   };
   Status status = Status::kFound;
-  Eigen::VectorXd x;   // the best place seen, or the place of trouble
+  Eigen::VectorXd x;   // the best x found, or the x of a failure
   double value = 0.0;  // f(x)
   int evaluations = 0;
 };
 
 // A local minimum of f, found from `start` without derivatives.
 //
-// The simplex method of Nelder and Mead with coefficients that depend on the number of variables.
-// A search ends when every corner lies within the tolerance of the best one and the values differ
-// by rounding only; it is begun anew around the best place until that no longer helps, because a
-// simplex can collapse before the bottom.
+// The simplex method of Nelder and Mead with coefficients that depend on the number of variables. A
+// search ends when all vertices are within the tolerance of the best one and the values differ by
+// rounding only. It is restarted around the best point until that no longer helps, because a
+// simplex can collapse before it reaches the minimum.
 //
 // start   at least one value, all finite, and f finite there.
 // throws  ArgumentError on an empty or infinite start.

@@ -1,5 +1,6 @@
 #pragma once
-// Instants at which a function of time and state is zero, while an equation is integrated.
+// Event location: the instants at which a function of time and state becomes zero during an
+// integration.
 
 #include <cstdint>
 #include <functional>
@@ -18,18 +19,18 @@ struct OdeWitness {
   CrossingDirection direction = CrossingDirection::kBoth;
 };
 
-// A witness went through zero, at t, in state y: the one just behind the zero.
+// A zero of a witness, at t; y is the state just after it.
 struct OdeCrossing {
   double t = 0.0;
   int witness = 0;
   std::vector<double> y{};
 };
 
-// Looks at the steps of an integration one after another. A witness that goes through zero twice
-// within one step is not seen.
+// Checks the steps of an integration one after another. Two zeros of one witness within one step
+// are not found.
 class OdeEvents {
  public:
-  // size, method, tolerance  as of the integrator whose steps are looked at.
+  // size, method, tolerance  as of the integrator whose steps are checked.
   OdeEvents(std::vector<OdeWitness> witnesses, int size, OdeMethod method, double tolerance = 1e-8);
 
   enum class Status : std::uint8_t {
@@ -44,11 +45,11 @@ class OdeEvents {
     int witness = 0;
   };
 
-  // The state in which the integration begins. A witness that is zero there does not go through it.
+  // Sets the initial state. A witness that is zero there has no event there.
   Outcome begin(double t, std::span<const double> y);
 
-  // After a step from y at t to `next` at t + h: what went through zero, in the order of time, then
-  // of the witnesses. Zeros are found to 1e-11 s, or to rounding of t, by shorter steps from y.
+  // After a step from y at t to `next` at t + h: the zeros in it, in the order of time, then of the
+  // witnesses. Zeros are located to 1e-11 s, or to rounding of t, by shorter steps from y.
   Outcome look(const OdeRate& rate, double t, double h, std::span<const double> y,
                std::span<const double> next);
   [[nodiscard]] const std::vector<OdeCrossing>& found() const { return found_; }

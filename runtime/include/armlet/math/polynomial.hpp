@@ -8,12 +8,12 @@ namespace armlet {
 
 // Polynomials are coefficient vectors, constant term first: p(t) = c0 + c1 t + c2 t^2 + ...
 
-// None of them throws but fit_boundary_polynomial.
+// Only fit_boundary_polynomial throws.
 
 // Value of the derivative of the given order (0: the polynomial itself) at t.
 double polynomial_value(const Eigen::VectorXd& c, double t, int derivative = 0);
 
-// Coefficients of the derivative; of a constant it is the zero polynomial of one coefficient.
+// Coefficients of the derivative; for a constant the single coefficient 0.
 Eigen::VectorXd polynomial_derivative(const Eigen::VectorXd& c);
 
 // The polynomial of lowest degree with given derivatives at t = 0 and t = T.

@@ -8,14 +8,14 @@
 
 namespace armlet {
 
-// Positions are in m and angles in rad. Functions of poses rely on rotations that are orthonormal
-// and throw nothing; check_pose is for poses that come from outside.
+// Positions are in m and angles in rad. Functions of poses assume orthonormal rotations and do not
+// throw; check_pose is for poses from outside.
 
 // T_a_b maps coordinates from b to a, so frames cancel: T_a_c = T_a_b T_b_c.
 Eigen::Isometry3d make_pose(const Eigen::Matrix3d& R, const Eigen::Vector3d& p);
 Eigen::Isometry3d make_translation(const Eigen::Vector3d& p);
 
-// Place p and fixed-axis roll, pitch, yaw: R = Rz(yaw) Ry(pitch) Rx(roll), rad.
+// Position p and fixed-axis roll, pitch, yaw: R = Rz(yaw) Ry(pitch) Rx(roll), rad.
 Eigen::Isometry3d pose_from_rpy(const Eigen::Vector3d& p, const Eigen::Vector3d& rpy);
 
 // Difference of two poses given in one frame: [p_to - p_from; log(R_to R_from^T)], m and rad.
@@ -31,8 +31,8 @@ double angle_between(const Eigen::Isometry3d& T_1, const Eigen::Isometry3d& T_2)
 Eigen::Isometry3d pose_exp(const Vector6d& xi);
 Vector6d pose_log(const Eigen::Isometry3d& T);
 
-// Pose between two poses: the place on the straight line, the rotation at constant angular velocity
-// about a fixed axis (slerp).
+// Interpolation between two poses: the position on the straight line, the rotation at constant
+// angular velocity about a fixed axis (slerp).
 //
 // s  0 gives T_0, 1 gives T_1; other values extrapolate.
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& T_0, const Eigen::Isometry3d& T_1, double s);
@@ -41,7 +41,7 @@ Eigen::Isometry3d interpolate(const Eigen::Isometry3d& T_0, const Eigen::Isometr
 Eigen::Isometry3d interpolate_screw(const Eigen::Isometry3d& T_0, const Eigen::Isometry3d& T_1,
                                     double s);
 
-// The pose with its rotation made exactly orthonormal again; use after many products.
+// The pose with its rotation made orthonormal again; for use after many products.
 Eigen::Isometry3d renormalised(const Eigen::Isometry3d& T);
 
 // True if R^T R = I within tolerance, element by element, and det R > 0.

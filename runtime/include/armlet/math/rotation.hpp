@@ -7,7 +7,7 @@
 
 namespace armlet {
 
-// Angles are in rad. Functions of rotations rely on matrices that are orthonormal; what throws says
+// Angles are in rad. Functions of rotations assume orthonormal matrices; functions that throw say
 // so.
 
 // Elementary rotations about one axis.
@@ -32,8 +32,8 @@ Eigen::Matrix3d R_from_euler(std::string_view sequence, const Eigen::Vector3d& a
 Eigen::Vector3d euler_from_R(std::string_view sequence, const Eigen::Matrix3d& R);
 
 // Whether only the sum or difference of the first and the third angle of the sequence is defined:
-// the sine (ZYZ) or cosine (XYZ) of the second angle is below 1e-9, and euler_from_R says that the
-// first is 0.
+// the sine (ZYZ) or cosine (XYZ) of the second angle is below 1e-9, and euler_from_R returns 0 as
+// the first angle.
 bool is_euler_singular(std::string_view sequence, const Eigen::Matrix3d& R);
 
 // Rotation by an angle about an axis, which need not be a unit vector.
@@ -49,7 +49,7 @@ Eigen::Matrix3d R_from_axis_angle(const Eigen::Vector3d& axis, double angle);
 Eigen::Matrix3d rotation_exp(const Eigen::Vector3d& phi);
 Eigen::Vector3d rotation_log(const Eigen::Matrix3d& R);
 
-// Unit vector along rotation_log(R); the z axis if R does not turn.
+// Unit vector along rotation_log(R); the z axis if R is the identity.
 Eigen::Vector3d axis_of_rotation(const Eigen::Matrix3d& R);
 
 // Unit quaternions as (w, x, y, z), Hamilton's convention. quaternion_from_R returns w >= 0.
@@ -64,7 +64,7 @@ double angle_between(const Eigen::Matrix3d& R_1, const Eigen::Matrix3d& R_2);
 // The rotation between two rotations at constant angular velocity about a fixed axis (slerp).
 Eigen::Matrix3d interpolate(const Eigen::Matrix3d& R_0, const Eigen::Matrix3d& R_1, double s);
 
-// The rotation nearest to a matrix that has drifted from orthonormality.
+// The rotation nearest to a matrix that is no longer orthonormal because of rounding.
 Eigen::Matrix3d renormalised(const Eigen::Matrix3d& R);
 
 }  // namespace armlet

@@ -10,7 +10,7 @@ namespace armlet {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-// Nothing here throws.
+// No function here throws.
 
 // Cross-product matrix: hat(a) b = a x b.
 Eigen::Matrix3d hat(const Eigen::Vector3d& a);
