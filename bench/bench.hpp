@@ -7,7 +7,7 @@
 
 namespace armlet::bench {
 
-// Nanoseconds per call, medians over the rounds.
+// Nanoseconds per call; medians over the rounds.
 struct Times {
   double ours = 0.0;
   double theirs = 0.0;
@@ -18,7 +18,8 @@ inline double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Time of one call of `work(i)`, i = 0 .. calls - 1. What it returns is consumed.
+// The time of one call of `work(i)`, i = 0 .. calls - 1. Results are used, so that no call is
+// removed.
 template <class Work>
 double nanoseconds_per_call(int calls, Work& work) {
   using Clock = std::chrono::steady_clock;
@@ -26,18 +27,18 @@ double nanoseconds_per_call(int calls, Work& work) {
   const auto start = Clock::now();
   for (int i = 0; i < calls; ++i) sum += work(i);
   const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
-  asm volatile("" : : "g"(sum));  // the sum counts as used
+  asm volatile("" : : "g"(sum));  // makes the compiler compute the sum
   return elapsed.count() / calls;
 }
 
-// How many calls of ours and of theirs make a round.
+// The number of calls per round, of Armlet and of its peer.
 struct Calls {
   int ours, theirs;
   Calls(int both) : ours(both), theirs(both) {}
   Calls(int ours_, int theirs_) : ours(ours_), theirs(theirs_) {}
 };
 
-// Times two solutions of doing the same, in turn, so that a slow moment of the machine meets both.
+// Times two implementations in turn, so that a slow moment of the computer affects both.
 template <class Ours, class Theirs>
 Times compare(Calls calls, Ours ours, Theirs theirs, int rounds = 11) {
   std::vector<double> a, b;

@@ -1,5 +1,5 @@
-// What a call between host and script costs, in Armlet and through Lua's C interface: the time of
-// one pass of a loop that does nothing else. A host that calls by name is compared with lua_pcall.
+// The cost of a call between host and script, in Armlet and through Lua's C interface: the time of
+// one pass of a loop with only the call. A call by name from the host is compared with lua_pcall.
 
 #include <chrono>
 #include <cstdlib>
@@ -31,7 +31,7 @@ double nanoseconds(Work work) {
 
 // ---- Armlet ---------------------------------------------------------------------------------
 
-// ns of one pass of loop(n).
+// The time of one pass of loop(n), ns.
 Answer<double> time_of(const ScriptFunction<double(std::int64_t)>& loop) {
   double sum = 0.0;
   bool done = true;
@@ -40,7 +40,7 @@ Answer<double> time_of(const ScriptFunction<double(std::int64_t)>& loop) {
   return time;
 }
 
-// ns of one call of f by the host.
+// The time of one call of f by the host, ns.
 Answer<double> time_of_calls(const ScriptFunction<double(double)>& f) {
   double x = 0.5;
   bool done = true;
@@ -51,7 +51,7 @@ Answer<double> time_of_calls(const ScriptFunction<double(double)>& f) {
   return time;
 }
 
-// A function that is not called directly, but through its slots.
+// A function that is called through its slots, not directly.
 std::int64_t next_of(std::int64_t n, bool up) { return up ? n + 1 : n - 1; }
 
 const NativeFunction kFunctions[] = {
@@ -88,7 +88,7 @@ constexpr const char* kNames[kKinds] = {"script calls f(x)",       "script calls
                                         "script calls f(x, y, z)", "script calls step(n, up)",
                                         "host calls f(x) inside",  "host calls f(x) by name"};
 
-// ns of one call between runs, by a host that found the function by its name.
+// The time of one call between runs, by a host that found the function by its name, ns.
 double time_of_function(Vm& vm) {
   const auto next = vm.function<double(double)>("next");
   double x = 0.5;

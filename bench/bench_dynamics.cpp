@@ -1,7 +1,7 @@
-// Inverse dynamics, gravity, inertia matrix and forward dynamics against Orocos KDL: the same arms,
-// the same random motions, the same compiler and flags. Inputs change from call to call, results
-// are consumed, and the figures are medians over rounds in which both sides take turns. Motors and
-// friction are left out of the arms, because KDL has none.
+// Inverse dynamics, gravity, inertia matrix and forward dynamics compared with Orocos KDL: the same
+// arms, random motions, compiler and flags. Inputs change from call to call, results are used, and
+// the figures are medians over rounds in which the two alternate. The arms have no motors and no
+// friction, because KDL has none.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -53,8 +53,8 @@ struct Motions {
   }
 };
 
-// The frame of a body in KDL lies behind X_{i+1} of the chain, which is the link's of the standard
-// convention.
+// The frame of a body in KDL is the one after X_{i+1} of the chain, which is the frame of the link
+// in the standard convention.
 std::vector<KdlBody> bodies_of(const Robot& robot) {
   const Chain& chain = robot.chain();
   std::vector<KdlBody> bodies;
@@ -183,7 +183,7 @@ void bench_arm(const Robot& robot) {
   bench_batch(robot, m);
 }
 
-// One second of simulation with torques held for 1 ms and steps as long, with motors and friction.
+// One second of simulation with torques constant for 1 ms, steps of 1 ms, motors and friction.
 void bench_second(const std::shared_ptr<const Robot>& robot) {
   std::vector<double> times;
   for (int round = 0; round < kRounds; ++round) {

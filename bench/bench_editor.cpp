@@ -1,4 +1,4 @@
-// How long an editor waits: a program of 1,000 lines analysed again after a key stroke, a
+// The response times of an editor: analysis of a program of 1,000 lines after a key stroke, a
 // completion list with 1,000 names in scope, and single queries.
 
 #include <cstdio>

@@ -1,6 +1,6 @@
-// Forward kinematics, Jacobian and inverse kinematics against Orocos KDL: the same arms, the same
-// random configurations, the same compiler and flags. Inputs change from call to call, results are
-// consumed, and the figures are medians over rounds in which both sides take turns.
+// Forward kinematics, Jacobian and inverse kinematics compared with Orocos KDL: the same arms,
+// random configurations, compiler and flags. Inputs change from call to call, results are used, and
+// the figures are medians over rounds in which the two alternate.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -63,7 +63,7 @@ void check_agreement(const Robot& robot, const std::vector<Eigen::VectorXd>& q, 
   std::printf("%-10s %-24s %10.1e\n", robot.name().c_str(), "largest difference", worst);
 }
 
-// Both sides with inputs that wait for the last result.
+// Both sides; each input depends on the previous result.
 template <class Ours, class Theirs>
 void compare_alternately(const char* what, std::vector<Eigen::VectorXd>& q, KdlArm& peer,
                          const Ours& ours, const Theirs& theirs) {
@@ -79,7 +79,7 @@ void compare_alternately(const char* what, std::vector<Eigen::VectorXd>& q, KdlA
   print_row("", what, compare(kConfigurations, ours_alternately, theirs_alternately, kRounds));
 }
 
-// Inputs that are ready, then inputs that wait for the last result.
+// First with independent inputs, then with inputs that depend on the previous result.
 void bench_forward(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& peer) {
   const auto ours = [&](int k) { return forward(robot, q[static_cast<std::size_t>(k)])(0, 3); };
   const auto theirs = [&](int k) { return peer.pose(k); };
@@ -101,7 +101,7 @@ void bench_jacobian(const Robot& robot, std::vector<Eigen::VectorXd> q, KdlArm& 
   compare_alternately("Jacobian, in turn", q, peer, ours, theirs);
 }
 
-// All configurations in one call, against as many single calls of our own.
+// All configurations in one call, compared with as many single calls of Armlet.
 void bench_batch(const Robot& robot, const std::vector<Eigen::VectorXd>& q) {
   const std::size_t n = static_cast<std::size_t>(robot.n());
   std::vector<double> columns(n * kConfigurations), poses(12 * kConfigurations),
@@ -136,7 +136,7 @@ void bench_batch(const Robot& robot, const std::vector<Eigen::VectorXd>& q) {
   }
 }
 
-// A few configurations in one call, against as many single calls, ns per configuration.
+// A few configurations in one call, compared with as many single calls, ns per configuration.
 void bench_few(const Robot& robot, const std::vector<Eigen::VectorXd>& q) {
   const std::size_t n = static_cast<std::size_t>(robot.n());
   for (const std::size_t count : {1, 2, 3, 4, 5, 8, 11, 16}) {
@@ -181,8 +181,8 @@ void bench_few(const Robot& robot, const std::vector<Eigen::VectorXd>& q) {
   }
 }
 
-// The number of iterations per start with which the peer is quickest among those with which it
-// finds most; its own choice of 500 loses time on starts that lead nowhere.
+// The number of iterations per start with which the peer is fastest, among those with which it
+// finds most solutions; its default of 500 wastes time on starts that do not converge.
 int best_iterations(KdlArm& peer, const std::vector<double>& start) {
   int best = 0, best_found = -1;
   double best_time = 0.0;
@@ -202,7 +202,7 @@ int best_iterations(KdlArm& peer, const std::vector<double>& start) {
   return best;
 }
 
-// All solutions, and what the kernel alone takes on each instruction set.
+// All solutions, and the time of the kernel alone on each instruction set.
 void bench_closed_form(const Robot& robot, const std::vector<Eigen::Isometry3d>& goals,
                        KdlArm& peer) {
   const ClosedForm& closed = closed_form(robot);

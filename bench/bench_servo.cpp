@@ -1,6 +1,6 @@
 // One step of visual servoing on one processor: the picture of a card by the camera on a
-// seven-joint arm, 320 x 240 with 4 samples, light and shadow; its four corners by Harris, refined,
-// each taken to its label; and the joint speeds with the motion that takes them up.
+// seven-joint arm, 320 x 240 with 4 samples, light and shadow; its four corners by Harris, refined
+// and matched to their labels; and the joint speeds with the motion that reaches them.
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -35,7 +35,7 @@ struct Hand {
     robot = cell.add_robot(make_robot("pa10"), "arm");
     cell.set_joints(robot, q);
     T_tool_camera.translation().z() = 0.06;
-    // The desk and the card hang in front of the camera, wherever that looks.
+    // The desk and the card are in front of the camera, whatever its direction.
     Camera camera{.name = "eye",
                   .on = {.base = FrameBase::kCarrier, .carrier = robot},
                   .T_on_camera = T_tool_camera};
@@ -85,7 +85,7 @@ struct Hand {
     }
     return out;
   }
-  // From points to the motion of the next period.
+  // The motion of the next period, computed from the points.
   double control(VisualServo& servo, const PlanePoints& points, double t) const {
     Jacobian J;
     const Eigen::Isometry3d T = forward_and_jacobian(*cell.robot(robot).model, q, J);

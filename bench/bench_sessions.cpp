@@ -1,5 +1,5 @@
-// What sessions cost: memory of one that rests, the time of an entry and of a list of completions
-// in a long session, of slices, and of going anywhere in a run of five minutes.
+// The cost of sessions: memory of an idle one, the time of an entry and of a completion list in a
+// long session, of slices, and of going to any time of a run of five minutes.
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -28,7 +28,7 @@ constexpr int kSessions = 1000;
 
 std::size_t allocated() { return mallinfo2().uordblks + mallinfo2().hblkhd; }
 
-// With the stacks of tasks, and whatever the allocator keeps.
+// The memory of the process, including stacks of tasks and memory kept by the allocator.
 std::size_t resident() {
   std::size_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages >> pages;
@@ -73,7 +73,7 @@ void measure_memory() {
   told("after a move");
 }
 
-// Behind lines that are entries of their own.
+// The time of an entry after many others.
 void measure_entries() {
   Session session(library_engine(), options());
   enter(session, "moveJ(posJ(20deg, 30deg, 50mm, 0deg), time: 1s)");
@@ -94,7 +94,7 @@ void measure_entries() {
   }
 }
 
-// From a key to its list, as the prompt makes it, behind a thousand lines.
+// The time from a key to its completion list, as in the prompt, after a thousand lines.
 void measure_completion() {
   Session session(library_engine(), options());
   for (int i = 0; i < 1000; ++i) enter(session, fmt::format("let name{} = {}mm", i, i));

@@ -1,6 +1,6 @@
-// How much faster than real time a cell is simulated: a minute of pick and place in 40 moves, with
-// conditions looked at a thousand times a second and nobody listening. Everything counts: reading
-// the program, planning and verifying its moves, the tool and what it carries.
+// The speed of a simulated cell relative to real time: a minute of pick and place in 40 moves, with
+// conditions that are tested a thousand times a second, and no listener. The time includes reading
+// the program, planning and verifying its moves, and the tool with its payload.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

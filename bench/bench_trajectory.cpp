@@ -1,5 +1,5 @@
 // Planning and sampling of motions. The unit of the targets is one forward kinematics of the Puma
-// by Orocos KDL, timed in turn with each figure.
+// by Orocos KDL, timed in alternation with each figure.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -37,8 +37,8 @@ namespace {
 constexpr int kJoints = 7;
 constexpr int kCases = 1000;
 
-// Times work(i) against KDL and prints it with its target, both as multiples of KDL's time. KDL
-// makes as many calls in each row, so that its caches are as warm.
+// Times work(i) and KDL, and prints the time and its target as multiples of KDL's time. KDL makes
+// the same number of calls in each row, so that its caches are in the same state.
 template <class Work>
 void row(const char* what, KdlArm& peer, Work work, double target, int calls = kCases) {
   const Times times = compare(

@@ -1,7 +1,7 @@
-// Pictures and corners on one processor: our pictures, with light and one hard shadow, beside the
-// primary rays of Embree through the same samples of the same scene, which find only what each
-// sample sees; SUSAN with and without wide registers, beside corners by OpenCV. Both sides see the
-// same, which is checked.
+// Pictures and corners on one processor: our pictures, with light and one hard shadow, compared
+// with Embree's primary rays through the same samples of the same scene, which find only the body
+// at each sample; SUSAN with and without wide registers, compared with corners by OpenCV. Both find
+// the same bodies, which is checked.
 #include <embree3/rtcore.h>
 
 #include <array>
@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 480;
 
-// A ball of 2 * bands * (bands - 1) * 2 triangles.
+// A sphere of 2 * bands * (bands - 1) * 2 triangles.
 std::shared_ptr<const Surface> ball(double radius, int bands) {
   SurfaceParts parts;
   const int sectors = 2 * bands;
@@ -56,7 +56,7 @@ std::shared_ptr<const Surface> ball(double radius, int bands) {
   return std::make_shared<const Surface>(std::move(parts));
 }
 
-// Eight balls above the ground, about 20,000 triangles together.
+// Eight spheres above the ground, about 20,000 triangles together.
 Scene balls() {
   Scene scene;
   const auto surface = ball(0.12, 25);
@@ -69,7 +69,7 @@ Scene balls() {
   return scene;
 }
 
-// Checks in perspective, with the corners that corner finders are for.
+// A chessboard in perspective, for corner detectors.
 cv::Mat board() {
   cv::Mat flat(kHeight, kWidth, CV_8U), picture;
   for (int y = 0; y < kHeight; ++y)
@@ -88,7 +88,7 @@ Image image_of(const cv::Mat& grey) {
   return image;
 }
 
-// Our pixels of bodies and Embree's, which may differ at outlines.
+// Compares our pixels of bodies with Embree's; they may differ at outlines.
 void check_same(const Pictures& pictures, const EmbreeScene& peer, int samples) {
   const auto ours = std::ranges::count_if(pictures.bodies, [](int body) { return body >= 0; });
   const double theirs = static_cast<double>(peer.samples_on_bodies()) / samples;

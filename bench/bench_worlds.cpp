@@ -1,6 +1,6 @@
-// How long programs with ten thousand bodies take, in which an arm moves 40 times and what it meets
-// is reported: bodies far from one another, and bodies that lie in one another. Everything counts:
-// reading the program, putting the bodies there, planning and verifying the moves.
+// The time of programs with ten thousand bodies, in which an arm moves 40 times with collision
+// reports: bodies far from one another, and bodies that intersect. The time includes reading the
+// program, creating the bodies, and planning and verifying the moves.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kRounds = 5;
 
-// Seconds of the processor for one run.
+// Processor time of one run, s.
 double run(const Engine& engine, const std::string& text) {
   const std::clock_t start = std::clock();
   Session session(engine, {});

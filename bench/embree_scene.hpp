@@ -1,5 +1,5 @@
 #pragma once
-// A scene of a camera for Embree, whose primary rays are compared with our pictures.
+// The scene of a camera in Embree, whose primary rays are compared with our pictures.
 
 #include <embree3/rtcore.h>
 
@@ -43,7 +43,7 @@ class EmbreeScene {
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  // Finds what 1 or 4 samples of each pixel see.
+  // Finds the body at each of 1 or 4 samples per pixel.
   void trace(int samples) {
     on_bodies_ = 0;
     RTCIntersectContext context;
@@ -67,7 +67,7 @@ class EmbreeScene {
     }
   }
 
-  // Of the last trace.
+  // The number of samples on bodies in the last trace.
   [[nodiscard]] long samples_on_bodies() const { return on_bodies_; }
   [[nodiscard]] int triangle_count() const { return triangles_; }
 

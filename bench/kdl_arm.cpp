@@ -14,7 +14,7 @@ KDL::Frame to_kdl(const PlainPose& T) {
           KDL::Vector(T[9], T[10], T[11])};
 }
 
-// With as few segments as it allows.
+// Makes a chain with as few segments as possible.
 KDL::Chain make_chain(const PlainPose& base, const std::vector<KdlJoint>& joints,
                       const PlainPose& tool) {
   KDL::Chain chain;
@@ -45,7 +45,7 @@ struct KdlArm::State {
         J(static_cast<unsigned>(arm.size())),
         q(static_cast<unsigned>(arm.size())) {}
 
-  // Whole revolutions into the limits; false if a joint stays outside.
+  // Shifts angles by whole revolutions into the limits; false if a joint stays outside.
   bool wrap_into_limits() {
     for (std::size_t i = 0; i < joints.size(); ++i) {
       double& value = q(static_cast<unsigned>(i));

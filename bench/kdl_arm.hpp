@@ -7,8 +7,8 @@
 
 namespace armlet::bench {
 
-// Rotation by rows, then the position: what crosses between two solutions of laying out Eigen's
-// types.
+// Rotation by rows, then the position: a type that code with both alignments of Eigen can
+// exchange.
 using PlainPose = std::array<double, 12>;
 
 // One joint: Rz(theta) Tz(d) followed by Tx(a) Rx(alpha).
@@ -18,16 +18,16 @@ struct KdlJoint {
   double lower = 0.0, upper = 0.0;
 };
 
-// The rigid body behind a joint, in the frame behind Tx(a) Rx(alpha): mass, centre, and inertia
-// about the centre by xx, yy, zz, xy, xz, yz.
+// The rigid body after a joint, in the frame after Tx(a) Rx(alpha): mass, centre, and inertia about
+// the centre by xx, yy, zz, xy, xz, yz.
 struct KdlBody {
   double mass = 0.0;
   std::array<double, 3> com{};
   std::array<double, 6> inertia{};
 };
 
-// An arm in Orocos KDL. It is compiled apart from Armlet, which lays out Eigen's types without the
-// alignment that the installed KDL library expects. Inputs are passed before the clock runs.
+// An arm in Orocos KDL. It is compiled without the alignment of Eigen's types that Armlet uses, as
+// the installed KDL library requires. Inputs are passed before the time is measured.
 class [[gnu::visibility("default")]] KdlArm {
  public:
   KdlArm(const PlainPose& base, const std::vector<KdlJoint>& joints, const PlainPose& tool);
@@ -37,18 +37,18 @@ class [[gnu::visibility("default")]] KdlArm {
   void add_goal(const PlainPose& T_world_tool);
   void change_first_joint(int k, double amount);
 
-  // Of configuration k: a number that depends on the result, which the other two copy out.
+  // For configuration k: a number that depends on the result; the other two functions copy it.
   double pose(int k);
   double frames(int k);  // of all segments
   double jacobian(int k);
   PlainPose last_pose() const;
   std::vector<double> last_jacobian() const;  // column by column
 
-  // The Levenberg-Marquardt solver with weights for metres and radians (its own, made for
-  // millimetres, hardly ever lead to a solution), restarted at random until its answer is within
-  // the limits.
+  // The Levenberg-Marquardt solver with weights for metres and radians (with its default weights,
+  // made for millimetres, it hardly ever finds a solution), restarted at random until the solution
+  // is within the limits.
   //
-  // iterations  per start; the solver's own choice is 500.
+  // iterations  per start; the default of the solver is 500.
   bool solve(int k, const std::vector<double>& start, double tolerance, int iterations,
              int restarts);
 

@@ -6,7 +6,7 @@
 namespace armlet::bench {
 namespace {
 
-// One segment for each joint: what is between the base and the first joint changes no force.
+// One segment for each joint: the part between base and first joint does not change forces.
 KDL::Chain make_chain(const std::vector<KdlJoint>& joints, const std::vector<KdlBody>& bodies) {
   KDL::Chain chain;
   for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -25,8 +25,8 @@ KDL::Chain make_chain(const std::vector<KdlJoint>& joints, const std::vector<Kdl
   return chain;
 }
 
-// M x = b by the factors L D L' of a symmetric matrix, in place: quicker for so few rows than
-// Eigen's and than KDL's own, which both cost more than the rest.
+// Solves M x = b by the factors L D L' of a symmetric matrix, in place: for so few rows faster than
+// Eigen's and KDL's own, each of which costs more than all the rest.
 void solve(Eigen::MatrixXd& M, Eigen::VectorXd& b) {
   const Eigen::Index n = b.size();
   for (Eigen::Index k = 0; k < n; ++k) {

@@ -7,8 +7,8 @@
 
 namespace armlet::bench {
 
-// The dynamics of an arm in Orocos KDL, compiled apart like KdlArm. Inputs are passed before
-// the clock runs.
+// The dynamics of an arm in Orocos KDL, compiled separately like KdlArm. Inputs are passed before
+// the time is measured.
 class [[gnu::visibility("default")]] KdlDynamics {
  public:
   // gravity  in the axes of the base of `arm`.
@@ -18,12 +18,12 @@ class [[gnu::visibility("default")]] KdlDynamics {
 
   void add_motion(const double* q, const double* qd, const double* qdd, const double* tau);
 
-  // Of motion k: a number that depends on the result, which the last two copy out.
+  // For motion k: a number that depends on the result; the last two functions copy the result.
   double inverse(int k);
   double gravity(int k);
   double mass(int k);
-  // Inertia matrix, bias and the factors of the matrix: its own solver for forward dynamics takes
-  // four times as long with six joints.
+  // Inertia matrix, bias forces and the factors of the matrix: KDL's own solver for forward
+  // dynamics takes four times as long with six joints.
   double forward(int k);
   std::vector<double> last_forces() const;
   std::vector<double> last_mass() const;  // column by column

@@ -46,8 +46,8 @@ inline std::string processor() {
   return "unknown processor";
 }
 
-// Prints what is compared and the head of the table; the robots are those of the command line, or
-// the four of the documents.
+// Prints the subject of the comparison and the head of the table; returns the robots of the command
+// line, or the four of the documents.
 inline std::vector<std::string> begin_comparison(int count, char** arguments) {
   std::printf("%s, g++ %s, %s, %s\n", processor().c_str(), __VERSION__, ARMLET_BENCH_FLAGS,
               ARMLET_BENCH_KDL);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes a long program that passes the checker: the work of a robot cell, over and over with other names and numbers."""
+"""Writes a long program that passes the checker: the work of a robot cell, repeated with other names and numbers."""
 
 import sys
 

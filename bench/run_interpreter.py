@@ -22,16 +22,16 @@ from make_program import program as long_program
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PROGRAMS = ["fib", "nbody", "spectral", "mandel", "matmul", "trees", "strings"]
-# Other kinds of work, against Lua 5.4 alone: LuaJIT does not know its whole numbers.
+# Programs of other kinds, compared with Lua 5.4 only: LuaJIT does not have its whole numbers.
 LISTS = ["fannkuch", "heapsort", "levenshtein", "lu"]
-# And more of them, which were written without looking at what the interpreter does well; no targets.
+# More of them, written without knowledge of the strengths of the interpreter; no targets.
 MORE = ["bst", "build", "chain", "collatz", "floyd", "knapsack", "letters", "life", "machine", "particles", "permute",
         "queens", "shuffle", "sieve", "tally", "words"]
 EMPTY = "hello"
 
 
 def compile_cpp(folder):
-    """Compiles the C++ programs into the folder, those that are missing."""
+    """Compiles the C++ programs that are missing in the folder."""
     folder.mkdir(parents=True, exist_ok=True)
     for name in PROGRAMS + [EMPTY]:
         if not (folder / name).exists():
@@ -40,7 +40,7 @@ def compile_cpp(folder):
 
 
 def commands(armlet, cpp_folder):
-    """Implementation: function from a program's name to the command that runs it."""
+    """For each implementation, a function from a program's name to the command that runs it."""
     lua = lambda tool: lambda name: [*tool.split(), str(HERE / "programs" / "lua" / f"{name}.lua")]
     result = {"armlet": armlet_command(armlet)}
     result |= {tool: lua(tool) for tool in ("lua5.4", "luajit -joff", "luajit") if shutil.which(tool.split()[0])}
@@ -64,7 +64,7 @@ def run(command):
 
 
 def resident_megabytes(command):
-    """Most memory of a program that runs for some milliseconds, looked at while it runs."""
+    """Largest memory of a program that runs for some milliseconds, sampled while it runs."""
     child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL)
     peak = 0
     while child.poll() is None:
@@ -76,7 +76,7 @@ def resident_megabytes(command):
 
 
 def measure(implementations, name, runs):
-    """Implementation: (CPU seconds, output), runs interleaved."""
+    """For each implementation (CPU seconds, output); the runs are interleaved."""
     best = {}
     for _ in range(runs):
         for tool, command in implementations.items():
@@ -90,10 +90,10 @@ def geometric_mean(values):
     return math.exp(sum(map(math.log, values)) / len(values))
 
 
-# Peer: how many times faster than it Armlet has to be on every program, and in the geometric mean.
+# Peer: the speed of Armlet relative to it, at least on every program, and at least in the geometric mean.
 TARGETS = {"lua5.4": (2.0, 3.0), "luajit -joff": (1.0, 1.0)}
 LIST_TARGETS = {"lua5.4": (2.6, 2.6)}
-ALL_TARGET = 3.4  # times Lua 5.4, in the mean of both
+ALL_TARGET = 3.4  # relative to Lua 5.4, in the mean of both lists
 
 
 def print_times(implementations, names, runs, targets):
@@ -125,7 +125,7 @@ def print_times(implementations, names, runs, targets):
 
 
 def print_all_times(implementations, names, runs):
-    """Both kinds of programs; returns whether all outputs agree."""
+    """Prints the table of each list of programs; returns whether all outputs agree."""
     known = [name for name in names if name in PROGRAMS]
     lists = [name for name in names if name in LISTS]
     more = [name for name in names if name in MORE]
@@ -156,7 +156,7 @@ def instructions(command):
 def print_step_cost(armlet, uncounted, names, runs):
     """Compares with a command that differs only in not counting steps: time, and instructions executed.
 
-    Times differ by a few per cent either way with where the linker puts the code; instructions do not."""
+    Times vary by a few per cent with the addresses that the linker chooses; instruction counts do not."""
     if not uncounted.exists():
         print(f"cost of counting steps: not measured, {uncounted} is not built")
         return
