@@ -7,7 +7,7 @@
 
 namespace {
 
-// A tank of water; a program works on copies, like on every value.
+// A tank of water; a program works on copies, as with every value.
 class Tank {
  public:
   explicit Tank(double height) : height(height) {}
@@ -22,7 +22,7 @@ class Tank {
 
 Tank make_tank(double height) { return Tank(height); }
 
-// Two results: a number, or why there is none.
+// Returns a number, or a failure with the reason why there is none.
 armlet::Answer<double> level_of(armlet::Vm& vm, const Tank& tank, double full) {
   if (full > 0.0) return tank.height / full;
   return armlet::fail(vm, {.headline = {"R0626", {"`level` needs a height above 0"}}});
@@ -38,7 +38,7 @@ int main() {
                     .method("filled(by: length) -> Tank", &Tank::filled, "With more in it."));
   engine.define(armlet::def("level(tank: Tank, full: length) -> double", &level_of,
                             "How full it is, from 0 to 1.", "level(Tank(1m), 2m)"));
-  // A function that keeps something, and throws: the program can catch that.
+  // A function with data of its own that throws: the program can catch this error.
   const std::map<std::string, double> sizes{{"small", 0.5}, {"large", 2.0}};
   engine.define(armlet::def(
       "height_of(kind: string) -> length",

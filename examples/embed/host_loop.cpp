@@ -1,6 +1,6 @@
-// A control loop of 1 kHz that belongs to the host: each tick it calls the program's controller,
-// lets the program's own tasks run up to the same time, and passes values. With --paced it
-// keeps to the wall clock; what is computed does not depend on it.
+// A control loop of 1 kHz of the host: in each tick it calls the controller of the program, lets
+// the program's own tasks run up to the same time, and passes values. With --paced it follows the
+// wall clock; the results do not depend on that.
 #include <armlet/interpreter/host.hpp>
 #include <chrono>
 #include <cstdio>
@@ -35,7 +35,7 @@ int main(int count, char** arguments) {
   if (!compiled.program) return 1;
   armlet::Vm vm(compiled.program, {.output = [](std::string_view text) { std::cout << text; }});
 
-  // Up to its first wait, so that its variables have values.
+  // Runs to the first wait, so that the variables of the program have values.
   vm.run({.until_ns = 0});
   const auto on_tick = vm.function<double(double)>("on_tick");
 

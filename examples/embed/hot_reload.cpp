@@ -1,4 +1,4 @@
-// A program is replaced while the host goes on: variables with the same name and type keep their
+// A program is replaced while the host runs: variables with the same name and type keep their
 // values, and the others are reported to the host.
 #include <armlet/interpreter/host.hpp>
 #include <iostream>
@@ -16,7 +16,7 @@ std::unique_ptr<armlet::Vm> load(const armlet::Engine& engine, const char* text)
   return nullptr;
 }
 
-// The new version, or the old one if the new one is no good.
+// The new version, or the old one if the new one has mistakes.
 std::unique_ptr<armlet::Vm> reload(const armlet::Engine& engine, const char* text,
                                    std::unique_ptr<armlet::Vm> old) {
   std::unique_ptr<armlet::Vm> fresh = load(engine, text);

@@ -1,5 +1,5 @@
-// A robot program with a listener of the host: how high the tool gets, and what the program says.
-// The listener visits each event and names the kinds that it does nothing with.
+// A robot program with a listener of the host, which finds the largest height of the tool and
+// prints the program's output. The listener handles each event and names the kinds that it ignores.
 #include <algorithm>
 #include <armlet/backend/backend.hpp>
 #include <armlet/interpreter/render.hpp>

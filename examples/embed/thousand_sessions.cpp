@@ -1,5 +1,5 @@
-// A thousand programs alive at once, in four threads: one engine, one compiled program, which all
-// share, and a Vm with its own variables, memory and limits for each.
+// A thousand programs at the same time, in four threads: one engine, one compiled program for all
+// of them, and a Vm with its own variables, memory and limits for each.
 #include <armlet/interpreter/host.hpp>
 #include <cstdio>
 #include <iostream>
