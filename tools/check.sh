@@ -31,7 +31,7 @@ grammar() {
   step grammar: the committed parser is the one that the tool makes
   rm -rf build/grammar && mkdir -p build/grammar
   cmake -D generated="$PWD/build/grammar" -P grammar/regenerate.cmake
-  diff -r --exclude RbtTables.h build/grammar grammar/generated  # a test checks the tables
+  diff -r --exclude RbtTables.h build/grammar grammar/generated  # a test compares RbtTables.h
 }
 
 # tests_of PRESET ROOM: one part of the tests with assertions (dev) or with sanitizers (asan, tsan).

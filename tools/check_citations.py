@@ -48,7 +48,7 @@ def headings(text):
 
 
 def comments(path, text):
-    """What is said to readers: all of a document, of a source its comments with their lines in place."""
+    """The text for readers: all of a document; of a source only its comments, in their lines."""
     if path.endswith((".md", ".txt", ".def")):
         return text
     if path.endswith(".rbt"):
@@ -60,7 +60,7 @@ def comments(path, text):
 
 
 def joined(text):
-    """Comments whose sentences go over several lines, as one; a line number for every character."""
+    """Comments as one text, since sentences continue in the next line; and a line number for every character."""
     out, lines = [], []
     for number, line in enumerate(text.splitlines(), 1):
         line = re.sub(r"^\s*(?://+|#)\s?", "", line) + " "

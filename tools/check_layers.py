@@ -36,7 +36,7 @@ MAY_INCLUDE = {
 }
 EVERYTHING = list(MAY_INCLUDE)
 
-# what: (pattern of the header, folders that may include it). Public headers never may.
+# name: (pattern of the header, folders that may include it). Public headers may never include it.
 FENCES = {
     "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax/"]),
     "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp", "runtime/src/model/descriptions/urdf_library."]),
@@ -57,14 +57,14 @@ FENCES = {
     "vector intrinsics": (r"^([a-z]*mmintrin|immintrin|x86intrin|arm_neon|wasm_simd128)\.h$", []),
 }
 
-# The libraries ask core/platform.hpp and core/files.hpp for these, so that they run wherever these do.
+# Use core/platform.hpp and core/files.hpp instead of these, so that the libraries run on all platforms that those support.
 PLATFORM = re.compile(r"std::(thread|jthread|this_thread)\b|\b(steady|system|high_resolution)_clock\b"
                       r"|\b(fs|filesystem)::(exists|is_\w+|status|canonical|weakly_canonical|absolute|current_path"
                       r"|create_\w+|remove\w*|rename|copy\w*|file_size|\w*directory_iterator)\b")
 PORTABLE = ("runtime/", "interpreter/", "stdlib/")
 PLATFORMS = ("runtime/src/core/posix/", "runtime/src/core/bare/")
 
-# Algorithms of std::ranges that clang 14 reads, and that cmake/wasm/missing_cxx20.hpp gives emscripten's library.
+# Algorithms of std::ranges that clang 14 can compile, and that cmake/wasm/missing_cxx20.hpp adds to emscripten's library.
 RANGES = re.compile(r"std::(?:ranges|views)::(\w+)")
 READABLE = set("""all_of any_of binary_search copy count count_if end equal find find_if find_if_not for_each is_sorted lower_bound
     max_element min_element minmax_element move none_of reverse sort stable_sort transform upper_bound""".split())

@@ -26,7 +26,7 @@ def without_comments(text):
 
 
 def split_body(text, begin):
-    """The end of the block whose { stands at begin."""
+    """The end of the block whose { is at begin."""
     depth = 0
     for at in range(begin, len(text)):
         depth += {"{": 1, "}": -1}.get(text[at], 0)
@@ -118,7 +118,7 @@ def library(command):
 
 
 def rows():
-    """Of the document: {header: {C++ name: what stands behind it}}, and {library name: reason}."""
+    """The rows of the document: {header: {C++ name: rest of the row}}, and {library name: reason}."""
     to_programs, to_cpp, header, part = {}, {}, None, None
     for line in DOCUMENT.read_text().splitlines():
         if line.startswith("## "):
@@ -138,7 +138,7 @@ def rows():
 
 
 def expanded(calls, known):
-    """`robots.*` as all names that begin so."""
+    """Replaces `robots.*` by all names that begin with `robots.`."""
     for call in calls:
         yield from sorted(name for name in known if name.startswith(call[:-1])) if call.endswith(".*") else [call]
 
@@ -149,7 +149,7 @@ def lists_of(command):
 
 
 def unknown_planners(lists):
-    """The names of planners in the document that are none."""
+    """The names of planners in the document that do not exist."""
     known = {row["name"] for row in lists["planners"]}
     named = re.findall(r"the planners? ((?:`\w+`(?:, | and )?)+)", DOCUMENT.read_text())
     return sorted(set(re.findall(r"`(\w+)`", " ".join(named))) - known)

@@ -18,7 +18,7 @@ ELSEWHERE = {
     "E0126": "tests/hostile.py",  # there is no file
     "E0198": None,  # a defect of Armlet, or no memory left
     "E0220": "tests/unit/interpreter/check/host_vocabulary_test.cpp",  # the command always supplies a robot
-    "E0319": "tests/unit/interpreter/check/host_vocabulary_test.cpp",  # no functions of the library are a tie
+    "E0319": "tests/unit/interpreter/check/host_vocabulary_test.cpp",  # functions of the library are never ambiguous
     "R0628": "tests/hostile.py",  # fills a gigabyte
     "R0629": "tests/hostile.py",  # needs a signal
     "R0646": "tests/planning_command.py",  # a build that has lost its library
@@ -32,16 +32,16 @@ ELSEWHERE = {
     "W0712": "tests/unit/stdlib/session_test.cpp",  # the command always supplies a world
 }
 
-# Codes of the catalogue that nothing can raise yet, and what they wait for.
+# Codes of the catalogue that nothing can raise yet, and the feature that they wait for.
 RESERVED = {}
 
 # Samples whose feature does not exist yet.
 LATER = {}
 
-# Samples that list a table, and who compares them with it.
+# Samples that list a table, and the test that compares them with it.
 LISTS = {"E0202": "tests/unit/stdlib/reference_test.cpp"}  # the planners
 
-# Where a script shows another text than the sample (docs/notes/messages.md).
+# Messages whose text in scripts differs from the sample (docs/notes/messages.md).
 CHANGED = {
     "R0604": {"163 deg": "130 deg"},
     "R0607": {"since t = 0.00 s": "since t = 3.00 s"},
@@ -68,7 +68,7 @@ def shown_block(script):
 
 
 def expected(script):
-    """The codes that a script says will come."""
+    """The codes that a script expects."""
     codes = re.findall(r"// expect (?:error|advice) ([ERW]\d{4})", script)
     return set(codes) | {m[1] for line in shown_block(script) if (m := HEADLINE.match(line))}
 

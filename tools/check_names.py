@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = ["runtime", "interpreter", "stdlib", "apps", "tests", "bench"]
-# Programs of their own, which are never linked with the rest.
+# Separate programs, which are never linked with the rest.
 APART = ["tests/embed/", "runtime/src/core/bare/"]  # built instead of others of the same names
 
 NOISE = re.compile(

@@ -39,7 +39,7 @@ def text_of(name):
 
 
 def faults(rows):
-    """What the list itself lacks."""
+    """The mistakes in the list itself."""
     for row in rows:
         name = row["name"]
         if not row["copyright"] or not row["licence"] or not row["home"].startswith("https://"):
@@ -89,7 +89,7 @@ def notice(rows):
 
 
 def of_page(rows):
-    """The list, and the texts of what the page and its engine contain."""
+    """The list, and the texts for the parts that the page and its engine contain."""
     needed = sorted({text for row in rows if {"page", "engine"} & set(row["in"]) for text in row["texts"]})
     shown = [{key: row[key] for key in SHOWN if key in row} for row in rows]
     return json.dumps({"places": PLACES, "parts": shown, "texts": {name: text_of(name).strip("\n") for name in needed}}, ensure_ascii=False, indent=1) + "\n"

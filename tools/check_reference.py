@@ -27,13 +27,13 @@ def filled(text):
 
 
 def traces(lists):
-    """The endings of trace files, for the manual page, in which a dot must not begin a line."""
+    """The extensions of trace files, for the manual page, where no line may begin with a dot."""
     formats = [f"\\&{entry['ending']} ({entry['holds']})" for entry in lists["traces"]]
     return filled("; ".join(formats) + ".")
 
 
 def planners(lists):
-    """The table of the language reference."""
+    """The table of planners in the language reference."""
     rows = [f"| `{row['name']}` | {row['does']} |\n" for row in lists["planners"]]
     return "\n| planner | motion |\n|---|---|\n" + "".join(rows) + "\n"
 
@@ -43,7 +43,7 @@ def in_backticks(words):
 
 
 def words(lists):
-    """Section 3 of the language reference."""
+    """The words in section 3 of the language reference."""
     reserved = [row["word"] for row in lists["words"] if not row["soft"]]
     soft = [row["word"] for row in lists["words"] if row["soft"]]
     return filled(f"**Reserved words** ({len(reserved)}): `{' '.join(reserved)}`.") + filled(
@@ -81,7 +81,7 @@ def names(lists):
                    for name in simple)
 
 
-# Of each file the blocks in it, and what they have to hold.
+# For each file, its blocks and the functions that make their contents.
 BLOCKS = {"docs/armlet.1": {"traces": traces},
           "docs/language.md": {"later": lambda lists: filled(", ".join(lists["later"]) + "."), "words": words,
                                "units": units, "planners": planners},

@@ -20,7 +20,7 @@ from check_names import ROOT, TYPE, tokens_of, type_named, without_noise
 FILES, MEMBERS = 25, 20
 FOLDERS = ("runtime", "interpreter", "stdlib", "apps", "tests", "bench")
 
-# Folders of any size: a file is one item of a collection, nobody reads them side by side.
+# Folders that may have any size: their files are the items of a collection.
 COLLECTIONS = {
     "docs/decisions": "numbered in the order in which they were made, listed by their README.md",
     "tests/fuzz/corpus": "inputs of the fuzzer, read by programs",
@@ -28,7 +28,7 @@ COLLECTIONS = {
     "bench/programs/lua": "each beside the program of the same name in ../rbt",
     "bench/programs/rbt": "each beside the program of the same name in ../lua",
 }
-# Where the folders below others are listed by their names, with what is in each.
+# Documents that list the folders below these ones by name, with their purposes.
 DOCUMENTED = {"docs/architecture.md": ("runtime/src", "interpreter/src", "stdlib/src", "interpreter/include/armlet/interpreter")}
 
 IS_FUNCTION = re.compile(r"\b(operator|friend|using|typedef|static|static_assert|enum|template|constexpr)\b")
@@ -95,14 +95,14 @@ def public_members(text):
             name = type_named(head) if "(" not in head else None
             scopes.append([name, line, 0, "class" not in head] if name else None)
             if not name and inside is not None and "(" not in head and "enum" not in head:
-                head.append("{")  # the value of a variable: double x{};
+                head.append("{")  # the initial value of a variable: double x{};
                 continue
             head = [] if name else head + ["{"]
         elif token == "}":
             closed = scopes.pop() if scopes else None
             if closed is not None:
                 yield tuple(closed[:3])
-                head = ["struct"]  # what is declared behind it
+                head = ["struct"]  # a declaration follows
             elif "(" in head:
                 head = []
             elif head and "{" in head:

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Runs a command in a clean clone of HEAD on a bare Debian 12, as a newcomer would, and reports minutes and megabytes.
+# Runs a command in a clean clone of HEAD on a bare Debian 12, as a new user would, and reports minutes and megabytes.
 #
 #   tools/fresh.sh COMMAND...       for example: tools/fresh.sh ./dev test
 #
-# The bare root is made once by debootstrap, from the package sources of this machine, and kept as build/fresh/bare.tar.
-# Each call unpacks it anew; what the command leaves in the root is removed afterwards. Needs root, and no network but
-# that of the package sources (and of npm's registry, for commands that use npm).
+# The bare root is made once by debootstrap, from the package sources of this computer, and kept as build/fresh/bare.tar. Each call unpacks
+# it again; files that the command leaves in the root are removed afterwards. Needs root, and no network except for the package sources (and
+# npm's registry, for commands that use npm).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -19,7 +19,7 @@ store=$PWD/build/fresh
 archive=$store/bare.tar
 mkdir -p "$store"
 
-# debian_sources: the one-line entries of this machine's package sources that are Debian's for the suite.
+# debian_sources: the Debian entries of this computer's package sources for the suite, one line each.
 debian_sources() {
   local uri release component
   apt-get indextargets --format '$(ORIGIN)|$(REPO_URI)|$(RELEASE)|$(COMPONENT)' 'Created-By: Packages' |
@@ -29,7 +29,7 @@ debian_sources() {
     done | sort -u
 }
 
-# make_archive: what debootstrap calls a minimal base, with this machine's package sources.
+# make_archive: a minimal base of debootstrap, with this computer's package sources.
 make_archive() {
   local sources mirror work
   sources=$(debian_sources)
@@ -46,7 +46,7 @@ make_archive() {
   rm -rf "$work"
 }
 
-# lend FILE...: files of this machine without which its network cannot be used (names, proxy, certificates).
+# lend FILE...: copies files of this computer that its network needs (names, proxy, certificates).
 lend() {
   local file
   for file; do
@@ -56,7 +56,7 @@ lend() {
   done
 }
 
-# installed_kib ROOT: the sum of what its packages say they occupy.
+# installed_kib ROOT: the sum of the sizes that its packages declare.
 installed_kib() { awk '/^Installed-Size:/ { sum += $2 } END { print sum + 0 }' "$1/var/lib/dpkg/status"; }
 
 [[ -f $archive ]] || make_archive
@@ -71,7 +71,7 @@ for name in http_proxy https_proxy no_proxy HTTP_PROXY HTTPS_PROXY NO_PROXY; do
 done
 lend /etc/resolv.conf /etc/hosts
 cat /etc/apt/apt.conf.d/*proxy* >"$root/etc/apt/apt.conf.d/90proxy" 2>/dev/null || rm -f "$root/etc/apt/apt.conf.d/90proxy"
-# The certificates lie beside those that the package ca-certificates would write, which is not there yet.
+# The certificates are beside those that the package ca-certificates would write; it is not installed yet.
 certificates=/etc/ssl/certs/ca-certificates.crt
 if [[ -f $certificates ]]; then
   mkdir -p "$root/etc/ssl/lent"
@@ -83,7 +83,7 @@ git clone --quiet --no-hardlinks . "$root/root/armlet"
 say "In a bare Debian 12, at $(git log -1 --format=%h): $*"
 started=$SECONDS
 status=0
-# A namespace of its own: nothing stays mounted and nothing keeps running when this ends, by Ctrl-C as well.
+# A namespace of its own: at the end, also after Ctrl-C, nothing stays mounted and no process keeps running.
 unshare --mount --pid --fork --kill-child bash -c '
   root=$1; shift
   mount -t proc proc "$root/proc"

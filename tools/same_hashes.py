@@ -9,7 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-LATE = {"end_of_time.rbt"}  # three years, of which every 10 ms would be reported
+LATE = {"end_of_time.rbt"}  # three years of virtual time, reported every 10 ms
 
 
 def last_line(command, program):

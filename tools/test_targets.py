@@ -13,7 +13,7 @@ QUOTED = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 
 def tests(folder):
-    """Of a folder and those in it: the name, the command and the label of every test; ctest does not tell the commands of
+    """The name, command and label of every test of a folder and its subfolders; ctest does not show the commands of
     programs that are not built yet."""
     listed = "".join(path.read_text() for path in folder.glob("CTestTest*"))
     labels = dict(re.findall(r'^set_tests_properties\(\[=*\[(.*?)\]=*\] PROPERTIES .*?LABELS "(.*?)"', listed, re.M))

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Fetches what the WebAssembly build compiles of others: tools/wasm_sources.sh FOLDER
+# Fetches the foreign sources that the WebAssembly build compiles: tools/wasm_sources.sh FOLDER
 #
-# The sources of ANTLR's C++ runtime and of fmt are those of the installed Debian packages, from the archive that these came
-# from; headers of the system are linked to one by one, because its C library must stay out of sight. Nothing outside of
-# FOLDER changes: apt gets lists of its own there.
+# The sources of ANTLR's C++ runtime and of fmt are those of the installed Debian packages, from the same archive; system headers are
+# linked one by one, because the system's C library must not be found. Nothing outside of FOLDER changes: apt uses its own package lists
+# there.
 set -euo pipefail
 folder=$(realpath -m "$1")
 mkdir -p "$folder"/{apt/lists/partial,apt/cache/archives/partial,include}
