@@ -37,7 +37,7 @@ class CsvBackend final : public Backend {
   }
 
  private:
-  // Rows have no place for a mark: what is undone shows where the time of a row goes back.
+  // Rows cannot mark what is undone: it shows where the time of the rows goes back.
   static constexpr Ignore<RobotChanged, FigureChanged, FinalFigure, Undone, DrawingChanged,
                           CameraAdded>
       kIgnored{};

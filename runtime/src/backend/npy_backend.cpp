@@ -45,7 +45,7 @@ class NpyBackend final : public Backend {
   }
 
  private:
-  // Rows have no place for a mark: what is undone shows where the time of a row goes back.
+  // Rows cannot mark what is undone: it shows where the time of the rows goes back.
   static constexpr Ignore<RobotChanged, ObjectAdded, ObjectSample, ObjectEvent, Note, FigureChanged,
                           FinalFigure, Undone, DrawingChanged, CameraAdded, ImageFrame>
       kIgnored{};

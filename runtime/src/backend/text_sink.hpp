@@ -33,16 +33,16 @@ class TextSink {
   // Text in double quotes as JSON wants it.
   void quoted(std::string_view text);
 
-  // Ends a line; hands the text to the stream when there is much of it.
+  // Ends a line; writes the buffered text to the stream when there is much of it.
   void end_line();
 
   void flush_if_much();
 
-  // Hands everything to the stream.
+  // Writes all buffered text to the stream.
   void flush();
 
-  // Hands everything to the stream and writes over its first bytes, to which it has to be able to
-  // return; nothing can be added after that.
+  // Writes all buffered text to the stream and overwrites its first bytes, so the stream has to be
+  // seekable; nothing can be added afterwards.
   void replace_beginning(std::string_view text);
 
   [[nodiscard]] const std::string& error() const { return error_; }

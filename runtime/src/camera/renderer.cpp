@@ -135,8 +135,8 @@ class Renderer::Frame {
     }
   }
 
-  // The mean of bytes, not of light: halfway between two colours the byte is halfway, so that the
-  // place of an edge is found without a shift.
+  // The mean of bytes, not of light: a pixel half covered by each of two colours gets the byte in
+  // the middle, so edge detectors find the edge without an offset.
   static void mixed_pixel(const Shader& shader, const std::int32_t* above,
                           const std::int32_t* below, int x, int y, std::uint8_t* out) {
     std::array<int, 3> sum{2, 2, 2};

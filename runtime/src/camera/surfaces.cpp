@@ -159,7 +159,7 @@ void merge_equal_points(SurfaceParts& parts) {
   parts.on_image = std::move(merged.on_image);
 }
 
-// Whether every position is a number, as keys need, and has a normal and a place.
+// Whether every position is finite, as keys need, and has a normal and texture coordinates.
 bool can_be_merged(const SurfaceParts& parts) {
   const auto is_finite = [](const auto& v) { return v.allFinite(); };
   return parts.normals.size() == parts.positions.size() &&

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies of an arm in the state in which its hand is.
+// The bodies of an arm with its gripper in the present state.
 
 #include <vector>
 

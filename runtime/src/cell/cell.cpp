@@ -413,7 +413,7 @@ void Cell::figure_changed(const Figure& figure) {
   auto pending = std::ranges::find(pending_figures_, figure.index, &Figure::index);
   if (pending == pending_figures_.end())
     pending = pending_figures_.insert(pending, {.index = figure.index});
-  // A large figure is not copied for nobody; that it is told of counts all the same.
+  // A large figure is copied only if somebody reads it; its event is counted in any case.
   if (!backend_->ignores().has(EventKind::kFigureChanged)) *pending = figure;
 }
 

@@ -21,10 +21,12 @@ bool takes_hold(const Robot& arm, const ArmSolid& body) {
   return arm.tool().kind == ToolKind::kParallelGripper ? is_finger(body.role) : is_hand(body.role);
 }
 
-// How near the tool point a thing is among the fingers of a hand, which may touch it.
+// Objects this near to the tool point count as between the fingers of a gripper, which may touch
+// them.
 constexpr double kAmongFingers = 0.05;  // m
 
-// What feels of its own bodies; the stick of an arm without a hand ends in the tool point.
+// Whether contact forces on a body of the arm are measured; the rod of an arm without a gripper
+// ends in the tool point.
 bool is_feeler(const Robot& arm, int frame, LinkShapeRole role) {
   const ArmSolids& solids = arm.derived<ArmSolids>();
   return is_hand(role) || (solids.is_bare() && frame > solids.neighbour_of_last());
@@ -35,7 +37,7 @@ struct ArmBodies {
   std::vector<ArmSolid> solids;
   std::vector<CellBody> bodies;
   std::size_t own = 0;      // the first of them are its own
-  std::size_t carried = 0;  // from here on, behind those of its hand
+  std::size_t carried = 0;  // index of the first carried body; those of the gripper come before it
 };
 
 // A hand with fingers as it stands now, fixed to the last frame of the arm.
@@ -133,7 +135,8 @@ class CellScene {
     }
   }
 
-  // Whether the hand of this robot takes the object, or has let it go, at an end of the motion.
+  // Whether the gripper of this robot takes the object, or has released it, at an end of the
+  // motion.
   [[nodiscard]] bool takes_here(const Object& object) const {
     const Tool& hand = arm_.tool();
     const bool has_fingers = hand.kind == ToolKind::kFingers;
@@ -166,7 +169,7 @@ class CellScene {
     }
   }
 
-  // Whether the body is of a hand that is closed on the object, too.
+  // Whether the body belongs to another gripper that holds the same object.
   [[nodiscard]] bool holds(const CellBody& name, const std::string& object) const {
     if (name.robot < 0 || !name.object.empty()) return false;
     const CellRobot& other = cell_.robot(name.robot);
@@ -178,7 +181,7 @@ class CellScene {
     const CellRobot& state = cell_.robot(other);
     ArmBodies theirs = bodies_of(cell_, other);
     if (stand_in_each_other(other, theirs)) return;
-    // What this hand holds or takes may be in the hand of another robot.
+    // An object that this gripper holds or takes may be in the gripper of another robot.
     const auto is_taken = [&](const CellBody& body) {
       if (body.object.empty()) return false;
       return body.object == cell_.robot(robot_).held || takes_here(cell_.world().at(body.object));
@@ -238,8 +241,8 @@ class CellScene {
     for (std::size_t i = mine_.carried; i < mine_.solids.size(); ++i) add_own_pairs_of(i);
   }
 
-  // What it carries on one link with the others. Neighbours of that link, and what a hand takes
-  // where the motion begins or ends, are left out.
+  // Pairs of what the robot carries on one link with its other bodies. Neighbours of that link, and
+  // objects that a gripper takes where the motion begins or ends, are left out.
   void add_own_pairs_of(std::size_t i) {
     const ArmSolids& arm = arm_.derived<ArmSolids>();
     const int slim = static_cast<int>(scene_.arms[0].solids.size() - mine_.own);
@@ -262,7 +265,8 @@ class CellScene {
     if (on_last) return;
     for (std::size_t k = mine_.own; k < mine_.solids.size(); ++k) {
       const bool is_hand = k < mine_.carried;
-      // Of two that are both carried, one goes on the last link, or the first one has its turn.
+      // If both are carried: one is on the last link, or the first one is the outer one of the
+      // loop.
       const int link = mine_.solids[k].frame;
       if (is_hand ? is_taken : link == frame || (link != arm_.rows() && k > i)) continue;
       add(static_cast<int>(k));
@@ -444,7 +448,7 @@ Clearance nearest_between(const Cell& cell, const CellBody& a, const CellBody& b
     if (a.object.empty() && belongs_to(cell.world(), first.bodies[i], b.object)) continue;
     for (std::size_t k = 0; k < second.solids.size(); ++k) {
       if (b.object.empty() && belongs_to(cell.world(), second.bodies[k], a.object)) continue;
-      // Two robots may hold one object together, and a hand is a part of its arm.
+      // Two robots may hold one object together, and a hand with fingers is a part of its arm.
       const std::string& held = first.bodies[i].object;
       if (a.object.empty() && !held.empty() && held == second.bodies[k].object) continue;
       if (a.robot != b.robot && held.empty() && second.bodies[k].object.empty() &&

@@ -25,7 +25,7 @@ std::optional<CellEvent> pick(Cell& cell, int robot) {
 std::optional<CellEvent> put_down(Cell& cell, int robot) {
   const CellRobot& arm = cell.robot(robot);
   const Object& object = cell.world().at(arm.held);
-  // A position nearer than what counts as resting is the same place.
+  // An object that moved by less than the tolerance of resting has not moved.
   const double moved = (object.T_world_obj.translation() - arm.p_picked).norm();
   if (moved <= kRestTolerance || cell.world().resting_on(object.name).empty()) return std::nullopt;
   const auto released = release(cell, robot);

@@ -28,7 +28,8 @@ constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t kLook = 1'000'000;  // ns, how often it is looked whether they still do
 constexpr double kSlips = 1e-3;            // m/s, from where on friction is that of sliding
 
-// A hand without a length of its own closes around the tool point: what fits in is not pressed.
+// A gripper without a length of its own closes around the tool point: an object that fits into it
+// is not pressed.
 bool is_around(const Robot& arm, const Object& object, const Vector3d& across) {
   return arm.derived<ArmSolids>().is_bare() && arm.tool().kind == ToolKind::kParallelGripper &&
          !object.fixed && grasp_width(object, across) <= arm.tool().stroke;
@@ -188,7 +189,8 @@ struct Contacts::Scene {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const ArmSolid& body = bodies[i];
       const bool of_hand = is_hand(body.role);
-      // The stick of a bare arm and the needle to a tool point feel at that point.
+      // On the rod of an arm without a gripper and the thin rod to a tool point, forces are
+      // measured at the tool point.
       const bool is_stick = solids.is_bare() && body.frame > solids.neighbour_of_last();
       if (body.still || is_stick || (of_hand && is_point)) continue;
       all.push_back({.part = static_cast<int>(i),
@@ -202,8 +204,8 @@ struct Contacts::Scene {
     return all;
   }
 
-  // What the hand holds, and what travels with that, it does not press against; links, nothing that
-  // goes along with the robot.
+  // The held object, and what moves with it, exert no contact force on the gripper; on links,
+  // nothing that moves with the robot does.
   [[nodiscard]] bool is_own(int robot, const Feeler& feeler, std::size_t index) const {
     const auto& carried = world.attachment_of(index);
     const bool goes_along =

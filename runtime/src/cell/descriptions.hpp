@@ -1,5 +1,5 @@
 #pragma once
-// Robots and objects as backends are told of them.
+// Event data of robots and objects for backends.
 
 #include "armlet/backend/event.hpp"
 #include "armlet/cell/cell.hpp"

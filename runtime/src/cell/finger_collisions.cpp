@@ -38,10 +38,10 @@ Trajectory motion_of_finger(int finger, const Trajectory& palm) {
   return Trajectory(std::move(joints), palm.duration());
 }
 
-// A finger of the hand, and how it moves from now on.
+// A finger of a hand with fingers, and its motion from now on.
 //
-// asked            it is its motion that is looked at.
-// compares_itself  it begins at the same instant, and is compared with this one on its own turn.
+// asked            its motion is the one to be checked.
+// compares_itself  it begins at the same instant, and its own call compares it with this one.
 struct MovingFinger {
   int robot = -1;
   const Trajectory* motion = nullptr;
@@ -50,7 +50,7 @@ struct MovingFinger {
   bool compares_itself = false;
 };
 
-// What is in the way of fingers, in the frame of the flange that carries them.
+// The obstacles of fingers, in the frame of the flange that carries them.
 class FingerScene {
  public:
   FingerScene(const Cell& cell, int hand)
@@ -132,8 +132,9 @@ class FingerScene {
     const auto& others = begin[static_cast<std::size_t>(other + 1)];
     for (std::size_t i = 0; i < links.size(); ++i) {
       for (std::size_t k = 0; k < others.size(); ++k) {
-        // What it touches at the begin it may leave. Of its own hand it may leave what it overlaps,
-        // and what it only touches it meets at once.
+        // A finger may separate from other bodies that it touches at the start. From parts of its
+        // own hand with fingers it may separate if it overlaps them; those that it only touches, it
+        // collides with at once.
         const bool is_own = other != BodyRef::kFixed || names_[k].robot == hand_;
         const bool leaving = !is_own || gap_between(links[i], others[k]).distance < -kSoft;
         scene.pairs.push_back({.a = {finger, static_cast<int>(i)},

@@ -7,10 +7,11 @@
 
 namespace armlet {
 
-// What a finger, or all fingers of a hand, would meet on this motion while the arm stands: fixed
-// objects, what other robots carry, and robots where they are now, but for the links next to the
-// hand; the palm and what is fixed on it, and the other fingers, as they move now or, of `beside`,
-// from now on. Objects that could be taken do not count. In order of time.
+// The collisions of a finger, or of all fingers of a hand with fingers, on this motion while the
+// arm is at rest. They are compared with fixed objects, what other robots carry, and robots in
+// their present poses, except the links next to the fingers; with the palm and what is fixed to it;
+// and with the other fingers along their present motions or those of `beside`. Objects that can be
+// grasped are left out. In order of time.
 std::vector<CellCollision> find_finger_collisions(const Cell& cell, int robot,
                                                   const Trajectory& motion,
                                                   std::span<const MotionBeside> beside);

@@ -102,15 +102,15 @@ double gap_between_links(const std::vector<Solid>& links, const std::vector<Soli
   return least;
 }
 
-// No point of a finger is farther from the axis of its first bend than both links and the tip are
-// long, and the last link turns a third more: m for each rad of the bend, at most.
+// Bound on the motion of a finger, m for each rad of the bend: no point is farther from the axis of
+// its first bend than both links and the tip are long, and the last link rotates by a third more.
 double lever_of(const Robot& finger, int bend) {
   const double last = finger.joint(bend + 1).dh.a;
   const double tip = 0.02;  // m, at least the thickness
   return finger.joint(bend).dh.a + last + tip + (last + tip) / 3.0;
 }
 
-// The fingers of a hand as they close together.
+// The closing fingers of a hand with fingers.
 class ClosingHand {
  public:
   ClosingHand(const Cell& cell, int hand, std::vector<Closing>& closings)

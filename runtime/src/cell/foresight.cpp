@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kLookAhead = 1'000'000;  // ns
 
-// Where the hand is, of a robot that is one or has one; -1: neither.
+// The index of the hand with fingers that a robot is or carries; -1: none.
 int hand_with_fingers(const Cell& cell, int index) {
   const CellRobot& robot = cell.robot(index);
   if (robot.on >= 0) return robot.hand < 0 ? index : robot.hand;
@@ -42,8 +42,8 @@ std::int64_t Cell::known_until(int motion) const {
       {report.end_ns, known.due_ns().value_or(report.end_ns), std::max(known.sure_ns, now_ns())});
 }
 
-// What a hand, and the links of its arm, are pressed with at an instant to which everything was
-// brought.
+// The contact forces on a gripper, and on the links of its arm, at the instant to which the cell
+// was moved.
 std::array<HandOverload, 2> Cell::pressed_at(int index, std::int64_t t_ns) {
   HandOverload over{.t_ns = t_ns, .most = robot(index).model->tool().max_force};
   if (const int hand = hand_with_fingers(*this, index); hand >= 0) {

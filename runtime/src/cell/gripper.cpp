@@ -5,7 +5,7 @@
 namespace armlet {
 namespace {
 
-// What speaks against this hand closing on this object, distance included; kGrasped if nothing.
+// Why this gripper cannot close on this object, distance included; kGrasped if it can.
 GraspResult judge(const Cell& cell, int robot, const Object& object) {
   const Tool& hand = cell.robot(robot).model->tool();
   const Eigen::Isometry3d T_world_tool = cell.T_world_tool(robot);
@@ -27,7 +27,7 @@ GraspResult judge(const Cell& cell, int robot, const Object& object) {
   return result;
 }
 
-// The reason why a hand cannot close on anything at all.
+// The reason why a gripper cannot close on anything at all.
 std::optional<GraspResult> hand_is_useless(const Cell& cell, int robot) {
   const CellRobot& arm = cell.robot(robot);
   if (!arm.model->tool().can_grasp()) return GraspResult{.status = GraspStatus::kNoHand};

@@ -55,11 +55,11 @@ std::vector<BlockingBodies> blocking_of(const Way& way, const ComparedBodies& co
   return all;
 }
 
-// The motion along a way. Corners at which something is met, or a clearance is not kept, are
-// rounded less, in the end not at all: the joints then follow the segments that the search has
+// The motion along a path. A corner at which a collision occurs, or a clearance is not kept, is
+// rounded less, and finally not at all: the joints then follow the segments that the search has
 // certified.
 //
-// scene  that the way was searched in.
+// scene  in which the path was searched.
 class AlongWay {
  public:
   AlongWay(const Cell& cell, const WayAroundRequest& request, const Robot& model, const Way& way,

@@ -2,16 +2,16 @@
 
 #include <cstddef>
 
-// Walking from the tool back to the base with vectors that are fixed in the tool, such as the
-// columns of its pose: in front of each joint they are written along the axes of another frame. All
-// is inlined by force and needs nothing from the standard library, because sources for larger
-// instruction sets include it.
+// The inward recursion from the tool to the base with vectors that are fixed in the tool, such as
+// the columns of its pose: before each joint they are expressed in the axes of another frame. All
+// functions are always inlined and need nothing from the standard library, because sources for
+// larger instruction sets include them.
 //
-// What is carried has these functions, the first three of which do to all its vectors what those of
-// the same names in lane_parts.hpp do to one:
+// The visitor has these functions; the first three do to all its vectors what the functions of the
+// same names in lane_parts.hpp do to one:
 //
 //   rotate_z(sine, cosine), rotate_right_z(sine, cosine), rotate_x(sin_alpha, cos_alpha)
-//   start(plan, sine, cosine)    becomes T of the plan, turned by the last joint
+//   start(plan, sine, cosine)    becomes T of the plan, rotated by the last joint
 //   shift_z(d), shift_x(a)       the origin of the frame moves along its axis
 //   place(base)                  from the base to the world; left out where they are the same
 namespace armlet {

@@ -11,10 +11,11 @@ namespace armlet {
 namespace {
 
 constexpr double kStick = 0.003;    // m, radius
-constexpr double kNoLength = 0.03;  // m, a hand that is shorter is none
-constexpr double kHandRoom = 0.15;  // m, of the hand that an arm without one would have
+constexpr double kNoLength = 0.03;  // m, a shorter gripper counts as none
+constexpr double kHandRoom = 0.15;  // m, room for the unknown gripper of an arm without one
 
-// The way of a rod is inside of its sleeve; it ends where the link ends.
+// Shortens the rod of a prismatic joint, whose range is inside of its sleeve, to the end of the
+// link.
 void cut_rod(const Robot& robot, const LinkShape& shape, Solid& solid) {
   const Eigen::Isometry3d T_link_next =
       T_frame_link(robot, shape.link).inverse() * T_frame_axis(robot, shape.link);
@@ -26,7 +27,7 @@ void cut_rod(const Robot& robot, const LinkShape& shape, Solid& solid) {
   solid.half.z() = 0.5 * (high - low);
 }
 
-// The flange and a hand of no length.
+// Whether a shape is left out: the flange, and a gripper of no length.
 bool is_left_out(const LinkShape& shape, bool bare) {
   return shape.role == LinkShapeRole::kMark || (bare && shape.role == LinkShapeRole::kFlange) ||
          (bare && is_hand(shape.role));
@@ -163,7 +164,7 @@ void add_bodies(const Robot& robot, std::vector<ArmSolid>& bodies) {
   }
 }
 
-// Hands and fingers are what they are drawn as.
+// Grippers and fingers have the bodies with which they are drawn.
 bool ends_bare(const Robot& robot) {
   return robot.spec().role == RobotRole::kArm && robot.tool().length < kNoLength;
 }

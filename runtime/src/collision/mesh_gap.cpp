@@ -83,8 +83,8 @@ class PieceTree {
   BoxAround whole_{};
 };
 
-// All pairs of pieces whose boxes are nearer than `limit`, which may become less on the way, the
-// nearer boxes first. visit(a, b) says whether to go on.
+// Visits all pairs of pieces whose boxes are nearer than `limit`, nearer boxes first; visits may
+// reduce the limit. visit(a, b) returns whether to continue.
 template <class Visit>
 void for_each_near(const Solid& a, const Solid& b, const double& limit, Visit&& visit) {
   const PieceTree first(a, a.T), second(b, a.T);
@@ -160,8 +160,8 @@ Gap behind_plane(const Solid& triangle, const Solid& other, bool first) {
   return {.distance = -depth, .p_a = deepest, .p_b = on_plane, .away = n};
 }
 
-// The deepest of the pieces that overlap and are left towards the outside; if there are none, the
-// nearest way out through a face that is overlapped.
+// The piece with the largest depth among those that overlap and can be separated towards the
+// outside; if there are none, the shortest displacement through an overlapped face.
 Gap deepest_piece(const Solid& a, const Solid& b) {
   std::optional<Gap> deepest, out;
   const double limit = 0.0;

@@ -42,7 +42,7 @@ JointCurve curve_between(const JointPath& path, double t0, double t1) {
     scale *= (t1 - t0) / (k + 1);
     binomial = binomial * (m - k) / (k + 1);
   }
-  // Sums of neighbours, m times, turn the scaled powers into Bernstein coefficients.
+  // m rounds of sums of neighbours convert the scaled powers into Bernstein coefficients.
   for (int round = 1; round <= m; ++round) {
     for (int k = m; k >= round; --k)
       curve.b[static_cast<std::size_t>(k)] += curve.b[static_cast<std::size_t>(k - 1)];

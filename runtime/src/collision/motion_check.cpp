@@ -16,7 +16,7 @@ namespace {
 constexpr double kResolution = 5e-5;         // m
 constexpr double kGrainOfClearance = 0.05;   // how far points travel between looks, of a clearance
 constexpr std::uint64_t kPlaceCost = 1'000;  // operations of a position of the arms
-constexpr std::uint64_t kBallsCost = 20;     // the same of a pair that balls tell apart
+constexpr std::uint64_t kBallsCost = 20;     // the same of a pair whose balls are apart
 constexpr std::uint64_t kGapCost = 2'000;    // the same of a distance or a depth
 constexpr int kManyLooks = 20'000;           // then what is looked for becomes coarser
 constexpr double kComeApart = 1e-3;          // m, what leaves a body is checked from there

@@ -218,8 +218,8 @@ Nearest nearest_point(const CoreDifference& difference, std::optional<double> qu
       collapsed = false;
       continue;
     }
-    // Corners that nearly coincide, on a round body, hide the way on from rounding errors; the
-    // nearest point itself can stand for them.
+    // If corners nearly coincide, as on a round body, rounding errors hide the next direction; the
+    // nearest point itself can replace them.
     if (collapsed) return nearest;
     simplex.collapse();
     collapsed = true;

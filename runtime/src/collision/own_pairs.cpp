@@ -14,7 +14,8 @@
 namespace armlet {
 namespace {
 
-// Within the limits; a joint without one turns once or slides by the length of the arm.
+// Joint values within the limits; a joint without limits rotates within a revolution or slides by
+// the length of the arm.
 void random_position(const Robot& robot, Random& random, Eigen::VectorXd& q) {
   for (int i = 0; i < robot.n(); ++i) {
     const double most = robot.is_revolute(i) ? std::numbers::pi : robot.length();

@@ -123,7 +123,7 @@ SegmentCheck::Answer SegmentCheck::look(std::size_t index) {
 
 bool SegmentCheck::is_free(const Eigen::VectorXd& q) { return is_free(q, q); }
 
-// Wide first, so that what is in the way is found soon.
+// Tests widely spaced configurations first, which finds obstacles early.
 bool SegmentCheck::is_free(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1) {
   open_.clear();
   for (std::size_t i = 0; i < scene_.pairs.size(); ++i) open_.push_back(i);

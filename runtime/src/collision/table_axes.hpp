@@ -9,7 +9,7 @@ namespace armlet {
 // with the joint before the row's constants (standard convention) or behind them (modified).
 Eigen::Isometry3d T_frame_link(const Robot& robot, int link);
 
-// The frame that joint k + 1 turns about or slides along, seen from frame k: its axis is z.
+// The frame of the axis of joint k + 1, about or along its z, seen from frame k.
 Eigen::Isometry3d T_frame_axis(const Robot& robot, int k);
 
 // Whether only joints with parallel axes are between two frames. A joint table does not say where

@@ -54,7 +54,7 @@ struct CompositeBody {
     hs.x = hs.x + Duo<double>{kSlides ? mass * a : 0.0, a * hz};
   }
 
-  // R of a rotation about z: the second moment turns twice.
+  // R of a rotation about z: the second moment is rotated from both sides.
   [[gnu::always_inline]] void turn_z(double sine, double cosine) {
     hs = turn_in_z<double>(sine, cosine, hs);
     const Duo<double> rows = cosine * Duo<double>{Sxx, Sxy} - sine * Duo<double>{Sxy, Syy};

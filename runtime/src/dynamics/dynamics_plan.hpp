@@ -18,8 +18,8 @@ struct PlanFriction {
 // What gravity pulls at: of a link and all behind it, regrouped as in PlanLink.
 struct PlanGravity {
   double mass;
-  // First moment, together with what is always at the same place in the link's frame: the masses
-  // beyond the next joint.
+  // First moment, including the masses beyond the next joint that have a constant position in the
+  // link's frame.
   double h[3];
 };
 
@@ -53,9 +53,9 @@ struct DynamicsPlan {
   std::size_t n;
   double base_acceleration[3];  // minus gravity, in the axes of B of the WalkPlan
   bool any_slides;
-  // How many links from the first on have axes parallel to the first: they turn in one plane, so
-  // that of their rotations one rate, and of their forces the moment about that axis is all that
-  // counts. At least 1.
+  // Number of links, from the first on, with axes parallel to the first: they move in one plane, so
+  // one rate describes their rotations, and only the moment about that axis of their forces
+  // matters. At least 1.
   std::size_t flat;
   FrictionKind friction;
   PlanLink links[kPlanJoints];

@@ -4,8 +4,8 @@
 namespace armlet {
 namespace {
 
-// Axes that are all parallel to gravity, as those of a SCARA that stands upright: what slides
-// carries its mass and that beyond, what turns carries nothing, wherever the joints are.
+// Whether all axes are parallel to gravity, as in an upright SCARA: then a prismatic joint carries
+// its mass and that beyond it, and a revolute joint carries nothing, for all joint values.
 bool hang_upright(const DynamicsInput& in) {
   return in.plan.flat == in.plan.n && in.gravity[0] == 0.0 && in.gravity[1] == 0.0;
 }

@@ -74,7 +74,7 @@ FrictionKind put_motor(const Link& from, PlanLink& link) {
   return any ? FrictionKind::kCoulomb : FrictionKind::kNone;
 }
 
-// What is always at the same place in frame i - 1 of the masses beyond joint i.
+// The first moment of the masses beyond joint i that have a constant position in frame i - 1.
 Vector3d fixed_moment(const PlanLink& link) {
   const Vector3d along_axis(0.0, -link.sin_alpha, link.cos_alpha);
   return link.gravity.mass * (Vector3d(link.a, 0.0, 0.0) + link.d * along_axis);

@@ -87,7 +87,7 @@ class GrowingHull {
     facets_.push_back(std::move(facet));
   }
 
-  // Facets that see the point give way to those that join it with their rim.
+  // Replaces the facets that are visible from the point by those that connect it with their rim.
   void add(int point) {
     std::map<Corners, int> rims;
     std::erase_if(facets_, [&](const Facet& each) {

@@ -108,7 +108,8 @@ std::string missing_table(std::string_view kind, std::uint32_t number, std::size
       position, kind, number);
 }
 
-// A scan may only use tables that stand before it: the decoder has nothing in their places.
+// A scan may only use tables that are defined before it; otherwise the decoder would read undefined
+// ones.
 std::string fault_of_scan(std::string_view segment, std::size_t position, const Parts& parts) {
   if (!parts.has_frame)
     return fmt::format("The scan at byte {} of the JPEG file stands before its frame.", position);

@@ -103,7 +103,7 @@ template <class V>
 
 // Sines and cosines of the lanes.
 //
-// check  hears whether they are settled.
+// check  receives whether all of them are final.
 template <class V>
 [[gnu::always_inline]] inline LaneSinCos<V> sincos_lanes(V angle, LaneCheck<V>& check) {
   // Added to a number of right angles it leaves it, not negative, in the lowest bits.

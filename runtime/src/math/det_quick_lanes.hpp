@@ -7,8 +7,8 @@
 // Every operation is rounded exactly, so the bits do not depend on the width either.
 namespace armlet::det {
 
-// Four vectors side by side. A processor looks about a hundred operations ahead, which is one such
-// step of all four: it finds something to do while results of the step before are on their way.
+// Four independent vectors. A processor executes about a hundred operations ahead, which is one
+// step for all four: it works on the others while it waits for the results of the step before.
 template <class V>
 struct FourLanes {
   V a, b, c, d;
@@ -87,9 +87,10 @@ struct FourSinCos {
   LaneSinCos<V> a, b, c, d;
 };
 
-// Sine and cosine of the rest of an angle, at most an eighth of a turn. The cosine is the root of
-// what the squared sine leaves of 1: no digit is lost, and the divider works beside the
-// multipliers. The polynomial of the sine is split into even and odd powers, which shortens it.
+// Sine and cosine of the remainder of an angle, at most an eighth of a revolution. The cosine is
+// the square root of 1 minus the squared sine: no digit is lost, and the divider works in parallel
+// with the multipliers. The polynomial of the sine is split into even and odd powers, which
+// shortens the chain of operations.
 template <class V, class Vectors>
 [[gnu::always_inline]] inline void quick_rest(const Vectors& angle, const QuickTable<V>& c,
                                               Vectors& shifted, Vectors& sine, Vectors& square) {
@@ -106,7 +107,7 @@ template <class V, class Vectors>
 
 // Sines and cosines of the lanes.
 //
-// check  hears whether any angle is too large; its results are then meaningless.
+// check  receives whether any angle is too large; its results are then meaningless.
 template <class V>
 [[gnu::always_inline]] inline FourSinCos<V> quick_sincos(const FourLanes<V>& angle,
                                                          QuickCheck<V>& check,

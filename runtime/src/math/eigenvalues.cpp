@@ -21,7 +21,7 @@ struct Eigen::internal::svd_precondition_2x2_block_to_be_real<
     Eigen::MatrixXd, Eigen::ColPivHouseholderQRPreconditioner, false> {
   using SVD = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::ColPivHouseholderQRPreconditioner>;
   static bool run(Eigen::MatrixXd& work, SVD&, Eigen::Index, Eigen::Index, double&) {
-    constexpr std::uint64_t kPerRow = 16;  // rows and columns of four matrices are turned
+    constexpr std::uint64_t kPerRow = 16;  // cost of rotating rows and columns of four matrices
     armlet::checkpoint(kPerRow * static_cast<std::uint64_t>(work.rows()));
     return true;
   }
@@ -56,7 +56,7 @@ void normalise(Eigen::Ref<VectorXd> v) {
   }
 }
 
-// The most exact way, and fast enough up to kMostDecomposed columns.
+// The most exact method, and fast enough up to kMostDecomposed columns.
 SvdParts by_rotations(const MatrixXd& A, unsigned parts) {
   const Eigen::JacobiSVD<MatrixXd> svd(A, parts);
   return {svd.matrixU(), svd.singularValues(), svd.matrixV()};

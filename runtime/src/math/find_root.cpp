@@ -17,7 +17,7 @@ struct Point {
 };
 
 // Chandrupatla's test: whether the three points are spread so that the parabola through them, x as
-// a function of f, is trusted. Returns where it crosses zero, as a part of the way from a to b.
+// a function of f, can be used. Returns its zero, as a fraction of the distance from a to b.
 double next_part(const Point& a, const Point& b, const Point& c) {
   const double xi = (a.x - b.x) / (c.x - b.x);
   const double phi = (a.f - b.f) / (c.f - b.f);

@@ -24,7 +24,7 @@ class Simplex {
   Simplex(const VectorFunction& f, const MinimiseOptions& options, Minimum& out)
       : f_(f), options_(options), out_(out) {}
 
-  // One search from the best place so far. False: it ended early, and `out` says why.
+  // One search from the best point so far. False: it ended early, and `out` has the reason.
   bool search() {
     if (!lay_out()) return false;
     while (!is_small()) {
@@ -61,7 +61,7 @@ class Simplex {
     return false;
   }
 
-  // A corner at the best place, and one beside it along every axis.
+  // Makes a simplex: a vertex at the best point, and one next to it along every axis.
   bool lay_out() {
     constexpr double kPart = 0.05;
     const Corner first{out_.x, out_.value};
@@ -101,7 +101,8 @@ class Simplex {
     return is_within(is_level ? options_.tolerance : 1e-15);
   }
 
-  // The place `part` of the way from the worst corner through the middle of the others.
+  // The point at the fraction `part` of the line from the worst vertex through the centre of the
+  // others.
   bool place(double part, Corner& out) {
     out.x = middle_ + part * (middle_ - corners_.back().x);
     return evaluate(out);

@@ -15,7 +15,7 @@ namespace {
 
 // Coefficients of V = I + b W + c W^2 and V^-1 = I - W/2 + k W^2, W = hat(phi).
 //
-// The half-angle form of k is finite at a half turn, where the common one is 0/0.
+// The half-angle form of k is finite at an angle of pi, where the usual one is 0/0.
 struct LeftJacobian {
   double b, c, k;
 };

@@ -37,7 +37,7 @@ int sign_at(const VectorXd& c, double x) {
   return value < 0.0 ? -1 : 1;
 }
 
-// The place where the polynomial, monotone from lo to hi, changes its sign.
+// The zero of the polynomial, which is monotone from lo to hi, by bisection.
 double crossing(const VectorXd& c, double lo, double hi, bool rising) {
   for (;;) {
     const double middle = lo + 0.5 * (hi - lo);

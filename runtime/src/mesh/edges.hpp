@@ -1,4 +1,4 @@
-// What the edges of triangles tell of the surface that they make.
+// Properties of a surface of triangles that follow from its edges.
 #pragma once
 
 #include <span>

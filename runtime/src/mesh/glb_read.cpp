@@ -179,7 +179,7 @@ class SceneReader {
   }
 
  private:
-  // Where a node is: z up, and how it is turned in the axes of the file, without what is scaled.
+  // The pose of a node: z up, rotated from the axes of the file, without scaling.
   struct Placement {
     Affine3d T;
     Eigen::Matrix3d R;

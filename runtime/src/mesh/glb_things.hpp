@@ -8,7 +8,8 @@
 
 namespace armlet {
 
-// How far a linear map turns: its axes made perpendicular in their order; not at all if it is flat.
+// The rotation in a linear map: its axes made perpendicular in their order; the identity if it is
+// flat.
 Eigen::Matrix3d rotation_in(const Eigen::Matrix3d& linear);
 
 // A text that a program can write between quotes, and that is not in `names` yet, where it is put.

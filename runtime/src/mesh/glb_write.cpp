@@ -104,7 +104,7 @@ class Writer {
     materials_.push_back(json);
   }
 
-  // With its place in its parent, or in `roots`.
+  // Adds a node to its parent, or to `roots`.
   void add_node(int index, OrderedJson& roots) {
     const GlbNode& node = scene_.nodes[static_cast<std::size_t>(index)];
     if (node.parent >= index || node.parent < -1)

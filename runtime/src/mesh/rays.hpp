@@ -16,8 +16,8 @@ inline const std::array<Eigen::Vector3d, 5> kDirections = {
     Eigen::Vector3d(0.217, -0.859, 0.464), Eigen::Vector3d(-0.397, -0.661, 0.637),
     Eigen::Vector3d(0.871, 0.413, -0.266)};
 
-// Whether a ray from p along d goes through a triangle: 1 from inside to outside, -1 the other
-// way, 0 not at all; `doubt` where it passes an edge too closely to tell.
+// Whether a ray from p along d crosses a triangle: 1 from inside to outside, -1 from outside to
+// inside, 0 not at all; `doubt` if it passes too closely to an edge to decide.
 int crossing(const Eigen::Vector3d& p, const Eigen::Vector3d& d, const Eigen::Vector3d& a,
              const Eigen::Vector3d& b, const Eigen::Vector3d& c, bool& doubt);
 bool meets(const TriangleTree::Node& node, const Eigen::Vector3d& p, const Eigen::Vector3d& d);

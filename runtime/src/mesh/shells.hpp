@@ -10,14 +10,15 @@
 
 namespace armlet {
 
-// Turns the shells that are inside out: those that look inwards and lie in no other one. A shell
-// that looks inwards inside of another one is the surface of a cavity and stays.
+// Reverses the shells that are inside out: those whose triangles face inwards and that are in no
+// other shell. A shell inside of another one whose triangles face inwards is the surface of a
+// cavity and is not changed.
 //
 // triangles  of a closed surface whose volume is not below 0.
-// returns    why its volume counts some parts of it more than once, as a sentence without an end:
-//            shells that look outwards inside of others, and shells that cross. Empty: it does not.
-//            24 triangles of each shell at most are looked at, 20,000 together; nothing is turned
-//            and the reason says so where there are more than 5,000 shells.
+// returns    why its volume counts some regions more than once, as a sentence without a full stop:
+//            shells that face outwards inside of others, and shells that intersect. Empty: it does
+//            not. At most 24 triangles of each shell are tested, 20,000 in all; with more than
+//            5,000 shells nothing is reversed, and the reason says so.
 std::string set_shells_right(std::span<const Eigen::Vector3d> vertices,
                              std::vector<Corners>& triangles, const TriangleTree& tree,
                              const Shells& shells);

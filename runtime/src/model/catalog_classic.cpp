@@ -120,8 +120,8 @@ constexpr Row kIrb120[] = {
 };
 
 // KUKA KR 6 R900 sixx (Agilus). Dimensions, limits and speeds: maker, as in kuka_experimental of
-// ROS-Industrial. Joints 2, 3 and 5 turn the maker's way; 1, 4 and 6 are positive to the other side,
-// on which their limits are the same.
+// ROS-Industrial. Joints 2, 3 and 5 have the maker's sign; 1, 4 and 6 the opposite one, with
+// symmetric limits.
 constexpr Row kKr6[] = {
     {.dh = {0, 0.4, 0.025, -90 * kDeg}, .lower = -170 * kDeg, .upper = 170 * kDeg, .max_speed = 360 * kDeg},
     {.dh = {0, 0, 0.455, 0}, .lower = -190 * kDeg, .upper = 45 * kDeg, .max_speed = 300 * kDeg},

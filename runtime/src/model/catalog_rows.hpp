@@ -45,7 +45,7 @@ struct Arm {
   DhConvention convention = DhConvention::kStandard;
   InertiaCheck inertia_check = InertiaCheck::kRigidBody;
   std::vector<double> home;  // deg for revolute joints, m for prismatic ones
-  double stroke = 0.0;       // of the gripper, m; 0: no hand
+  double stroke = 0.0;       // of the gripper, m; 0: no gripper
   Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();
 };

@@ -109,8 +109,8 @@ FingeredHand make_barrett_robots(const std::string& name) {
   for (int i = 0; i < 3; ++i) {
     RobotSpec finger{
         .name = fmt::format("{}.f{}", name, i + 1), .source = source, .role = RobotRole::kFinger};
-    // The spread turns about z of its base, upwards for the first finger and downwards for the
-    // second, from where x points outwards.
+    // The spread rotates about z of its base, upwards for the first finger and downwards for the
+    // second, from the position where x points outwards.
     const double side = i == 0 ? 1.0 : -1.0;
     if (i < 2) {
       finger.T_world_base =

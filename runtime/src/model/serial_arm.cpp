@@ -31,8 +31,8 @@ struct Normal {
   double theta = 0.0, d = 0.0, alpha = 0.0, a = 0.0, rest_angle = 0.0, rest_shift = 0.0;
 };
 
-// The angle of the normal is taken within a quarter turn of zero, its direction by the signs of
-// alpha and a.
+// The angle of the normal is between -90 and 90 deg; its direction is given by the signs of alpha
+// and a.
 Normal common_normal(const Isometry3d& M) {
   const Matrix3d R = M.linear();
   const Vector3d z = R.col(2), p = M.translation();
@@ -61,7 +61,7 @@ Normal common_normal(const Isometry3d& M) {
   return normal;
 }
 
-// A rotation that turns z onto an axis, exact for the axes of coordinates.
+// A rotation that maps z to an axis, exact for coordinate axes.
 Matrix3d R_with_z(const Vector3d& axis) {
   if (axis == Vector3d::UnitZ()) return Matrix3d::Identity();
   Eigen::Index smallest = 0;

@@ -1,20 +1,19 @@
-// The door to the library of sampling planners, which is loaded when the first way is searched.
-// Nothing but plain numbers and functions goes through it: no header of that library is seen
-// outside of its room, runtime/src/planning/ompl.
+// The interface to the library of sampling planners, which is loaded by the first path search. It
+// consists of plain numbers and functions: no header of that library is used outside of
+// runtime/src/planning/ompl.
 #pragma once
 
 namespace armlet {
 
-// A search from one position to one of several, among those that are free. Positions are `n`
-// numbers each; all functions are called in the thread that searches, with `context`, and throw
-// nothing.
+// A search from one configuration to one of several, through free ones. A configuration has `n`
+// numbers; all functions are called in the thread of the search, with `context`, and do not throw.
 //
-// lower, upper  the box in which positions lie, n each.
-// goals         n numbers each, one behind the other; all of them, and the start, are free.
-// longest       no straight piece of a tree is longer.
-// sample        a position of the box by chance: the only chance there is.
-// go_on         asked before each step of the search.
-// found         called for each position of the way that was found, in order.
+// lower, upper  the box of all configurations, n each.
+// goals         n numbers each, consecutive; all of them, and the start, are free.
+// longest       the largest length of an edge of a tree.
+// sample        a random configuration of the box; there is no other source of randomness.
+// go_on         called before each step of the search.
+// found         called for each configuration of the path that was found, in order.
 struct SamplingSearch {
   int n;
   const double* lower;
@@ -31,7 +30,7 @@ struct SamplingSearch {
   void (*found)(void* context, const double* x);
 };
 
-// Whether a way was found; nothing is thrown.
+// Returns whether a path was found; does not throw.
 using SearchBySampling = bool (*)(const SamplingSearch*);
 
 inline constexpr const char* kSearchBySampling = "armlet_search_by_sampling";

@@ -37,8 +37,8 @@ SearchBySampling sampling_search() {
   return found;
 }
 
-// Joints in lengths: what turns is multiplied by how long the arm behind it is, so that distances
-// are about those that the arm moves by.
+// Joint values as lengths: a revolute joint is multiplied by the length of the arm beyond it, so
+// that distances approximate the motion of the arm.
 class Lengths {
  public:
   Lengths(const Robot& robot, const VectorXd& start, const Points& goals)
@@ -168,8 +168,8 @@ class Asked {
   std::exception_ptr stopped_;
 };
 
-// Straight between two random positions of the way, as long as that is free; then corners that are
-// not needed are left out.
+// Replaces the part between two random points of the path by a straight segment if that is free;
+// then removes corners that are not needed.
 class Shortener {
  public:
   Shortener(SegmentCheck& check, const Lengths& lengths, Points points)

@@ -171,7 +171,7 @@ int letters(const std::string& text) {
   return count;
 }
 
-// The values below the field, each under its place, as many as have room.
+// The values below the plot, each under its position, as many as fit.
 std::string values_below(const Scale& x, int columns, std::size_t indent) {
   std::string out(indent + 1, ' ');
   const std::size_t start = out.size();

@@ -29,7 +29,7 @@ std::string right_axis(const Plane& plane) {
     out += line({field.right, y}, {field.right + 4.0, y}, "frame");
     out += text({field.right + 8.0, y + 4.0}, "start", "tick", with_minus(ticks.labels[i]));
   }
-  // Letters of a name that is turned to the right rise rightwards.
+  // A name that is rotated to the right rises to the right.
   return out +
          name_beside(kWidth - 13.0, field, 90, axis_text(plane.figure.right, plane.right.unit));
 }

@@ -37,7 +37,7 @@ std::string cells(const Field& field, const std::vector<CloudPoint>& points, int
 // "length (mm)"; either part may be empty.
 std::string axis_text(const Axis& axis, const PlotUnit& unit);
 
-// A point of series `index`: four shapes, so that not only the colours tell series apart.
+// A point of series `index`: four shapes, so that series differ not only by colour.
 std::string marker(std::size_t index, Point at, double r);
 
 // How a line looks in the plane and in the legend.

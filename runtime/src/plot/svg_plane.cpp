@@ -102,7 +102,7 @@ void fit_map(Plane& plane) {
 
 constexpr double kBelowNamed = 46.0;  // px for values and a name
 
-// Makes room on the left for names that lean that way; how much they need below.
+// Makes room on the left for rotated names; returns the height that they need below.
 double lean_names(Plane& plane, double each) {
   constexpr double kCos = 0.766, kSin = 0.643;  // of 40 deg
   double longest = 0.0, beyond = 0.0, place = plane.field.left + 0.5 * each;

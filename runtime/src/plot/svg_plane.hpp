@@ -21,7 +21,8 @@ struct Plane {
   const Figure& figure;
   Field field;
   Scale x, y, right;
-  double bar = 1.0;            // least distance between places of bars, SI; 1 if there is only one
+  // least distance between positions of bars, SI; 1 if there is only one
+  double bar = 1.0;
   bool named_below = true;     // the x axis has values and a name
   bool slanted_names = false;  // below bars
   double name_at = 15.0;       // px, where the name of the axis on the left is written

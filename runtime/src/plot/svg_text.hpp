@@ -19,7 +19,7 @@ struct Point {
   double x = 0.0, y = 0.0;
 };
 
-// A text at a place; anchor is "start", "middle" or "end".
+// A text at a point; anchor is "start", "middle" or "end".
 std::string text(Point at, std::string_view anchor, std::string_view css, std::string_view content,
                  std::string_view more = {});
 std::string line(Point from, Point to, std::string_view css);

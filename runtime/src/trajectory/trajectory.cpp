@@ -81,7 +81,7 @@ Bounds bounds(const Segment& piece, int order) {
     b[static_cast<size_t>(k)] = factor * piece.c[static_cast<size_t>(k + order)] / binomial;
     power *= piece.duration;
   }
-  // Sums of neighbours, m times, turn them into the Bernstein coefficients.
+  // m rounds of sums of neighbours convert them into the Bernstein coefficients.
   for (int round = 1; round <= m; ++round) {
     for (int k = m; k >= round; --k) b[static_cast<size_t>(k)] += b[static_cast<size_t>(k - 1)];
   }

@@ -57,7 +57,8 @@ class Assignment {
  private:
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-  // Finds the cheapest way to a free column over those that are taken, and moves all along it.
+  // Finds the path of least cost to a free column over those that are assigned, and shifts all
+  // assignments along it.
   void add(Index row) {
     std::vector<double> least(at(columns_ + 1), kInfinity);
     std::vector<bool> done(at(columns_ + 1), false);
@@ -99,7 +100,7 @@ class Assignment {
   Index rows_, columns_;
   std::vector<double> of_row_, of_column_;
   std::vector<Index> row_at_;  // the row that a column belongs to; 0: free
-  std::vector<Index> from_;    // the column before it on the way
+  std::vector<Index> from_;    // the column before it on the path
 };
 
 }  // namespace
@@ -120,7 +121,8 @@ Matches match_points(const PlanePoints& points, const PlanePoints& wanted, doubl
   out.index.assign(static_cast<std::size_t>(k), -1);
   out.distance.assign(static_cast<std::size_t>(k), kInfinity);
   if (k == 0) return out;
-  // One more column for each wanted point, in which it has none: dearer than all pairs together.
+  // One more column for each goal point, for "no pair": its cost is higher than that of all pairs
+  // together.
   const double none = within * static_cast<double>(k + 1);
   Eigen::MatrixXd cost = Eigen::MatrixXd::Constant(k, n + k, none);
   for (Index i = 0; i < k; ++i) {

@@ -44,7 +44,7 @@ struct DoorInput {
   const double* options;
 };
 
-// Functions of the door.
+// Functions of the library, with arguments and results.
 //
 // edges       picture; options: low, high. -> picture
 // lines       picture of 0 and 255; options: votes, least length, largest gap.

@@ -129,7 +129,7 @@ std::optional<Candidates> candidates(const Matrix3d& H) {
   const double p = N(0, 2), q = N(1, 2);  // where the middle is seen
   Matrix2d J;                             // how the picture moves with a point near the middle
   J << N(0, 0) - N(2, 0) * p, N(0, 1) - N(2, 1) * p, N(1, 0) - N(2, 0) * q, N(1, 1) - N(2, 1) * q;
-  // Turns the optical axis to the ray of the middle.
+  // Rotates the optical axis to the ray of the centre.
   const Vector3d ray = Vector3d(p, q, 1.0).normalized();
   const Vector3d turn = Vector3d::UnitZ().cross(ray);
   Matrix3d R_ray = Matrix3d::Identity();

@@ -137,7 +137,7 @@ void BallGrid::take(std::uint32_t id) {
   if (part->count == 0) part->children = {};
   std::erase(part->ids, id);
   if (cell->second.count == 0) level->second.cells.erase(cell);
-  // The last ball of the list takes its place.
+  // The last ball of the list fills the gap.
   if (place.index + 1 < balls.size()) {
     balls[place.index] = balls.back();
     places_.at(balls.back().id).index = place.index;

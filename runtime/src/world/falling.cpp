@@ -83,7 +83,8 @@ std::vector<std::vector<World::Above>> World::find_above(const std::vector<Parts
 }
 
 // The distances d obey d_i <= d_j + gap for every body i that is above another one j of them, and
-// d_i <= what `fall` says; the largest ones are shortest ways in the graph of the gaps.
+// d_i <= the distance that `fall` returns; the largest such distances are shortest paths in the
+// graph of the gaps.
 //
 // source  T. H. Cormen et al., Introduction to Algorithms, 3rd edition, 2009, 24.4 (difference
 //         constraints), by the algorithm of Dijkstra.
@@ -131,7 +132,7 @@ std::vector<World::Landing> World::land(const std::vector<std::size_t>& roots) c
   return landings;
 }
 
-// A body that rests on a carried one is carried by the same hand.
+// A body that rests on a carried one is carried by the same robot.
 void World::ride(Body& body) {
   if (body.object.fixed || carried_.empty()) return;
   const auto under = fall(body);

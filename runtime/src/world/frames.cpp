@@ -36,7 +36,7 @@ std::vector<std::string> World::frame_names() const {
   return names;
 }
 
-// A frame stands behind the one that it is on, so the way down ends.
+// A frame comes after the one that it is mounted on, so the loop ends.
 std::optional<Eigen::Isometry3d> World::T_world_base(const NamedFrame& frame) const {
   Eigen::Isometry3d T_below_base = Eigen::Isometry3d::Identity();
   const NamedFrame* upper = &frame;

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// One body on its way into the list.
+// Adds the triangles of one body to the list.
 class BodyTriangles {
  public:
   BodyTriangles(const SceneBody& body, std::int32_t number, const View& view, const Window& window,
@@ -195,7 +195,7 @@ class BodyTriangles {
   std::array<Vector3d, 3> light_;  // axes of the light in the camera's frame
   Vector3d up_;
   std::int32_t low_x_, low_y_, high_x_, high_y_;
-  std::int32_t look_ = -1;  // of the triangle at hand, -1: none yet
+  std::int32_t look_ = -1;  // of the present triangle, -1: none yet
 };
 
 }  // namespace

@@ -21,13 +21,13 @@ struct Lighting {
   [[nodiscard]] float sky(float up) const { return sky_middle + sky_half * up; }
 };
 
-// How a triangle looks.
+// The shading data of a triangle.
 //
 // nearness   1/z.
 // is_smooth  key and sky are interpolated: their products with 1/z are linear; otherwise key[0].c
 //            and sky.c are the numbers themselves.
-// slope      of its plane towards the light, m per m along the axes of the map of shadows.
-// picture    number of its place on a picture, -1: none.
+// slope      of its plane towards the light, m per m along the axes of the shadow map.
+// picture    index of its texture coordinates, -1: no texture.
 struct TriangleLook {
   Linear nearness;
   Linear key, sky;

@@ -26,7 +26,8 @@ MatrixXd reach_of(const MatrixXd& A) {
   return parts.U.leftCols(rank_above(A, kRank));
 }
 
-// "move along its x axis or turn about its y axis": what the joints do not give the camera at all.
+// "move along its x axis or `turn` about its y axis": the motions that the joints cannot give the
+// camera.
 std::string lacking_axes(const MatrixXd& J) {
   constexpr double kNearlyAll = 0.99;
   const MatrixXd reach = reach_of(J);

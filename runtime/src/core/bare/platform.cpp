@@ -37,7 +37,7 @@ void* LoadedLibrary::find(const char*) const { return nullptr; }
 
 std::string program_folder() { return {}; }
 
-// The one stack there is: how much of it is left nobody can tell, so a host sets limits for it.
+// There is only one stack, and its free size cannot be determined, so a host limits the nesting.
 std::size_t stack_left() { return 0; }
 void on_own_stack(const std::function<void()>& work) { work(); }
 

@@ -87,7 +87,7 @@ class Stack {
   void* begin_;
 };
 
-// Work on its way from one stack to the other and back.
+// The arguments of a call on another stack, and its result.
 struct Errand {
   const std::function<void()>& work;
   std::exception_ptr thrown;

@@ -3,8 +3,8 @@
 namespace armlet {
 namespace {
 
-// The second moment of a body whose inertia about the origin is 1 in this place and 0 elsewhere:
-// tr(I) / 2 - I.
+// The second moment tr(I) / 2 - I of a body whose inertia about the origin is 1 in this element and
+// 0 elsewhere.
 Moments unit_inertia(int row, int column) {
   Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
   I(row, column) = I(column, row) = 1.0;

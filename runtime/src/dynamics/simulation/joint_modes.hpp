@@ -7,7 +7,7 @@
 
 namespace armlet {
 
-// How each joint moves: it slides in one direction, whose dry friction it feels, or it stands, held
+// The mode of each joint: it slides in one direction, against dry friction, or it is at rest, held
 // by friction or by the stop at a limit. Within a mode the equation of motion is smooth.
 class JointModes {
  public:

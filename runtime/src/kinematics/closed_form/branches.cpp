@@ -5,7 +5,7 @@ namespace {
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
-// An elbow of which a link or the line to the target has no length: nothing says how it turns.
+// An elbow in which a link, or the line to the target, has length zero: its angle is undetermined.
 Elbow elbow_without_length(const Links& links, double X, double Y, const Angle& x1,
                            const Angle& x2) {
   const auto& [lx, ly, mx, my] = links;
@@ -52,7 +52,7 @@ Elbow solve_elbow(const Links& links, double X, double Y, const Angle& x1_if_fre
   out.free = shortest < kNearAxis;
   for (std::size_t i = 0; i < 2; ++i) {
     const double si = i == 0 ? s : -s;
-    // The angle from the direction of l to that of m turned by x2 has cosine c and sine si.
+    // The angle from the direction of l to that of m, rotated by x2, has cosine c and sine si.
     const double ux = (lx * c - ly * si) / l;
     const double uy = (ly * c + lx * si) / l;
     bool whole = true;

@@ -97,9 +97,9 @@ inline constexpr double kNoLength = 1e-9;
 // finds nothing has not shown that there is nothing.
 inline constexpr double kNearAxis = 1e-6;
 
-// Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows. Folded back onto the
-// first axis, the arm may rotate about it as it likes (free), and a link without length may be
-// turned about its own end: these angles are taken as given.
+// Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows. An arm that is
+// folded back onto the first axis may rotate about it by any angle (free), and a link of length
+// zero about its own end: for these angles the given values are used.
 //
 // source  the law of cosines: B. Siciliano et al., Robotics, 2009, section 2.12.1 (three links in a
 //         plane).

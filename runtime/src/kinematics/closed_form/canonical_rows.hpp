@@ -18,14 +18,14 @@ inline Angle operator*(const Angle& a, const Angle& b) {
 }
 inline Angle inverse(const Angle& a) { return {a.c, -a.s}; }
 
-// An arm as the closed forms read it:
+// The form of an arm that the closed forms use:
 //
 //   G = Z_0 X_1 Z_1 ... X_{n-1} Z_{n-1},   Z_i = Rz(phi_i) Tz(h_i),   X_i = Rx(alpha_i) Tx(a_i)
 //
-// Parallel axes always point the same way (alpha = 0, never pi): phi_i = sign_i (q_i + theta_i) for
-// a revolute joint, h_i = sign_i (q_i + d_i) for a prismatic one. The placement before the first
-// and after the last joint is taken off the goal. Read backwards (G^-1), an arm is again of this
-// form.
+// Parallel axes always point in the same direction (alpha = 0, never pi): phi_i = sign_i (q_i +
+// theta_i) for a revolute joint, h_i = sign_i (q_i + d_i) for a prismatic one. The constant poses
+// before the first and after the last joint are removed from the goal. Read from the tool to the
+// base (G^-1), an arm has this form again.
 struct CanonicalRows {
   int n = 0;
   std::array<bool, kMaxJoints> revolute{};

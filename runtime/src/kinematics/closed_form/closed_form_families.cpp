@@ -246,7 +246,7 @@ void solve_planar_arm_twist(const CanonicalRows& rows, const Isometry3d& G, cons
   Angle heading = near.phi[0];
   bool open = true;
   if (w.head<2>().norm() < kNoLength) {
-    // The wrist is on axis 1: the tool's axis tells which way the plane faces.
+    // The wrist is on axis 1: the tool's axis determines the direction of the plane.
     const AnglePair x = circle_meets_plane(-rows.alpha[1].s * z.y(), rows.alpha[1].s * z.x(),
                                            rows.alpha[4].c - rows.alpha[1].c * z.z());
     if (x.count > 0) heading = x.x[0];
@@ -292,7 +292,8 @@ void solve_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch& n
 
 void solve_scara(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                  Branches& out) {
-  // Links between the revolute joints; `before` is what the prismatic joint turns in front of each.
+  // Links between the revolute joints; `before` is the part that the prismatic joint shifts before
+  // each.
   std::array<Eigen::Vector2d, 4> link;
   link.fill(Eigen::Vector2d::Zero());
   std::array<Angle, 4> before{};

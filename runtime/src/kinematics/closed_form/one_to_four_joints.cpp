@@ -28,7 +28,7 @@ bool meet_in_a_point(const CanonicalRows& rows) {
   return rows.meet(1) && rows.meet(2) && rows.h[1] == 0.0;
 }
 
-// Ways are numbered as they are found.
+// Solutions are numbered in the order in which they are found.
 void number_branches(Branches& out) {
   for (int i = 0; i < out.count; ++i) out.at[static_cast<std::size_t>(i)].bits = i;
 }
@@ -226,8 +226,8 @@ void solve_position(const CanonicalRows& rows, int n, const Vector3d& u, const V
   position_by_three(rows, u, w, near, out);
 }
 
-// Three axes that meet in a point: a line fixed after joint 3 and where it is to lie say how the
-// three turn.
+// Three axes that meet in a point: a line fixed after joint 3 and its goal determine the three
+// joint angles.
 void rotation_about_a_point(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                             Branches& out) {
   Matrix3d R03 = G.linear();

@@ -14,13 +14,13 @@ ClosedFormKind recognised_few(const CanonicalRows& rows);
 void solve_few_position(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
                         Branches& out);
 
-// The joint angles that bring the tool to a pose: a point on the last axis is placed by the joints
-// before it, and the last one turns what is left.
+// The joint angles that bring the tool to a pose: the joints before the last one bring a point on
+// the last axis to its position, and the last one makes the remaining rotation.
 void solve_few_pose(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
                     Branches& out);
 
-// Five or six revolute joints of which the first three place the point where the last axes meet,
-// whatever their structure; kNone if they cannot.
+// The family of an arm of five or six revolute joints whose first three, of any structure, bring
+// the point where the last axes meet to its position; kNone if they cannot.
 ClosedFormKind recognised_wrist(const CanonicalRows& rows);
 void solve_any_wrist(const CanonicalRows& rows, const Eigen::Isometry3d& G, const Branch& near,
                      Branches& out);

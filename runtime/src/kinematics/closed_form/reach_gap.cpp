@@ -56,7 +56,7 @@ ReachGap between(double distance, double low, double high, ReachGap gap) {
   return gap;
 }
 
-// Two links in a plane, turned by the joints of two rows.
+// Two links in a plane, rotated by the joints of two rows.
 ReachGap elbow_gap(const Reading& arm, int row, double l, double m, double distance, ReachGap gap) {
   gap.from = arm.joint(row);
   gap.links = {l, m};
@@ -263,7 +263,7 @@ ReachGap gap_of_two(const Reading& arm, const Isometry3d& G) {
                    u.head<2>().norm(), gap);
 }
 
-// Three parallel revolute joints; `ends` are the rows that turn them.
+// Three parallel revolute joints; `ends` are the rows that rotate them.
 ReachGap gap_of_plane(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
   ReachGap gap;

@@ -103,7 +103,7 @@ Jacobian jacobian_rate(const Robot& robot, JointsIn q, JointsIn qd, JacobianFram
     }
   }
   if (frame == JacobianFrame::kWorld) return rate;
-  if (frame == JacobianFrame::kTool) {  // the axes turn as well: d(R^T J) = R^T (dJ - w x J)
+  if (frame == JacobianFrame::kTool) {  // the axes rotate as well: d(R^T J) = R^T (dJ - w x J)
     const Jacobian J = jacobian(robot, q);
     for (int i = 0; i < robot.n(); ++i) {
       rate.col(i).head<3>() -= w.cross(J.col(i).head<3>());

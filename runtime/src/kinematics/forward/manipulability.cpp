@@ -85,7 +85,7 @@ std::string describe(const Singularity& singularity) {
   Eigen::Index largest = 0;
   u.cwiseAbs().maxCoeff(&largest);
   if (u[largest] < 0.0) u = -u;
-  u = (u * 100.0).array().round() / 100.0 + 0.0;  // adding 0 turns -0 into 0
+  u = (u * 100.0).array().round() / 100.0 + 0.0;  // adding 0 changes -0 to 0
   return fmt::format("cannot {} ({:.2f}, {:.2f}, {:.2f})", linear ? "move along" : "rotate about",
                      u.x(), u.y(), u.z());
 }

@@ -6,8 +6,8 @@
 
 namespace armlet {
 
-// Whether a joint that is a revolution further is in the same position: it turns, and with it only
-// rows that copy it by whole revolutions.
+// Whether a joint has the same position after a revolution: it is revolute, and its mimic joints
+// follow it by whole revolutions.
 inline bool is_periodic(const Robot& robot, int joint) {
   const JointCoupling* coupling = robot.coupling();
   if (coupling == nullptr) [[likely]]

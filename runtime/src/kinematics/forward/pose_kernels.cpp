@@ -39,7 +39,7 @@ struct PoseColumns {
     zp.rotate_x(sine, cosine);
   }
 
-  // The origin is the right-hand of two columns; adding -0 changes nothing.
+  // The origin is the second of two columns; adding -0 does not change the first one.
   [[gnu::always_inline]] void shift_z(double d) { zp.z += Lanes{-0.0, d}; }
   [[gnu::always_inline]] void shift_x(double a) { zp.x += Lanes{-0.0, a}; }
 

@@ -69,12 +69,12 @@ int rank_of(const std::vector<Sample>& samples, std::initializer_list<int> rows)
   return static_cast<int>(most);
 }
 
-// An arm that turns about a vertical axis and keeps the tool's axis in a vertical plane, which
-// turns with it.
+// An arm that rotates about a vertical axis and keeps the tool's axis in a vertical plane, which
+// rotates with it.
 //
-// p_axis  a point on the axis; only x and y count.
+// p_axis  a point on the axis; only x and y are used.
 // offset  of the tool point from the axis, along `side`, m.
-// side    horizontal, at right angles to the plane: as seen from the first joint at zero.
+// side    horizontal, at right angles to the plane, for the first joint at zero.
 struct TurningPlane {
   Vector3d p_axis = Vector3d::Zero();
   Vector3d side = Vector3d::UnitY();
@@ -97,7 +97,7 @@ double roll_of(const Matrix3d& R, const Vector3d& side) {
   return det::atan2(about(1, 0), about(0, 0));
 }
 
-// Horizontal axis of the first of the other joints that turns about one; nothing if there is none.
+// Horizontal axis of the first of the other joints that has one; nothing if there is none.
 std::optional<Vector3d> horizontal_axis(const Jacobian& J) {
   for (Eigen::Index i = 1; i < J.cols(); ++i) {
     const Vector3d w = J.col(i).tail<3>();
@@ -185,7 +185,7 @@ class ArmTask {
   TurningPlane plane_;
 };
 
-// An arm whose tool leans turns about z as it is.
+// An arm with a tilted tool rotates about z with the tilt that it has.
 Isometry3d upright(const Robot& robot, const Vector3d& p, double angle) {
   const Isometry3d T = make_pose(rot_z(angle), p);
   return frame_task(robot, T) ? T : with_heading_of(robot, T, robot.home());

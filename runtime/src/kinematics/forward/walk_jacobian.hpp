@@ -20,7 +20,8 @@ namespace armlet {
   store_pair(column + 4, both(0.0));
 }
 
-// Axis and origin of each joint are kept on the way out; one cross product each finishes them.
+// The outward recursion stores axis and origin of each joint; one cross product each gives the
+// columns.
 //
 // source  Siciliano et al., Robotics, 2009, equation 3.30.
 template <int N, template <int> class SinesOf = JointSines>

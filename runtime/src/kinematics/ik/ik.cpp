@@ -178,7 +178,8 @@ bool search_into(const Robot& robot, const IkGoal& goal, const IkOptions& option
   return result.ok();
 }
 
-// From q with the position right, the nearby configuration that turns the tool least.
+// From q, at which the position is met, the nearby configuration with the smallest rotation of the
+// tool.
 Eigen::VectorXd rotate_least(const Robot& robot, const IkGoal& keep, const Eigen::VectorXd& q,
                              const IkOptions& options, IkResult& result) {
   IkGoal weighted = keep;

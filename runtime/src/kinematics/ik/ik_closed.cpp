@@ -19,8 +19,8 @@ constexpr double kArmStep = 2.0 * kPi / kArmAngles;
 // the goal checked again.
 constexpr double kRounding = 1e-6;
 
-// Next to a singularity, joints that are exact enough for a position may turn the tool so far from
-// the goal, rad, and are improved.
+// Near a singularity, joint values that are exact enough for a position may leave an orientation
+// error, up to this many rad, which iterations then remove.
 constexpr double kNearlyOriented = 0.1;
 
 // Where an elbow is stretched on its limit and the wrist is next to singular, rounding takes it so
@@ -160,7 +160,7 @@ void take_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& option
   }
   std::ranges::sort(solutions, {}, &FormulaSolution::branch);
   if (solutions.empty()) return;
-  // What the scan left of the way to the nearest one.
+  // Moves along the solutions for the distance to the nearest one that the scan has left.
   slide_nearer(robot, goal, options, nearest_in(solutions, options).q);
 }
 

@@ -7,9 +7,12 @@
 
 namespace armlet {
 
-// What the formula says about a goal. kSilent: the arm has none, or it cannot tell; kSome: a joint
-// is free, so that there may be more than those found; kAll: there are no others; kNone: there are
-// none.
+// The answer of the closed form for a goal.
+//
+// kSilent  the arm has none, or it gives no answer.
+// kSome    a joint is free, so there may be more solutions than those found.
+// kAll     there are no other solutions.
+// kNone    there are no solutions.
 enum class FormulaAnswer { kSilent, kSome, kAll, kNone };
 
 // A solution of the closed form that meets the goal's tolerances and the limits asked for, each
@@ -22,11 +25,11 @@ struct FormulaSolution {
 // Whether the closed form of the arm answers questions of this kind.
 bool formula_applies(const Robot& robot, const IkGoal& goal, const IkOptions& options);
 
-// All of them, in the order of the formula; the seed decides what the goal leaves open.
+// All solutions, in the order of the closed form; the seed determines what the goal leaves free.
 //
-// arm_angle_change      turns the arm angle of an arm of seven joints away from the seed's.
-// nearest_only  of what the goal leaves open only the nearest solution has to be exact; of other
-//               branches any may be missing or farther.
+// arm_angle_change  added to the seed's arm angle, of an arm of seven joints.
+// nearest_only      where the goal leaves freedom, only the nearest solution has to be exact;
+//                   solutions of other branches may be missing or farther away.
 FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                                std::vector<FormulaSolution>& solutions,
                                double arm_angle_change = 0.0, bool nearest_only = false);

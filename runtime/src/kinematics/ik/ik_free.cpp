@@ -253,7 +253,7 @@ namespace {
 
 constexpr double kFirstSlide = 0.3;   // rad or m
 constexpr double kLastSlide = 1e-8;   // and the progress that counts
-constexpr double kNoSlide = 1e-10;    // rad or m; what a way to go must promise
+constexpr double kNoSlide = 1e-10;    // rad or m; smallest gain for which a motion is tried
 constexpr double kWorthwhile = 1e-3;  // rad or m
 constexpr int kSlides = 60;
 constexpr int kCorrections = 8;
@@ -367,7 +367,7 @@ bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
       if (!met || !goal.is_met(solver.error_of(next))) continue;
       const double shorter = change_of(next, options.seed);
       if (shorter >= change - kNoSlide) continue;
-      // With several directions to go the way is long and ends nowhere exactly.
+      // With several free directions the path is long and has no exact end.
       nearer = idle.cols() == 1 || shorter < change - kWorthwhile;
       change = shorter;
       q = next;

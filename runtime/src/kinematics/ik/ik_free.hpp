@@ -8,12 +8,12 @@ namespace armlet {
 // them it can be divided without moving the tool. Where only the position counts, a joint about the
 // tool point is free by itself.
 
-// Turns each joint to the copy nearest to the seed and divides what joints share so that the
-// largest change from the seed is smallest, inside the limits if the options ask for that.
+// Moves each joint to the copy nearest to the seed, and distributes angles that joints share so
+// that the largest change from the seed is smallest, within the limits if the options say so.
 //
-// shares whether to look for such joints. returns how far the joint that is farthest beyond its
-// limits lies beyond them; 0 if none does. Where that is more than rounding, joints may be left as
-// they are.
+// shares   whether to look for joints that share an angle.
+// returns  the largest amount by which a joint exceeds its limits; 0 if none does. If it is more
+//          than rounding, joints may be unchanged.
 double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
                   JointArray& q);
 

@@ -10,7 +10,7 @@ namespace armlet {
 namespace {
 
 constexpr int kCandidates = 16;   // solutions that are compared
-constexpr int kStarts = 192;      // of an arm with joints to spare, around the wished posture
+constexpr int kStarts = 192;      // for a redundant arm, around the desired posture
 constexpr double kBetter = 1e-9;  // of a value: less is rounding
 
 struct Candidate {
@@ -63,8 +63,8 @@ std::optional<WishedJoints> wished_joints(const Robot& robot,
   return WishedJoints{*values, robot.upper() - robot.lower()};
 }
 
-// A start for the iterations: no joint is farther from the wished value than it is in a posture of
-// this cost whose other joints are all where they are wished.
+// A start for the iterations: no joint is farther from its desired value than it could be in a
+// posture of this cost with all other joints at their desired values.
 JointArray start_around(const Robot& robot, const WishedJoints& wished, double cost, int index) {
   JointArray q{};
   const double far = std::sqrt(2.0 * cost);
@@ -77,8 +77,8 @@ JointArray start_around(const Robot& robot, const WishedJoints& wished, double c
   return q;
 }
 
-// Of the solutions of an arm with joints to spare the one of least cost that starts around the
-// wished values lead to: each better one makes the room smaller in which others can lie.
+// Of the solutions of a redundant arm, the one of least cost that is reached from starts around the
+// desired values: each better one reduces the region in which others can lie.
 void search_around(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                    const WishedJoints& wished, IkResult& result) {
   IkSolver solver(robot, goal);

@@ -15,9 +15,10 @@ constexpr double kNarrow = 1e-9;    // rad; pieces are not halved below it
 constexpr double kEdge = 1e-10;     // nor those at whose other end the branch does not exist
 constexpr double kWorth = 1e-7;     // rad or m that a piece has to promise
 constexpr double kNearEdge = 5e-3;  // rad; nearer to where a branch ends, joints change like roots:
-constexpr double kAtEdge = 0.35;    // rad or m there, and farther away in any way
+constexpr double kAtEdge = 0.35;    // rad or m there, and farther away in any direction
 constexpr double kBend = 0.7;       // how far joints bend between samples, of the second difference
-constexpr double kSwing = 0.5;      // rad or m of that from which on joints may go any way
+// rad or m of that from which on joints may move in any direction
+constexpr double kSwing = 0.5;
 constexpr double kOutside = 1e3;    // counted for a solution outside the limits
 constexpr double kNone = 1e9;       // for none
 constexpr double kSlightly = 1e-7;  // rad or m beyond a limit that is none

@@ -15,11 +15,11 @@ constexpr double kAround = 0.6;             // rad or m, in which starts around 
 constexpr int kFreeStarts = 8;  // of a search for one solution, without a second try each
 constexpr IkPace kFast{.largest_step = 2.0, .progress = 0.9, .stall = 5};
 
-// One start: free first, because joints held at their limits block the way; then, if that ends
-// outside, from the nearest configuration inside.
+// One start: first without limits, because joints held at their limits would block the iteration;
+// if the result is outside, then from the nearest configuration inside.
 //
-// only_free  another start is tried instead. Where a goal has single solutions, one outside seldom
-//            leads to one inside.
+// only_free  another start is tried instead. For a goal with isolated solutions, a solution outside
+//            the limits rarely leads to one inside.
 bool solve_from(const Robot& robot, IkSolver& solver, JointArray& q, const IkOptions& options,
                 bool only_free) {
   if (!options.respect_limits) return solver.solve_free(q, options.iterations);

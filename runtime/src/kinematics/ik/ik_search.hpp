@@ -39,10 +39,10 @@ inline constexpr double kSameSolution = 1e-4;
 bool is_new(const Robot& robot, const std::vector<Eigen::VectorXd>& solutions,
             const Eigen::VectorXd& q, double same = kSameSolution);
 
-// Every revolute joint at the copy nearest to the seed, inside the limits if they count. Whole
-// turns away and back round, which must not put a joint on its limit beyond it.
+// Moves every revolute joint to the copy nearest to the seed, within the limits if they apply.
+// Adding and removing whole revolutions must not move a joint at its limit beyond it by rounding.
 //
-// beyond  rad, that a copy may lie beyond a limit.
+// beyond  rad, by which a copy may exceed a limit.
 void wrap_to_seed(const Robot& robot, const IkOptions& options, JointArray& q,
                   double beyond = 1e-9);
 

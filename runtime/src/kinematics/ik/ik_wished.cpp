@@ -17,9 +17,9 @@ constexpr int kBackToSolutions = 8;      // iterations
 constexpr double kRegularised = 1e-12;   // of the largest diagonal element
 constexpr double kSmallestGain = 1e-10;  // of the cost
 
-// The step from q to the point nearest to the wished values that meets the linearised goal within
-// the limits. While joints would leave their limits, the one that would be farthest beyond, in
-// ranges, is put on its limit and the step is computed again.
+// The step from q to the point that is nearest to the desired values among those that meet the
+// linearised goal within the limits. While joints would leave their limits, the one that would be
+// farthest beyond, in ranges, is set to its limit and the step is computed again.
 VectorXd step_to_wished(const Robot& robot, const IkRows& rows, const WishedJoints& wished,
                         const VectorXd& q) {
   const Eigen::Index n = q.size();

@@ -1,4 +1,4 @@
-// The solution nearest to wished joint values among those that are connected.
+// The solution nearest to desired joint values among those that are connected.
 #pragma once
 
 #include "ik_numeric.hpp"
@@ -17,13 +17,14 @@ struct WishedJoints {
   [[nodiscard]] double cost(const JointArray& at) const;
 };
 
-// From q, which meets the goal within finite limits, along the solutions to one nearby of least
-// cost: each step leads to the point of the tangent plane within the limits that is nearest to the
-// wished values, and Newton's method takes it back to the goal. q meets the goal afterwards too.
+// From q, which meets the goal within finite limits, moves along the solutions to one nearby of
+// least cost. Each step leads to the point of the tangent plane within the limits that is nearest
+// to the desired values, and Newton's method brings it back to the goal. q meets the goal
+// afterwards too.
 //
 // source  J. Nocedal, S. J. Wright, Numerical Optimization, 2nd edition, 2006, 15.2 and 18.5
-//         (elimination of equality constraints, trust regions); without the curvature of the
-//         solutions in the model, which the trust region makes up for.
+//         (elimination of equality constraints, trust regions); the model ignores the curvature of
+//         the solutions, for which the trust region compensates.
 void slide_to_wished(const Robot& robot, IkSolver& solver, const WishedJoints& wished,
                      JointArray& q);
 

@@ -120,7 +120,7 @@ bool SelfMotions::walk(const JointArray& from, const JointArray& first, Curve& c
       if (length < kShortestTrace) return false;
       continue;
     }
-    // The next chord turns as far as this one has.
+    // The direction of the next chord changes as much as that of this one did.
     double square = 0.0;
     for (std::size_t i = 0; i < n_; ++i) {
       along[i] = gone > 0.0 ? 2.0 * chord[i] - along[i] : chord[i];

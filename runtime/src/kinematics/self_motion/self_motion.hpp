@@ -6,9 +6,9 @@
 
 namespace armlet {
 
-// The self-motion of an arm with one joint to spare, or at a goal where it is singular: the
-// configurations that reach a goal form curves. Turning joints count modulo whole revolutions, so
-// that most of them are closed; limits cut pieces out of them.
+// The self-motion of an arm with one joint more than the goal needs, or at a goal where it is
+// singular: the configurations that reach a goal form curves. Revolute joints count modulo whole
+// revolutions, so most curves are closed; joint limits cut pieces out of them.
 
 using JointDirections =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxJoints, kMaxJoints>;

@@ -134,7 +134,7 @@ using JointOfChild = std::map<std::string_view, const JointEnds*>;
 // The first links that hang on one another in a circle; empty if there are none.
 std::vector<std::string_view> circle(const std::vector<JointEnds>& joints,
                                      const JointOfChild& joint_of) {
-  std::map<std::string_view, std::size_t> seen;  // and on the way from which joint
+  std::map<std::string_view, std::size_t> seen;  // and from which joint it was reached
   for (std::size_t number = 0; number < joints.size(); ++number) {
     std::vector<std::string_view> way;
     for (std::string_view at = joints[number].child;; at = joint_of.at(at)->parent) {

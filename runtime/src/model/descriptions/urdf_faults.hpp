@@ -3,8 +3,9 @@
 #include <string>
 #include <string_view>
 
-// Faults of robot descriptions that the library does not tell, or not by name. Each is a sentence
-// without an end, and empty if there is none. Whether the text is XML, the library says.
+// Errors in robot descriptions that the library does not report, or not with names. Each is a
+// sentence without a full stop, and empty if there is none. Whether the text is XML is checked by
+// the library.
 namespace armlet {
 
 // More links or joints than a mechanism may have, or the first link that is its own parent, hangs

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// m; drawn from pictures of the hand, as its table has no thickness.
+// m; estimated from pictures of the Barrett Hand, whose table has no thicknesses
 constexpr double kPalmRadius = 0.045, kPalmHeight = 0.066;
 constexpr double kLinkRadius = 0.009, kTipRadius = 0.008;
 

@@ -28,8 +28,8 @@ Isometry3d between(const Vector3d& from, const Vector3d& to) {
 
 Isometry3d along_z(double z) { return Isometry3d(Eigen::Translation3d(0.0, 0.0, z)); }
 
-// The way of a link's body, in the frame of its joint: the joint, the points of its axis and of the
-// next one that are nearest to each other, the next joint.
+// The polyline of a link's body, in the frame of its joint: the joint, the points of its axis and
+// of the next one that are nearest to each other, the next joint.
 std::array<Vector3d, 4> way_of_link(const Isometry3d& T_joint_next) {
   const Vector3d end = T_joint_next.translation();
   const Vector3d axis = T_joint_next.linear().col(2);
@@ -201,7 +201,7 @@ class ShapesOfArm {
           1.05 * r, 0.3 * r);
   }
 
-  // The tip of the hand is the tool point.
+  // The end of the gripper is the tool point.
   void tool() {
     const Tool& tool = robot_.tool();
     const Isometry3d& T_tip = robot_.T_flange_tool();

@@ -90,8 +90,8 @@ Plan plan_fastest(const MoveRequest& request) {
   std::vector<AxisLimits> limits = limits_beside_motors(request);
   std::optional<Trajectory> strongest;
   if (request.motors != nullptr) strongest = run_fastest(request, points, limits, true);
-  // Where motors cannot hold the arm the motion is one for limits on accelerations, which tells by
-  // how much they cannot.
+  // Where motors cannot hold the arm, the motion is planned with acceleration limits, and shows by
+  // how much they are too weak.
   if (!strongest) limits = request.limits;
   const Trajectory fastest =
       strongest ? *std::move(strongest) : *run_fastest(request, points, limits, false);

@@ -1,4 +1,4 @@
-// Moves with limited jerk that use what motors give in the place of the limits on accelerations.
+// Moves of limited jerk with the force limits of motors instead of acceleration limits.
 
 #include <algorithm>
 #include <cmath>

@@ -65,10 +65,10 @@ struct PhasedMove {
 };
 PhasedMove phased_move(const MoveRequest& request, std::span<const AxisLimits> limits);
 
-// Of planner_motors.cpp: the shortest motion that was found within the limits on speed and jerk and
-// what request.motors give, which count in the place of the accelerations of their joints; never
-// longer than the one of plan_limited_jerk made slower until the motors can do it. Nothing if they
-// cannot hold the arm somewhere.
+// Of planner_motors.cpp: the shortest motion found within the limits on speed and jerk and the
+// force limits of request.motors, which replace the acceleration limits of their joints. It is
+// never longer than the motion of plan_limited_jerk slowed down until the motors suffice. Nothing
+// if they cannot hold the arm somewhere.
 std::optional<Trajectory> limited_jerk_with_motors(const MoveRequest& request);
 
 // The planner of planner_fastest.cpp.

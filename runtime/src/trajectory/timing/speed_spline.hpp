@@ -8,15 +8,15 @@
 
 namespace armlet {
 
-// b(u) = (du/dt)^2, a quadratic spline above zero, and its fastest shape: least duration, the
-// integral of 1 / sqrt(b), so that at every point
+// b(u) = (du/dt)^2, a quadratic spline above zero, with the least duration, which is the integral
+// of 1 / sqrt(b), under the conditions at every point
 //
 //   b < most,  |ya b' + yb b| < 1  and  |za b'' + zb b' + zc b| sqrt(b) < 1
 //
-// for every row of the point, and low < ya b' + yb b + v sqrt(b) < high for every force. Where a
-// limit is not convex, as that of the second kind and one side of a force with v, its tangent takes
-// its place, in 1 / sqrt(b) and in b, which is found anew in each step of the interior point
-// method; what the limit itself keeps is asked before the step is taken.
+// for every row of the point, and low < ya b' + yb b + v sqrt(b) < high for every force. A limit
+// that is not convex (the third condition, and one side of a force with v) is replaced by its
+// tangent, in 1 / sqrt(b) and in b, which is computed anew in each step of the interior point
+// method; whether the limit itself is kept is checked before the step is taken.
 class SpeedSpline {
  public:
   struct Point {

@@ -127,7 +127,7 @@ SpeedAlongPath fastest_on(SpeedGrid& grid) {
     grid.between(k);
     const double twice = 2.0 * (s[k + 1] - s[k]);
     x[k + 1] = std::clamp(x[k] + twice * grid.range(x[k]).most, 0.0, most[k + 1]);
-    // It may stop at a position where the path turns sharply, but has to leave it again.
+    // The motion may stop at a position where the path has a sharp bend, but has to leave it again.
     const bool may_stop = x[k] > 0.0 && k + 2 < last;
     if (k + 1 < last && !(x[k + 1] > 0.0) && !may_stop) {
       throw ArgumentError(fmt::format(

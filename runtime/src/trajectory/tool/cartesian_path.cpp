@@ -23,7 +23,8 @@ constexpr int kIntervals = 200;          // of the grid on which the speeds are 
 constexpr int kCells = 64;               // the pieces of a speed that is limited in jerk,
 constexpr int kCellsPerCorner = 32;      // and what each corner adds
 constexpr int kCornerChords = 64;        // for the length of a corner
-constexpr int kFiner = 4;                // times as many where the joints turn sharply
+// factor for the number of samples where joint directions change sharply
+constexpr int kFiner = 4;
 constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners
 constexpr double kNoLength = 1e-9;       // m
 
@@ -238,7 +239,7 @@ class PathPlanner {
     return std::min(r, 0.5 * path.duration());
   }
 
-  // Laid so that it has a smooth run, if there is a way to; empty where the curve cannot be
+  // Samples it so that the joint path is smooth, if possible; empty if the curve cannot be
   // followed.
   std::optional<Stretch> lay_smooth(const std::vector<Part>& parts, const Eigen::VectorXd& q0) {
     std::optional<Stretch> first;

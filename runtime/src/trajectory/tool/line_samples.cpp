@@ -25,13 +25,13 @@ constexpr double kSlidePerSample = 0.02;  // m
 // Between samples, m and rad; looked at halfway, so a little less than what is promised.
 constexpr double kPositionDeviation = 8e-7;
 constexpr double kAngleDeviation = 8e-6;
-constexpr double kGivenDeviates = 10.0;     // times as much where the curve is a wish
+constexpr double kGivenDeviates = 10.0;     // factor where the curve need not be followed exactly
 constexpr double kSampleTolerance = 1e-10;  // m and rad, at samples
 constexpr double kSwing = 5e-10;            // rad or m, beyond a limit between samples
 constexpr int kSlideSteps = 8;
 constexpr int kSettleSteps = 12;         // where what is left to choose is to settle too,
 constexpr double kSettled = 1e-9;        // rad or m
-constexpr double kRotationShare = 1e-4;  // of a joint's own motion in what turns the tool
+constexpr double kRotationShare = 1e-4;  // of a joint's own motion in what rotates the tool
 constexpr double kLargestSlide = 10.0;   // allowed changes between samples; more is no slide
 
 // Joint change between neighbouring samples, as a multiple of what is allowed.
@@ -50,8 +50,8 @@ double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::Vector
 
 // Radians per metre of the curve, for a joint at its limit; tried one after another.
 constexpr std::array<double, LineSamples::kWays> kAway = {12.0, 48.0, 24.0, 6.0};
-// Per metre of the curve, of the way to its limit, that a joint with others to make up for it goes
-// on towards that; tried one after another.
+// Rates, per metre of the curve and relative to the distance to its limit, at which a redundant
+// joint may approach the limit; tried one after another.
 constexpr std::array<double, 3> kApproach = {50.0, 200.0, 800.0};
 constexpr double kRotationLengthOfDamping = 0.2;  // m, what a rotation by one radian counts for
 
@@ -106,8 +106,8 @@ double LineSamples::covered(double x) const {
 
 Eigen::Isometry3d LineSamples::pose_at(double x) const { return curve_.at(covered(x)); }
 
-// How far the joints of a step may go on from q, if the whole step begins at the seed: a part of
-// the way to their limits.
+// How far the joints of a step may move on from q if the whole step begins at the seed: a fraction
+// of the distance to their limits.
 struct StepRoom {
   Eigen::VectorXd lower, upper;
 
@@ -159,9 +159,9 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
   return std::nullopt;
 }
 
-// The same for a position: of the joints that have the tool there, those that turn it least from
-// what it was at the solution before. Each step has the error of the position taken away to first
-// order, by what turns least.
+// The same for a position: of the joint values with the tool there, those with the smallest
+// rotation of the tool from the solution before. Each step removes the position error to first
+// order, with the smallest rotation.
 std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vector3d& position,
                                                               const Eigen::VectorXd& seed,
                                                               Slide how) const {

@@ -25,8 +25,8 @@ class LineSamples {
   static constexpr int kWays = 4;
   [[nodiscard]] int ways() const;
 
-  // Samples the curve in the first way from `way` on that can follow it; false if none can, then
-  // fault() says why.
+  // Samples the curve with the first method from number `way` on that can follow it; false if none
+  // can, then fault() has the reason.
   bool follow(int way = 0);
   [[nodiscard]] const LineFault& fault() const { return fault_; }
 
@@ -42,10 +42,11 @@ class LineSamples {
 
   [[nodiscard]] double covered(double x) const;
   [[nodiscard]] Eigen::Isometry3d pose_at(double x) const;
-  // How joints that the curve leaves a choice go on.
+  // How joint values are chosen where the curve leaves freedom.
   //
-  // approach  per metre of the curve, of the way to its limit, that a joint may go towards that.
-  // away      whether they keep away from limits, or go as little as they must.
+  // approach  rate, per metre of the curve and relative to the distance to its limit, at which a
+  //           joint may approach the limit.
+  // away      whether joints keep away from limits, or move as little as possible.
   struct Slide {
     double approach = INFINITY;
     bool away = false;

@@ -16,7 +16,7 @@ namespace armlet {
 struct Arc {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   Eigen::Vector3d e = Eigen::Vector3d::UnitX();  // towards the first point
-  Eigen::Vector3d f = Eigen::Vector3d::UnitY();  // the way it starts
+  Eigen::Vector3d f = Eigen::Vector3d::UnitY();  // direction at the start
   double radius = 0.0;                           // m
   double sweep = 0.0;                            // rad, above 0 and below 2 pi
 
@@ -32,9 +32,9 @@ struct CurveState {
   Vector6d x, slope, curvature;
 };
 
-// A stretch of a curve, straight or on a circle; the orientation turns evenly about one axis.
+// A part of a curve, straight or on a circle; the orientation rotates about one fixed axis.
 //
-// length    m; for rotations in place, what their angle counts for.
+// length    m; for rotations without translation, an equivalent length.
 // from, to  the part of it that is used, as fractions.
 struct CurvePiece {
   Eigen::Isometry3d T_start = Eigen::Isometry3d::Identity();

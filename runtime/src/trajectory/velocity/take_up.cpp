@@ -13,11 +13,11 @@ using Eigen::VectorXd;
 
 constexpr double kShortestStep = 1e-12;  // s; what is shorter changes nothing that can be seen
 
-// With N(u) = max |u_i| / J_i for the jerks J of a turn, the time in which jerks can make the
-// accelerations u, a turn of duration tau from the acceleration a to a_1 needs N(a - a_1) <= tau.
-// Let e = -x be what the speeds lack. After the turn they lack e - (a + a_1) tau / 2, which has the
-// direction of a_1 if a_1 is a multiple of e - a tau / 2. Let y be such that a - y e is a multiple
-// of a - a_1; then
+// A rotation changes the direction of the acceleration with constant jerk. With N(u) = max |u_i| /
+// J_i for its jerks J, the time in which jerks can produce the accelerations u, a rotation of
+// duration tau from the acceleration a to a_1 needs N(a - a_1) <= tau. Let e = -x be the missing
+// speeds. After the rotation e - (a + a_1) tau / 2 is missing, which has the direction of a_1 if
+// a_1 is a multiple of e - a tau / 2. Let y be such that a - y e is a multiple of a - a_1; then
 //   a_1 = y (2 e - a tau) / (2 - y tau),  N(a - y e) = tau - y tau^2 / 2.
 class AccelerationChange {
  public:
@@ -29,7 +29,7 @@ class AccelerationChange {
   }
 
   [[nodiscard]] double time() const { return time_; }
-  // The acceleration after the turn and what the speeds lack then.
+  // The acceleration after the rotation, and the speeds that are missing then.
   [[nodiscard]] VectorXd acceleration() const { return (y_ / (2.0 - y_ * time_)) * ahead(time_); }
   [[nodiscard]] VectorXd lacking() const {
     return ((1.0 - y_ * time_) / (2.0 - y_ * time_)) * ahead(time_);
@@ -86,8 +86,8 @@ class AccelerationChange {
     return y;
   }
 
-  // Not negative if the acceleration after the turn is within its limit and can still be brought
-  // to zero before the error changes its sign.
+  // Not negative if the acceleration after the rotation is within its limit and can still be
+  // brought to zero before the error changes its sign.
   [[nodiscard]] double room(double y) const {
     const double tau = time_of(y);
     const VectorXd to = ahead(tau);
@@ -96,7 +96,7 @@ class AccelerationChange {
     const double still = (1.0 - y * tau) * (2.0 - y * tau) - 0.5 * y * y * stop;
     return std::min(still, 2.0 - y * tau - y * gain);
   }
-  // Looked for downwards from the shortest turn, because there may be more than one.
+  // Searched downwards from the shortest rotation, because there may be more than one.
   [[nodiscard]] double largest_with_room() const {
     constexpr int kSteps = 64;
     constexpr int kBisections = 100;

@@ -9,7 +9,7 @@ namespace armlet {
 
 // Largest accelerations and jerks of the joints, > 0.
 //
-// turn  jerk while the acceleration turns, not below `jerk`.
+// turn  jerk while the direction of the acceleration changes, not below `jerk`.
 struct TakeUpLimits {
   Eigen::VectorXd acceleration;
   Eigen::VectorXd jerk;
@@ -41,19 +41,19 @@ struct TakeUp {
   [[nodiscard]] double duration() const;
 };
 
-// The take-up from speeds that are wrong by x with accelerations a.
+// The take-up from speeds with the error x and accelerations a.
 //
-// First the acceleration turns, with one jerk, into the direction in which the error then dies out
-// along a straight line as fast as the limits allow. Of all such turns the shortest is taken after
-// which the error dies out without changing its sign; it is never longer than bringing the
-// acceleration to zero. Two properties follow.
+// First the acceleration is rotated, with one constant jerk, into the direction in which the error
+// then decays along a straight line as fast as the limits allow. The shortest such rotation is
+// chosen after which the error decays without changing its sign; it is never longer than bringing
+// the acceleration to zero. Two properties follow.
 //
-// * Planned again from any state on the take-up it is the rest of the same take-up, because the
-//   rest of a shortest turn is the shortest turn.
+// * Planned again from any state on the take-up, the plan is the rest of the same take-up, because
+//   the rest of a shortest rotation is the shortest rotation.
 // * The speeds stay in the triangle of the present speeds, the speeds which they would have if the
-//   acceleration was brought to zero, and the new ones, because the turn is a parabola that leaves
-//   along the first side and arrives in a line through the last corner. So no speed, of a joint or
-//   of a tool that moves with the joints, exceeds the largest at the corners.
+//   acceleration was brought to zero, and the new ones, because the rotation is a parabola that
+//   starts along the first side and ends on a line through the last corner. So no speed, of a joint
+//   or of a tool that moves with the joints, exceeds the largest at the corners.
 TakeUp plan_take_up(const Eigen::VectorXd& x, const Eigen::VectorXd& a, const TakeUpLimits& limits);
 
 // Both at once: errors, accelerations and jerks are the sums.

@@ -116,11 +116,10 @@ bool exceeds(const Robot& robot, const VelocityPieces& pieces, const FollowLimit
 
 }  // namespace
 
-// A speed of moving that is small beside that of turning counts as a part of it, and the other way
-// round.
+// A translation that is small beside the rotation counts as a part of it, and vice versa.
 double excess_of(const Vector6d& twist, const ToolSpeeds& most) {
   constexpr double kStandingStill = 1e-6;  // m/s
-  constexpr double kLever = 0.25;          // m, between turning and moving
+  constexpr double kLever = 0.25;          // m, between rotation and translation
   constexpr double kSmall = 0.05;
   const double v = most.v, w = kLever * most.w;
   const auto excess = [=](double x, double limit, double unit) {

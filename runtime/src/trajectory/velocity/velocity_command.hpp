@@ -31,16 +31,16 @@ struct FollowLimits {
 // By which fraction a velocity of the tool exceeds the largest speeds.
 double excess_of(const Vector6d& twist, const ToolSpeeds& most);
 
-// A command for the tool. Its speeds are those that give the tool its velocity where the joints
-// are, and an error, which dies out along a law that does not depend on where the joints are: so
-// the command can be gone on with from any state on the motion.
+// A command for the tool. Its joint speeds are the sum of those that give the tool its velocity at
+// the present joint values, and an error, which decays along a law that does not depend on the
+// joint values: so the command can be continued from any state on the motion.
 //
-// The law is in joint speeds. Where that makes the tool itself too fast, because the joints turn
-// far meanwhile, it is in the speeds of the tool: written as joint speeds x at the position `ref`,
-// they are those which give the tool the velocity J(ref) x, and the part of x that does not move
-// it. Where the arm comes to rest through a singular position, the direction of the tool that is
-// all but lost at `ref` is left to the joints: in the direction in which they turn fast for it,
-// their speed is that of x, so that it need not be brought to rest before the singular position.
+// The law is in joint speeds. If that makes the tool itself too fast, because the joints move far
+// meanwhile, the law is in the speeds of the tool. Written as joint speeds x at the joint values
+// `ref`, these are the ones that give the tool the velocity J(ref) x, plus the part of x that does
+// not move it. If the arm comes to rest through a singular position, the tool direction that is
+// nearly lost at `ref` is left to the joints: in the joint direction that moves fast for it, their
+// speed is that of x, so that it need not be brought to rest before the singular position.
 class ToolCommand {
  public:
   // Begins in the state of `from`, with its acceleration; the error dies out along `law`.

@@ -18,11 +18,11 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double kLackingAtStart = 1e-6;  // of the velocity asked for
-// Parts of the limits on acceleration and jerk with which the tool takes up a velocity; the rest is
-// for the joints turning under it. The first that suffices is taken.
+// Parts of the limits on acceleration and jerk with which the tool reaches a velocity; the rest is
+// for the change of joint directions during it. The first that suffices is used.
 constexpr double kShares[] = {0.9, 0.75, 0.6, 0.45, 0.3, 0.2, 0.12, 0.07};
 constexpr double kLeastShare = kShares[std::size(kShares) - 1];
-// The same where no joint turns under the tool, because all of them only come to rest.
+// The same if the joint directions do not change, because all joints only come to rest.
 constexpr double kAllButAll = 0.99;
 // Of the limits, while it is decided how to take up a velocity: planned again in the middle, the
 // polynomials differ a little.
@@ -45,9 +45,9 @@ ToolSpeeds larger(const ToolSpeeds& a, const ToolSpeeds& b) {
   return {.v = std::max(a.v, b.v), .w = std::max(a.w, b.w)};
 }
 
-// A point that was only to turn may move a little, and one that was only to move turn: by this part
-// of the speed at a distance of a quarter of a metre; by more rather than that what was asked for
-// is exceeded.
+// A commanded pure rotation may have a small translation, and a pure translation a small rotation:
+// by this fraction of the speed at a distance of a quarter of a metre. This is preferred to
+// exceeding the commanded speed by more.
 constexpr double kDrift = 0.01;
 constexpr double kDrifts[] = {kDrift, 0.05, 0.2};
 
@@ -79,13 +79,13 @@ VelocityStart state_of(const VelocityPieces& pieces) {
   return {.q = pieces.q(), .qd = pieces.qd(), .qdd = pieces.qdd(), .during = 1.0};
 }
 
-// What a law by which a velocity is taken up must do.
+// Requirements on a law by which a velocity is reached.
 //
-// most, calm  speeds of the tool, and by which fraction it may exceed them.
-// ends        the joints keep to their limits on position and speed until the end.
-// stops       from everywhere on the way the joints can come to rest calmly.
-// quickly     an acceleration may also be turned with all but all of the jerk.
-// excess      null, or by which fraction it may, and then does exceed them.
+// most, calm  speeds of the tool, and the fraction by which it may exceed them.
+// ends        the joints keep their limits on position and speed until the end.
+// stops       from every state on it the joints can come to rest smoothly.
+// quickly     the direction of an acceleration may also be changed with nearly all of the jerk.
+// excess      null, or the fraction by which it may, and then does, exceed them.
 struct Wanted {
   ToolSpeeds most{};
   double calm = std::numeric_limits<double>::infinity();
@@ -145,9 +145,9 @@ std::vector<double> shares_for(const Vector6d& twist, const ToolLaw& law) {
   return shares;
 }
 
-// The shares of the jerk with which an acceleration that another command has left may be turned:
-// the largest one, by which no speed goes further than that command would have let it; the one with
-// which the velocity is taken up; and nearly all, if the joints hardly turn under the tool.
+// The shares of the jerk with which the direction of an acceleration left by another command may be
+// changed: the largest one, with which no speed goes further than that command would have let it;
+// the one of the take-up; and nearly all, if the joint directions hardly change.
 constexpr double kAlike = 0.0;
 constexpr double kQuickTurns[] = {0.99, 0.97, 0.94};
 
@@ -159,10 +159,10 @@ std::vector<double> turnings_for(const std::vector<double>& shares, bool turns, 
   return turnings;
 }
 
-// The law with the largest share of the limits by which the joints keep to them, if it does what is
-// wanted: with a smaller share the joints would only turn farther meanwhile.
+// The law with the largest share of the limits with which the joints keep them, if it meets the
+// requirements: with a smaller share the joints would only move farther meanwhile.
 //
-// turning  share of the jerk with which an acceleration that another command has left is turned.
+// turning  share of the jerk for changing the direction of an acceleration left by another command.
 std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& start,
                                      const Vector6d& twist, ToolLaw law, double turning,
                                      const Wanted& wanted) {

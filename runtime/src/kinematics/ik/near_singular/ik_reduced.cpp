@@ -169,9 +169,9 @@ class ReducedSearch {
     return std::abs(point.height) + kPiece * std::abs(point.slope) < kMet;
   }
 
-  // Adds the points between two others at which the slope changes its sign, in their order; where
-  // the height stays away from zero any point of a piece does for its turns. A piece is halved
-  // until the slope falls or rises all along it, or nowhere comes close to zero.
+  // Adds the points between two others at which the slope changes its sign, in their order; if the
+  // height is not near zero in a piece, any point of the piece will do. A piece is halved until the
+  // slope is monotone in it, or is nowhere near zero.
   void add_turns(const Point& left, const Point& right, std::vector<Point>& turns) {
     Point middle = left;
     middle.q = 0.5 * (left.q + right.q);
@@ -199,7 +199,7 @@ class ReducedSearch {
     add_turns(middle, right, turns);
   }
 
-  // Whether the zeros on both sides of a turn are one.
+  // Whether the zeros on both sides of an extremum are one double zero.
   bool is_double(const Point& turn) {
     Point ahead = turn;
     if (std::abs(turn.height) > kMet) return false;
@@ -208,7 +208,7 @@ class ReducedSearch {
     return std::abs(2.0 * turn.height / bend) <= kOne * kOne;
   }
 
-  // The zeros of the height between two points, one at most between two turns.
+  // The zeros of the height between two points; there is at most one between two extrema.
   void search(const Point& left, const Point& right) {
     if (is_idle(left) && is_idle(right)) return;
     curve_.is_idle = false;
