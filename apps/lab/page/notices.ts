@@ -1,4 +1,4 @@
-// Stops the build if what is bundled is not what notices/parts.json names, with these versions, licences and copyrights.
+// Stops the build unless the bundled packages are those of notices/parts.json, with these versions, licences and copyrights.
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import type { Plugin } from "vite";
@@ -9,7 +9,7 @@ const FOLDER = "../../../notices";
 const read = (file: string) => readFileSync(path.join(import.meta.dirname, file), "utf8");
 const words = (text: string) => text.toLowerCase().replace(/[^a-z0-9]+/g, " ").trim();
 
-// "@codemirror/view" of ".../node_modules/@codemirror/view/dist/index.js"; null: a source of ours.
+// The package "@codemirror/view" of ".../node_modules/@codemirror/view/dist/index.js"; null: the file is one of our sources.
 function packageOf(id: string): string | null {
   const [, after] = id.split("\0").join("").match(/.*\/node_modules\/(.*)/) ?? [];
   return after ? after.split("/").slice(0, after.startsWith("@") ? 2 : 1).join("/") : null;
@@ -19,7 +19,7 @@ function faultsOf(part: Part): string[] {
   const folder = `node_modules/${part.npm}`;
   const version = JSON.parse(read(`${folder}/package.json`)).version;
   const found = version === part.version ? [] : [`${part.name} is ${version}, not ${part.version}`];
-  if (part.licence.startsWith("OFL")) return found; // fonts have it in themselves
+  if (part.licence.startsWith("OFL")) return found; // fonts contain their licence
   const file = ["LICENSE", "LICENSE.md"].map((name) => `${folder}/${name}`).find((name) => existsSync(path.join(import.meta.dirname, name)));
   const licence = words(file ? read(file) : "");
   for (const text of part.texts) if (!licence.includes(words(read(`${FOLDER}/texts/${text}.txt`)))) found.push(`${part.name}: its licence is not ${text}`);
@@ -27,7 +27,7 @@ function faultsOf(part: Part): string[] {
   return found;
 }
 
-// isPage  whether the page itself is built, in which everything must be; other scripts hold some of it or nothing.
+// isPage  whether this is the page itself, which must contain all packages; other scripts may contain any part of them.
 export function comparedNotices(isPage: boolean): Plugin {
   return {
     name: "compared-notices",

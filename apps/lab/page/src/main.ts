@@ -1,4 +1,4 @@
-// Starts the page: the store, the conversation with the laboratory, the views, the clock of playing.
+// Starts the page: the store, the connection to the laboratory, the views, the clock for playing.
 import { Connection } from "./home/connection.ts";
 import { findHome } from "./home/home.ts";
 import { takeSource } from "./home/source.ts";

@@ -1,4 +1,4 @@
-// What Armlet is, and the software of others in it with licences and copyrights: notices.json, which tools/check_notices.py makes.
+// The About dialog: Armlet, and software by others with licences and copyrights (notices.json, made by tools/check_notices.py).
 import { el } from "../dom/dom.ts";
 import notices from "./notices.json";
 
@@ -20,7 +20,7 @@ function entry(part: Part): HTMLElement {
 
 const list = (title: string, of: Part[]) => (of.length ? [el("h3", {}, title), el("ul", {}, ...of.map(entry))] : []);
 
-// Its content is made when it is opened first.
+// The content is made when the dialog is opened for the first time.
 export function aboutDialog(version: () => string): { dialog: HTMLDialogElement; open(): void } {
   const dialog: HTMLDialogElement = el("dialog", { class: "help about", "aria-label": "About" });
   const fill = () => dialog.replaceChildren(

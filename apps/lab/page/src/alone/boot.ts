@@ -1,5 +1,5 @@
-// Starts a page that stands alone: its script is packed in it, because a file is mailed and kept.
-// The policy of the page names the hash of the script, so that nothing else can be put there.
+// Starts a page without a server. Its script is compressed, because such a file is mailed and stored. The policy of the page contains the
+// hash of the script, so that no other script can run.
 import { unpacked } from "../protocol/packed.ts";
 
 const packed = document.getElementById("armlet-page");

@@ -1,4 +1,4 @@
-// The worker in which a page that stands alone reads meshes of others: it computes, and can be ended at any time.
+// The worker in which a page without a server reads meshes of other formats: it only computes, and can be ended at any time.
 import { convert } from "../meshes/convert.ts";
 import { Unusable, type Files } from "../meshes/triangles.ts";
 

@@ -1,4 +1,4 @@
-// A laboratory that was exported, as it lies in a page: docs/lab-protocol.md, "exported".
+// An exported laboratory, as it is stored in a page: docs/lab-protocol.md, "exported".
 import type { Incoming, Outgoing, RunMessage } from "../protocol/messages.ts";
 
 export interface SavedRun {
@@ -22,14 +22,14 @@ export interface Saved {
   shown: number;
 }
 
-// The laboratory that is to become the one that was saved: it has the text of the first run.
+// The laboratory into which a saved one is loaded; it already has the text of the first run.
 export interface Reopened {
   send(message: Outgoing): void;
-  // Lets it work until nothing is left to do, and gives what it told meanwhile.
+  // Lets the laboratory work until it is idle, and returns its messages.
   settle(): Promise<Incoming[]>;
 }
 
-// With which text the laboratory begins.
+// The text with which the laboratory begins.
 export function firstText(saved: Saved): string {
   return saved.runs[0]?.text ?? saved.text;
 }
@@ -40,13 +40,13 @@ interface Known {
   inputs: Record<string, unknown>[];
 }
 
-// Whether the inputs of `known` are those with which `run` began.
+// Whether the inputs of `known` are the first inputs of `run`.
 function isBeginning(known: Known, run: SavedRun): boolean {
   return known.text === run.text && known.inputs.length <= run.inputs.length && known.inputs.every((input, i) => JSON.stringify(input) === JSON.stringify(run.inputs[i]));
 }
 
-// Takes the runs again, each from the one that is most like it, and shows the one that was shown. Gives the
-// labels of those that came out otherwise than where they were saved.
+// Repeats the saved runs, each from the known run that is most similar to it, and shows the one that was shown. Returns the labels of the
+// runs whose result differs from the saved one.
 export async function reopen(saved: Saved, laboratory: Reopened): Promise<string[]> {
   const hashes = new Map<number, string>();
   let shown = 0;

@@ -1,5 +1,5 @@
-// The worker of a page that stands alone: the laboratory as WebAssembly (apps/lab/worker/worker.cpp). The script
-// of the engine, which defines createArmlet, is put in front of this one.
+// The worker of a page without a server: the laboratory as WebAssembly (apps/lab/worker/worker.cpp). The script of the engine, which
+// defines createArmlet, precedes this one.
 import type { Incoming, Outgoing } from "../protocol/messages.ts";
 import { unpacked } from "../protocol/packed.ts";
 import { firstText, reopen, type Saved } from "./saved.ts";
@@ -24,8 +24,8 @@ const scope = globalThis as unknown as {
   onmessage: ((event: MessageEvent) => void) | null;
   postMessage(message: unknown, transfer?: Transferable[]): void;
 };
-const WORK = 12; // ms between two looks at what the page has sent
-const WARM = 600; // ms of programs that run only so that the browser compiles the engine well
+const WORK = 12; // ms between two checks for messages of the page
+const WARM = 600; // ms of programs that run only to make the browser compile the engine with optimisations
 
 class Laboratory {
   private readonly engine: Engine;
@@ -70,7 +70,7 @@ class Laboratory {
   }
 }
 
-// Runs a program again and again without showing anything: browsers compile what runs often, between two calls.
+// Runs a program repeatedly without showing it: browsers optimise code that runs often, between two calls.
 class WarmUp {
   private readonly engine: Engine;
   private readonly text: string;
@@ -81,7 +81,7 @@ class WarmUp {
     this.text = text;
   }
 
-  // Works for a few milliseconds. Gives whether there is more to do.
+  // Works for a few milliseconds. Returns whether there is more to do.
   advance(): boolean {
     if (this.left <= 0) return false;
     const begun = performance.now();
@@ -141,7 +141,7 @@ async function start(parts: Record<string, string>): Promise<void> {
       else scope.postMessage(message, [message]);
     }
   };
-  // What the page has sent comes between two of these.
+  // Messages of the page arrive between two of these.
   channel.port1.onmessage = () => {
     awaited = false;
     const until = performance.now() + WORK;

@@ -1,4 +1,4 @@
-// Elements of the page, made from values. Texts become text, never HTML.
+// Elements of the page, made from values. Strings become text, never HTML.
 
 type Attributes = Record<string, string | number | boolean | null | undefined | ((event: Event) => void)>;
 type Child = Node | string | null | undefined | false;
@@ -26,7 +26,7 @@ export function save(name: string, content: Blob): void {
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
-// Preferences of this browser; a page from a disk may have no place to keep them.
+// Preferences stored in this browser; a page opened from a disk may have no storage.
 export function remembered(key: string): string | null {
   try {
     return localStorage.getItem(`armlet.${key}`);
@@ -39,6 +39,6 @@ export function remember(key: string, value: string): void {
   try {
     localStorage.setItem(`armlet.${key}`, value);
   } catch {
-    // Nothing depends on it.
+    // The page works without storage.
   }
 }

@@ -1,4 +1,4 @@
-// Signs of buttons as drawings of 16 by 16: fonts differ in which of them they have.
+// Icons of buttons as drawings of 16 by 16, because fonts do not all contain them.
 
 const DRAWINGS = {
   play: "M4 2.5v11l9.5-5.5z",

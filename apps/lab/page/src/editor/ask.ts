@@ -1,4 +1,4 @@
-// Completion, what stands under the pointer, and the call that is being written: questions to the laboratory.
+// Completion, information under the pointer, and the signature of the call that is being written: questions to the laboratory.
 import { acceptCompletion, autocompletion, completionStatus, moveCompletionSelection, selectedCompletionIndex, type Completion, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
 import { StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
 import { closeHoverTooltips, EditorView, hoverTooltip, showTooltip, ViewPlugin, type Tooltip, type ViewUpdate } from "@codemirror/view";
@@ -38,7 +38,7 @@ async function complete(intents: Intents, context: CompletionContext): Promise<C
   return { from, options, ...(answer.more ? {} : { validFor: /^\w*$/ }) };
 }
 
-// Tab takes the completion that is chosen, or else the first one.
+// Tab inserts the selected completion, or the first one if none is selected.
 export function takeFirst(view: EditorView): boolean {
   if (completionStatus(view.state) !== "active") return false;
   if (selectedCompletionIndex(view.state) === null) moveCompletionSelection(true)(view);
@@ -65,7 +65,7 @@ function hoverBox(answer: IncomingOf<"hover">): HTMLElement {
   return box;
 }
 
-// The name under the pointer has the value that it has at the instant that is looked at. Others of that name are declared elsewhere.
+// The value at the shown instant of the name under the pointer. Another variable with that name has a declaration elsewhere.
 async function valueAt(intents: Intents, at: Position): Promise<string | null> {
   const { instant, shown } = intents.state;
   if (!instant?.variables.length || instant.run !== shown) return null;
@@ -86,8 +86,8 @@ function hovering(intents: Intents): Extension {
   }, { hoverTime: 250 });
 }
 
-// Text that comes to lie under a resting pointer, because it was scrolled or written again, counts as pointed at: browsers tell of
-// no move then.
+// Text that moves under a resting pointer, by scrolling or a change, counts as pointed at: browsers report no pointer event
+// then.
 const resting = ViewPlugin.fromClass(
   class {
     private readonly view: EditorView;
@@ -159,7 +159,7 @@ function callBox(answer: IncomingOf<"signature">): HTMLElement {
   return box;
 }
 
-// ms: by then the laboratory has the text of the key and has checked it.
+// ms: after this time the laboratory has received and checked the text with the last key.
 const SIGNATURE_AFTER = 30;
 
 function signatures(intents: Intents): Extension {
@@ -195,7 +195,7 @@ function signatures(intents: Intents): Extension {
 
 export function asking(intents: Intents): Extension {
   return [
-    // Enter takes only what somebody has chosen with the arrow keys: it ends a line otherwise.
+    // Enter inserts a completion only if it was selected with the arrow keys; otherwise it ends the line.
     autocompletion({ override: [(context) => complete(intents, context)], activateOnTypingDelay: 80, selectOnOpen: false }),
     hovering(intents),
     resting,

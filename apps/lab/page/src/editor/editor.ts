@@ -38,7 +38,7 @@ export class Editor {
       parent: host,
       state: EditorState.create({
         extensions: [
-          // Before what asks about the text.
+          // Before the extensions that send questions about the text.
           EditorView.updateListener.of((update) => {
             if (!update.docChanged || this.taking) return;
             if (!update.transactions.some((t) => t.isUserEvent("input.pull"))) intents.typeText(update.state.doc.toString());
@@ -70,14 +70,14 @@ export class Editor {
     );
   }
 
-  // Puts a text where the cursor is.
+  // Inserts a text at the cursor.
   insert(text: string): void {
     if (this.view.state.readOnly) return;
     this.view.dispatch(this.view.state.replaceSelection(text), { userEvent: "input.paste", scrollIntoView: true });
     this.view.focus();
   }
 
-  // Puts lines where `at` is, the start of a line or the end of the text, shows them and runs the program.
+  // Inserts lines at `at`, the start of a line or the end of the text, shows them and runs the program.
   insertLines(at: number, text: string): void {
     if (this.view.state.readOnly) return;
     this.view.dispatch({ changes: { from: at, insert: text }, selection: { anchor: at + text.length }, effects: EditorView.scrollIntoView(at, { y: "center" }), userEvent: "input.paste" });
@@ -90,10 +90,9 @@ export class Editor {
     this.view.focus();
   }
 
-  // Selects the first place where the program writes a name, as a text or as a word.
-  // Selects where the program names an object, a robot or a row of its laboratory: where it is declared, or as a text, or
-  // at all. `kind` is the word in front of a row's name.
-  // span, version  where the laboratory found it, and in which text; the name is looked for there.
+  // Selects the first position at which the program names an object, a robot or a row of its laboratory: its declaration, or a
+  // text, or any other use. `kind` is the word before the name of a row.
+  // span, version  where the laboratory found it, and in which text; the name is searched for near that span.
   find(name: string, kind = "object|robot", span: Span | null = null, version: number | null = null): void {
     const { doc } = this.view.state;
     const told = span && version === this.intents.state.textVersion ? rangeOf(doc, span) : { from: 0, to: doc.length };
@@ -123,7 +122,7 @@ export class Editor {
     if (answer?.span) this.select(answer.span);
   }
 
-  // Only what differs is replaced, so that the cursor stays where it is.
+  // Replaces only the differences, so that the cursor stays at its position.
   private replaceAll(text: string, annotations: readonly Annotation<unknown>[]): void {
     const old = this.view.state.doc.toString();
     let from = 0;
@@ -134,7 +133,7 @@ export class Editor {
     this.view.dispatch({ changes: { from, to: old.length - end, insert: text.slice(from, text.length - end) }, annotations });
   }
 
-  // What was loaded, or written on another page, is not this person's to undo.
+  // A loaded text, or one written on another page, is not part of the undo history of this user.
   private take(text: string): void {
     this.taking = true;
     this.replaceAll(text, [Transaction.userEvent.of("input.take"), Transaction.addToHistory.of(false)]);
@@ -149,7 +148,7 @@ export class Editor {
     if (!this.shows(list)) this.view.dispatch(setDiagnostics(this.view.state, list));
   }
 
-  // Whether just these are shown already: setting them again would close what has been opened of them. Corrections are for one text.
+  // Whether exactly these are shown already: setting them again would close their opened details. Corrections are for one text.
   private shows(list: readonly LintDiagnostic[]): boolean {
     const key = (d: LintDiagnostic, from: number, to: number) => (d.actions?.length ? null : JSON.stringify([from, to, d.severity, d.message, d.source]));
     const shown: (string | null)[] = [];
@@ -178,7 +177,7 @@ export class Editor {
     this.view.dispatch({ effects: [setMarks.of(value), ...this.showing(value.current, state.followed)] });
   }
 
-  // Scrolls to the current line where somebody went there; not while the text is written, which gives new runs with other lines.
+  // Scrolls to the current line if the user went there; not while the text is being edited, which makes new runs with other lines.
   private showing(line: number | null, followed: number): StateEffect<unknown>[] {
     const { doc } = this.view.state;
     const isNew = followed > 0 && (line !== this.showed.line || followed !== this.showed.followed);
@@ -191,7 +190,7 @@ function hoveredLine(state: State): number | null {
   return state.hover && state.hover.from !== "text" ? state.hover.line : null;
 }
 
-// For each line with moves how long they take together; with where the last of them ends.
+// For each line with moves: their total duration, shown at the end of the last one.
 export function marginOf(run: Run): [number, string, string][] {
   const lines = new Map<number, { time: number; number: number; text: string; end: string }>();
   for (const move of run.moves) {

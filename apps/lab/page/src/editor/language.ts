@@ -1,11 +1,11 @@
-// How the text of a program is coloured: words come from the laboratory.
+// Highlighting of programs: the words of the language come from the laboratory.
 import { HighlightStyle, StreamLanguage, syntaxHighlighting, type StringStream } from "@codemirror/language";
 import type { Extension } from "@codemirror/state";
 import { tags } from "@lezer/highlight";
 import type { Words } from "../protocol/messages.ts";
 
 interface Inside {
-  // The sign that ends the text or the comment in which the line begins.
+  // The characters that end the text or comment in which the line begins.
   until: string;
 }
 
@@ -78,7 +78,7 @@ function token(stream: StringStream, state: Inside, kinds: Map<string, string>, 
   return null;
 }
 
-// Reads up to the end of a text or comment; texts end with their line, except between three quotes.
+// Reads to the end of a text or comment; texts end with their line, except between three quotes.
 function ending(stream: StringStream, state: Inside): string {
   const comment = state.until === "*/";
   while (!stream.eol()) {

@@ -1,5 +1,5 @@
-// What the editor shows of a run beside and in the text: breakpoints, the current line, the line
-// that is pointed at, and how long the moves of each line take.
+// Marks of a run in the editor: breakpoints, the current line, the line under the pointer, and the duration of the moves of each
+// line.
 import { RangeSet, StateEffect, StateField, type Extension } from "@codemirror/state";
 import { Decoration, EditorView, gutter, GutterMarker, type DecorationSet } from "@codemirror/view";
 
@@ -8,7 +8,7 @@ export interface Marks {
   current: number | null;
   hovered: number | null;
   failed: number | null;
-  // Texts beside lines: [line, text, what a person reads who points at it].
+  // Texts beside lines: [line, text, longer text for the pointer].
   margin: [number, string, string][];
   stale: boolean;
 }

@@ -1,7 +1,7 @@
-// Where a program names what is on the page.
+// Finds names of objects, robots and rows in a program.
 
-// The offset of the name of what is declared by one of the words `kinds` ("object|robot"), or of the name as a text, or
-// anywhere but in a comment; null: the program does not name it.
+// The offset of a name declared with one of the words `kinds` ("object|robot"); otherwise of the name as a text, or anywhere outside of
+// comments; null: the program does not contain it.
 export function placeOfName(text: string, name: string, kinds: string): number | null {
   const bare = text.replace(/\/\/.*|\/\*[^]*?\*\//g, (comment) => " ".repeat(comment.length));
   const word = name.replace(/\W/g, "\\$&");

@@ -1,9 +1,9 @@
-// The text of an object that comes into a program, and where it goes.
+// The declaration of an object that is added to a program, and its position in the text.
 
 const DECLARES = /^(import|robot|object|frame|camera)\b/;
 
-// The offset of the line behind the last declaration of an object, or else of a robot, or of an import; with none of them, that
-// behind the remarks at the top.
+// The offset of the line after the last declaration of an object, otherwise of a robot, otherwise of an import; without any of them,
+// after the comments at the top.
 export function placeForObject(text: string): number {
   const ends = new Map<string, number>();
   let depth = 0;
@@ -34,7 +34,7 @@ export function placeForObject(text: string): number {
   return ends.get("object") ?? ends.get("robot") ?? ends.get("import") ?? behindRemarks;
 }
 
-// A name for what is in a file that neither the program nor the language has.
+// A name for the object of a file that neither the program nor the language uses.
 export function nameForObject(file: string, text: string, taken: Iterable<string>): string {
   const words = new Set([...(text.match(/[A-Za-z_]\w*/g) ?? []), ...taken]);
   let base = file.replace(/\.[^.]*$/, "").replace(/\W+/g, "_").replace(/^_+|_+$/g, "");

@@ -1,4 +1,4 @@
-// Numbers in a text that can be pulled: where they are, and what they become.
+// Numbers in a text that can be changed by dragging: where they are, and their new values.
 
 export interface NumberAt {
   from: number;
@@ -8,7 +8,7 @@ export interface NumberAt {
 
 const NUMBERS = /(?<![\w.])(?:(?<=(?:^|[(,=[{:;<>*/+-])\s*)-)?\d+(?:\.\d+)?(?![\d.]*\.?\d)(?!e[+-]?\d)/g;
 
-// The number at a place of a line (columns from 0), with its sign where that is no operator.
+// The number at a column of a line (from 0), with its sign unless that is an operator.
 export function numberAt(line: string, column: number): NumberAt | null {
   for (const match of line.matchAll(NUMBERS)) {
     const from = match.index;
@@ -18,7 +18,7 @@ export function numberAt(line: string, column: number): NumberAt | null {
   return null;
 }
 
-// The number after so many steps of its last digit; it keeps its digits after the point.
+// The number after this many steps of its last digit; the number of decimals stays the same.
 export function pulled(text: string, steps: number): string {
   const decimals = /\.(\d+)$/.exec(text)?.[1]?.length ?? 0;
   const scale = 10 ** decimals;

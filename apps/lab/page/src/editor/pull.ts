@@ -1,4 +1,4 @@
-// Alt and dragging a number changes it, Alt and the wheel too, Alt with page up or down from the keyboard.
+// A number changes when it is dragged with Alt, with Alt and the wheel, or with Alt and page up or down.
 import { Transaction, type Extension } from "@codemirror/state";
 import { EditorView, keymap } from "@codemirror/view";
 import { numberAt, pulled } from "./numbers.ts";
@@ -12,7 +12,7 @@ interface Pulling {
   x: number;
 }
 
-// `pulledText` is told after each change, `ended` when the number is let go.
+// `pulledText` is called after each change, `ended` when the number is released.
 export function numberPulling(pulledText: (text: string) => void, ended: () => void): Extension {
   let pulling: Pulling | null = null;
   const replace = (view: EditorView, from: number, old: string, text: string) => {

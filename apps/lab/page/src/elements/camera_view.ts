@@ -1,4 +1,4 @@
-// The window of a camera, and pictures that a program computes: the picture at the instant that is looked at, with marks over it.
+// The window of a camera, and pictures computed by a program: the picture at the shown instant, with marks over it.
 import { el, setText } from "../dom/dom.ts";
 import type { Marks, PictureAnswer } from "../protocol/pictures.ts";
 import type { Run } from "../store/run.ts";
@@ -6,7 +6,7 @@ import { farthest, marksText, waysOf, type Way } from "./marks.ts";
 import type { ElementView, Place } from "./view.ts";
 
 const MOST_LABELS = 40;
-const JUMP = 0.1; // of the width: what goes so far between two instants is no way
+const JUMP = 0.1; // of the width: a longer step between two instants is a jump, not a path
 
 type Attributes = Record<string, string | number>;
 function svg(tag: string, attributes: Attributes, ...children: Node[]): SVGElement {
@@ -22,10 +22,10 @@ const cross = (x: number, y: number, r: number) => `M${x - r} ${y}h${2 * r}M${x}
 const ring = (x: number, y: number, r: number) => `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0z`;
 const square = (x: number, y: number, r: number) => `M${x - r} ${y - r}h${2 * r}v${2 * r}h${-2 * r}z`;
 
-// A line with a dark rim, so that it is seen on every picture.
+// A line with a dark outline, so that it is visible on every picture.
 const rimmed = (kind: string, d: string) => [svg("path", { class: "rim", d }), svg("path", { class: kind, d })];
 
-// Of one kind. `unit` is the length of a pixel of the screen in pixels of the picture.
+// Marks of one kind. `unit` is the size of a screen pixel in pixels of the picture.
 function drawnMarks({ what, pixels }: Marks, unit: number): SVGElement[] {
   const all = (shape: (x: number, y: number) => string) => rimmed(`mark ${what}`, pixels.map(([x, y]) => shape(x, y)).join(""));
   if (what === "wanted") return all((x, y) => ring(x, y, 6 * unit) + cross(x, y, 2.5 * unit));
@@ -38,7 +38,7 @@ function drawnMarks({ what, pixels }: Marks, unit: number): SVGElement[] {
   });
 }
 
-// The whole way pale, what lies behind dark, and a small square where it began.
+// The whole path pale, its part in the past dark, and a small square at its start.
 function drawnWay({ points, until }: Way, unit: number): SVGElement[] {
   const [first] = points;
   if (!first) return [];

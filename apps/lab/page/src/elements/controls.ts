@@ -36,7 +36,7 @@ class Slider {
     this.root = el("div", { class: name.length > 6 ? "slider named" : "slider" }, el("label", { for: id }, name), this.range, this.number, el("span", { class: "unit" }, shown.unit));
   }
 
-  // What stands in the field, which may lie beyond the slider; all digits of what it was told, while nobody has changed it.
+  // The value in the field, which may be outside the slider's range; with all received digits until the user changes it.
   get value(): number {
     return this.number.value === written(this.told, this.shown) ? this.told : Number(this.number.value) / this.shown.factor;
   }
@@ -124,7 +124,7 @@ function handSlider(axis: Coordinate, changed: () => void): Slider {
   return new Slider(axis.name, unit, axis.lower ?? -most, axis.upper ?? most, changed);
 }
 
-// Where the hand is; "roll" without the other two is its turn about z.
+// The tool pose; "roll" without the other two is the rotation about z.
 function handAt(run: Run, index: number, t: number, axes: readonly Coordinate[]): Record<string, number> | null {
   const pose = run.toolAt(index, t);
   if (!pose) return null;
@@ -176,7 +176,7 @@ function numberField(place: Place, label: string, reason: HTMLElement): ElementV
   };
 }
 
-// Why what a button did last until t has failed; empty: it has not.
+// Why the last use of a button before t has failed; empty: it has not.
 function failureOf(run: Run, name: string, t: number): string {
   const pressed = run.inputs.findLast((input) => input["press"] === name && Number(input["t"]) <= t + 1e-9);
   const note = run.notes.findLast((each) => each.element === name && each.t <= t + 1e-9);

@@ -1,14 +1,14 @@
-// What is drawn over the picture of a camera: marks, and the ways of features. Of values alone, so that it can be tried without a browser.
+// Drawings over the picture of a camera: marks, and paths of features; computed from values only, for tests without a browser.
 import type { Marks } from "../protocol/pictures.ts";
 import type { Rows } from "../store/rows.ts";
 
 export interface Way {
   points: [number, number][];
-  until: number; // so many of them up to the instant that is looked at
+  until: number; // number of points up to the shown instant
 }
 
-// The ways of features from the rows (t, x0, y0, x1, y1 ...) of a view, around the instant t. A feature that is somewhere else all at
-// once, farther than `jump` px, begins another way there.
+// The paths of features around the instant t, from the rows (t, x0, y0, x1, y1 ...) of a view. When a feature moves by more than `jump`
+// px at once, a new path begins.
 export function waysOf(rows: Rows | undefined, t: number, jump: number): Way[] {
   if (!rows?.count) return [];
   const features = (rows.columns - 1) >> 1;
@@ -34,7 +34,7 @@ export function marksText(marks: readonly Marks[]): string {
   return [...counts].sort(([a], [b]) => known.indexOf(a) - known.indexOf(b)).map(([what, count]) => `${count} ${(NAMES[what] ?? [what, what])[count === 1 ? 0 : 1]}`).join(", ");
 }
 
-// How far features are from where they are wanted, px: the largest of the distances of those of the same number; null: they cannot be
+// The error of features, px: the largest distance between a feature and the wanted point of the same number; null: they cannot be
 // compared.
 export function farthest(marks: readonly Marks[]): number | null {
   const features = marks.find((each) => each.what === "feature")?.pixels;

@@ -11,7 +11,7 @@ import { plot } from "./plot.ts";
 import { figures, image, noted, table, text, torques } from "./shown.ts";
 import type { ElementView, Place } from "./view.ts";
 
-// The elements of a run whose laboratory has told none: sliders and plots of each robot.
+// The elements of a run whose laboratory has sent none: sliders and plots of each robot.
 export function elementsOf(run: Run): ElementInfo[] {
   if (run.elements.length) return run.elements;
   return run.robots.flatMap((robot) => [
@@ -42,16 +42,16 @@ function viewOf(place: Place, run: Run): ElementView | null {
       return torques(place, run);
     case "view":
       return cameraView(place);
-    case "program": // the editor
-    case "trail": // the 3D view draws the paths of all robots
+    case "program": // shown in the editor
+    case "trail": // shown in the 3D view, for all robots
       return null;
     default:
       return noted(element.label || element.name, `This page does not know elements of the kind "${element.kind}".`);
   }
 }
 
-// below  where plots stand that go along the bar of time.
-// point  shows in the editor where the program has a row.
+// below  for the plots along the time bar.
+// point  shows the row of the program in the editor.
 export function elementPanel(host: HTMLElement, below: HTMLElement, store: Store, intents: Intents, point: (element: ElementInfo) => void): void {
   let views: ElementView[] = [];
   let plots: HTMLElement[] = [];
@@ -85,7 +85,7 @@ export function elementPanel(host: HTMLElement, below: HTMLElement, store: Store
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => update(store.state));
 }
 
-// A click on the name of a row goes to where the program writes it.
+// A click on the name of a row shows its position in the program.
 function pointing(root: HTMLElement, element: ElementInfo | undefined, point: (element: ElementInfo) => void): void {
   const title = root.querySelector("h2");
   if (!element || !title) return;

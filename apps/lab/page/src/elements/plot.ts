@@ -16,13 +16,13 @@ function color(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-// Below the bar of time a plot lies along it: `right` px are left beside it.
+// A plot below the time bar has the same scale; `right` px beside it stay free.
 interface Below {
   span: number;
   right: number;
 }
 
-// beside  another run, which is drawn dashed in the same colours.
+// beside  another run, drawn dashed in the same colours.
 function options(series: Series, beside: Series | null, width: number, below: Below | null, clicked: (t: number) => void, drawn: (chart: uPlot) => void): uPlot.Options {
   const units = [...new Set(series.columns.map((c) => c.unit))];
   const lines = [...series.columns.map((c, k) => ({ c, k, of: {} })), ...(beside?.columns ?? []).map((c, k) => ({ c, k, of: { dash: [5, 4], class: "beside" } }))];
@@ -70,7 +70,7 @@ export function plot(place: Place): ElementView {
   let drawn = "";
   let shape = "";
   let instant = 0;
-  // The scales and the room for new values are known when they are drawn.
+  // The scales, and the memory for new values, are known only when the plot is drawn.
   const showInstant = (on: uPlot) => (now.style.transform = `translateX(${on.valToPos(instant, "x").toFixed(1)}px)`);
   const tools = el(
     "span", { class: "tools" },
@@ -118,7 +118,7 @@ export function plot(place: Place): ElementView {
   };
 }
 
-// The picture of a chart has no ground of its own.
+// The image of a chart has no background.
 function savePicture(chart: uPlot, label: string): void {
   const source = chart.ctx.canvas;
   const copy = el("canvas", { width: source.width, height: source.height });

@@ -1,4 +1,4 @@
-// Markdown with formulas. The HTML that comes out is cleaned: nothing of a program's text is run.
+// Markdown with formulas. The resulting HTML is sanitised: no script of a program's text can run.
 import DOMPurify from "dompurify";
 import katex from "katex";
 import "katex/dist/katex.min.css";
@@ -34,7 +34,7 @@ export function richText(markdown: string): DocumentFragment {
     link.setAttribute("rel", "noopener noreferrer");
   }
   for (const picture of clean.querySelectorAll("img:not([alt])")) picture.setAttribute("alt", "");
-  // The page has the first level of headings.
+  // The first level of headings belongs to the page.
   for (const heading of clean.querySelectorAll("h1")) {
     const lower = document.createElement("h2");
     lower.append(...heading.childNodes);

@@ -1,4 +1,4 @@
-// Elements that only show: tables, texts, images, and places of what has no picture here.
+// Elements without inputs: tables, texts, images, and placeholders for elements shown elsewhere.
 import { el, setText } from "../dom/dom.ts";
 import { fixed } from "../numbers/units.ts";
 import { NEAR, type Run } from "../store/run.ts";
@@ -28,7 +28,7 @@ export function table({ element }: Place): ElementView {
   };
 }
 
-// What the motors of a robot give, beside what they can give: the numbers of the bars in the view.
+// The torques of the motors of a robot, beside their limits: the numbers of the bars in the 3D view.
 export function torques({ element }: Place, run: Run): ElementView {
   const index = Math.max(0, run.robots.findIndex((r) => r.name === element.robot));
   const label = element.label || element.name;
@@ -71,7 +71,7 @@ export function text({ element }: Place): ElementView {
   };
 }
 
-// A picture beside the program.
+// A picture from a file beside the program.
 export function image({ element, intents }: Place): ElementView {
   const label = element.label || element.name;
   const picture = el("img", { alt: label });
@@ -88,12 +88,12 @@ export function image({ element, intents }: Place): ElementView {
   };
 }
 
-// An element of a kind that this page does not know, or whose picture is elsewhere on the page.
+// An element of an unknown kind, or one that is shown elsewhere on the page.
 export function noted(label: string, note: string): ElementView {
   return { root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), el("p", { class: "quiet" }, note)), update: (_run: Run) => {} };
 }
 
-// A figure as the run left it. It is shown as a picture, so that nothing in it can run.
+// A figure at the end of the run, as an image, so that no script in it can run.
 export function figures(): ElementView {
   const root = el("div", { class: "element figures", role: "group", "aria-label": "Figures" });
   let drawn = "";

@@ -7,7 +7,7 @@ export interface Table {
   rows: Value[][];
 }
 
-// A number with as many digits as one reads in a table, anything else as it is.
+// A number with as many digits as a table shows, any other value as it is.
 export function cellText(cell: Value | undefined, factor = 1): string {
   if (cell === null || cell === undefined) return "–";
   if (Array.isArray(cell)) return `[${cell.map((each) => cellText(each, factor)).join(", ")}]`;
@@ -20,7 +20,7 @@ export function cellText(cell: Value | undefined, factor = 1): string {
 
 const isRecord = (value: Value | undefined): value is { [name: string]: Value } => typeof value === "object" && value !== null && !Array.isArray(value);
 
-// What a program gives for a table: rows, records with their names as header, or one row of values.
+// The rows of a table value: rows, records with their names as header, or one row of values.
 export function tableOf(value: Value | undefined): Table {
   if (isRecord(value)) {
     const columns = Object.entries(value);
@@ -37,7 +37,7 @@ export function tableOf(value: Value | undefined): Table {
   return { header: [], rows: Array.isArray(first) ? value.map((row) => (Array.isArray(row) ? row : [row])) : value.length ? [value] : [] };
 }
 
-// The value with units in the places of its numbers.
+// The value with each number replaced by its unit.
 function unitsIn(value: Value | undefined, units: Units | undefined): Value {
   const part = (key: string | number) => (typeof units === "object" ? (units as { [name: string]: Units })[key] : units);
   if (Array.isArray(value)) return value.map((each, i) => unitsIn(each, part(i)));
@@ -50,13 +50,13 @@ function leaves(value: Value | undefined): string[] {
   return isRecord(value) ? Object.values(value).flatMap(leaves) : [String(value ?? "")];
 }
 
-// A unit that all of them have; null: they differ.
+// The common unit of all numbers; null: they differ.
 function unitOf(units: Value): string | null {
   const all = new Set(leaves(units).filter(Boolean));
   return all.size > 1 ? null : ([...all][0] ?? "");
 }
 
-// A cell in its unit, which is written behind it unless the header has it; with several units, number by number.
+// A cell in its unit, which follows the number unless it is in the header; if there are several units, number by number.
 function withUnits(cell: Value | undefined, units: Value, isInHeader: boolean): string {
   const unit = unitOf(units);
   if (unit === null && Array.isArray(cell)) return `[${cell.map((each, i) => withUnits(each, Array.isArray(units) ? (units[i] ?? "") : units, false)).join(", ")}]`;
@@ -65,8 +65,8 @@ function withUnits(cell: Value | undefined, units: Value, isInHeader: boolean): 
   return isInHeader || !shown.unit || cell === null || cell === undefined ? words : `${words} ${shown.unit}`;
 }
 
-// The table as it is read: lengths in millimetres and angles in degrees. Units stand in the header where a column has one, and with
-// the numbers where there is no header.
+// The table for display: lengths in millimetres, angles in degrees. A unit is in the header if a column has one unit, otherwise with each
+// number.
 // given  a header for it.
 export function shownTable(value: Value | undefined, units: Units | undefined, given: string[] = []): { header: string[]; rows: string[][] } {
   const { header: own, rows } = tableOf(value);

@@ -1,10 +1,10 @@
-// One conversation with a laboratory, whatever carries it: numbers of messages, and answers to questions.
+// The connection to a laboratory, independent of the transport: numbers of messages, and answers to questions.
 import type { Incoming, IncomingOf, Outgoing } from "../protocol/messages.ts";
 import { keepKey, keptKey } from "./key.ts";
 import { readPicture, type PictureAnswer } from "../protocol/pictures.ts";
 import { readFile, readRows, type RowBlock } from "../protocol/rows.ts";
 
-// What carries messages tells its listener what comes in.
+// A transport passes received messages to its listener.
 export interface Listener {
   opened(): void;
   closed(note: string): void;
@@ -12,7 +12,7 @@ export interface Listener {
 }
 export interface Transport {
   send(text: string): void;
-  // The bytes of a file that a description names. Without it, the laboratory is asked for them.
+  // The bytes of a file that a description names. If missing, the laboratory is asked for them.
   file?(name: string): Promise<ArrayBuffer>;
 }
 export type Carry = (listener: Listener) => Transport;
@@ -24,7 +24,7 @@ export interface Events {
   rows(block: RowBlock): void;
 }
 
-// The laboratory refused: `answer` says why.
+// The laboratory refused a request: `answer` has the reason.
 export class Refused extends Error {
   readonly answer: IncomingOf<"error">;
   constructor(answer: IncomingOf<"error">) {
@@ -79,7 +79,7 @@ export class Connection {
     return seq;
   }
 
-  // The answer; throws Refused if the laboratory answers with an error. A quiet one is told to nobody else.
+  // The answer; throws Refused if the laboratory answers with an error. A quiet answer is reported only to the caller.
   ask<T extends Incoming["type"]>(message: Outgoing, isQuiet = false): Promise<IncomingOf<T>> {
     return new Promise((resolve, reject) => {
       const seq = this.send(message);

@@ -1,5 +1,5 @@
-// Meshes of other formats than GLB, in a page that stands alone: read by a worker whose source the page carries. What is in the file
-// of a stranger can hold up or break nothing but that worker.
+// Meshes of formats other than GLB, in a page without a server: a worker, whose source is part of the page, reads them. A harmful file
+// can block or crash only that worker.
 import { unpacked } from "../protocol/packed.ts";
 
 const READ = /\.(stl|obj|ply)$/i;
@@ -17,9 +17,9 @@ export class MeshConverter {
     this.packed = packed;
   }
 
-  // The file as it is kept; null: it waits for the mesh that names it.
+  // The file in the form in which it is stored; null: it waits for the mesh that names it.
   //
-  // throws  an Error whose message says why there is none.
+  // throws  an Error whose message has the reason.
   async take(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<{ name: string; bytes: Uint8Array<ArrayBuffer> } | null> {
     if (COMPANION.test(name)) {
       const others = [...this.aside].reduce((sum, [other, { length }]) => sum + (other === name ? 0 : length), 0);
@@ -50,7 +50,7 @@ export class MeshConverter {
   }
 }
 
-// The one that this page carries; null: the laboratory converts.
+// The converter in this page; null: the laboratory converts.
 export function findConverter(): MeshConverter | null {
   const packed = document.getElementById("armlet-converter");
   return packed ? new MeshConverter(packed.textContent) : null;

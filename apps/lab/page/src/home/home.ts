@@ -1,4 +1,4 @@
-// Where this page's laboratory is: in the page as a recording, in a worker of the page, or behind a socket.
+// The laboratory of this page: a recording in the page, a worker of the page, or behind a socket.
 import type { Carry } from "./connection.ts";
 import { overRecording, type Recording } from "./recording.ts";
 import { overSocket, socketAddress } from "./socket.ts";
@@ -6,15 +6,15 @@ import { overWorker } from "./worker.ts";
 
 export interface Home {
   carry: Carry;
-  // Whether the laboratory can be asked; a recording cannot.
+  // Whether the laboratory answers questions; a recording does not.
   live: boolean;
-  // Whether it is in this page, which can be saved with everything that was done in it.
+  // Whether it is in this page; then the page can be saved with all its runs.
   alone: boolean;
 }
 
-// A saved page carries what it needs as scripts that browsers do not run, because of their types:
-// #armlet-recording (JSON: the messages), or #armlet-worker (the source of the worker) with
-// further texts in elements of the class armlet-part, which the worker gets by their ids.
+// A saved page contains its data as scripts that browsers do not run, because of their types: #armlet-recording (JSON: the messages),
+// or #armlet-worker (the source of the worker) with further texts in elements of the class armlet-part, which the worker gets by their
+// ids.
 export function findHome(): Home {
   const recording = document.getElementById("armlet-recording");
   if (recording) return { carry: overRecording(JSON.parse(recording.textContent) as Recording), live: false, alone: false };

@@ -1,4 +1,4 @@
-// What a page shows to be known again when it is reloaded or its connection was lost: the laboratory gave it in its welcome.
+// The key by which a laboratory recognises a page after a reload or a lost connection; it comes with the welcome message.
 const NAME = "armlet.key";
 let known: string | null = null;
 
@@ -7,7 +7,7 @@ export function keepKey(key: string): void {
   try {
     sessionStorage.setItem(NAME, key);
   } catch {
-    // A page from a disk may have no place for it.
+    // A page opened from a disk may have no storage.
   }
 }
 

@@ -1,7 +1,7 @@
-// A laboratory that was recorded: what it said once, said again. It answers no questions.
+// A recorded laboratory: it sends the recorded messages again, and answers no questions.
 import type { Carry } from "./connection.ts";
 
-// Messages in their order: text as objects, binary ones as {"binary": base64}; files that are drawn with their name in "file".
+// Messages in their order: text messages as objects, binary ones as {"binary": base64}; drawn files have their name in "file".
 export type Recording = (Record<string, unknown> | { binary: string })[];
 
 export function overRecording(recording: Recording): Carry {

@@ -1,4 +1,4 @@
-// A laboratory behind a WebSocket; connects again when the connection is lost.
+// A laboratory behind a WebSocket; reconnects when the connection is lost.
 import type { Carry } from "./connection.ts";
 
 const FIRST_WAIT = 250;

@@ -1,6 +1,6 @@
-// The page as a file: as it was before anything was shown in it, with what it is to carry.
+// The page as a file: its HTML before anything was shown in it, with the data to be saved.
 
-// Taken when the page starts; the script that boot.ts has unpacked is there in its packed form.
+// Must be called when the page starts; a script that boot.ts has decompressed is in it in compressed form.
 export function takeSource(): string {
   document.getElementById("armlet-code")?.remove();
   return `<!doctype html>\n${document.documentElement.outerHTML}`;
@@ -17,7 +17,7 @@ function without(page: string, id: string): string {
   return page.replace(new RegExp(`<script[^>]*\\bid="${id}"[^>]*>[^]*?</script>`), "");
 }
 
-// A page that shows a recording; the engine, if it has one, stays behind.
+// A page that shows a recording; an engine in the page is left out.
 export function pageWithRecording(page: string, recording: unknown): string {
   const bare = ["armlet-recording", "armlet-laboratory", "armlet-engine", "armlet-worker", "armlet-converter"].reduce(without, page);
   return carrying(bare, 'id="armlet-recording"', recording);

@@ -1,5 +1,5 @@
-// A laboratory in a worker of this page. The worker says "ready" when messages can be sent to it;
-// then it takes and gives text messages as strings and binary ones as buffers.
+// A laboratory in a worker of this page. The worker sends "ready" when it accepts messages; text messages are strings, binary ones are
+// buffers.
 import type { Carry } from "./connection.ts";
 
 export function overWorker(worker: Worker): Carry {

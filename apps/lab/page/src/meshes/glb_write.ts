@@ -1,7 +1,7 @@
-// GLB files are written here.
-const NOTES = 0x45544f4e; // a chunk that other programs pass over (runtime/src/mesh/glb_format.hpp)
+// Writes GLB files.
+const NOTES = 0x45544f4e; // a chunk that other programs ignore (runtime/src/mesh/glb_format.hpp)
 
-// A file of these parts. `notes`: lines that say what it lacks of what it was made from.
+// A file with these parts. `notes`: lines about parts of the source that it lacks.
 export function glbOf(json: object, binary: Uint8Array, notes: readonly string[] = []): ArrayBuffer {
   const encoded = (text: string) => new TextEncoder().encode(text);
   const chunks: [number, Uint8Array, number][] = [[0x4e4f534a, encoded(JSON.stringify(json)), 0x20], [0x004e4942, binary, 0]];

@@ -1,5 +1,5 @@
-// OBJ with its materials (MTL), read by three. Three passes over what it does not expect and cuts polygons as if they were convex, so
-// it gets statements that were checked, with polygons that were cut.
+// OBJ with its materials (MTL), read by three. Three ignores statements that it does not know and splits polygons as if they were convex;
+// so it gets checked statements, with polygons already split into triangles.
 //
 // source  Wavefront, Advanced Visualizer manual, appendix B1, as in P. Bourke, Object files (.obj).
 import { Color, SRGBColorSpace, type Mesh } from "three";
@@ -11,7 +11,7 @@ import { numberOf, textOf } from "./words.ts";
 
 const MOST_CORNERS = 32_767;
 
-// Words of each statement, and the number of its last line: lines whose last sign is \ go on in the next one.
+// The words of each statement, and the number of its last line: a line that ends with \ continues in the next one.
 function* statementsOf(bytes: Uint8Array<ArrayBuffer>): Generator<[string[], number]> {
   const lines = textOf(bytes).split(/\r?\n/);
   for (let i = 0; i < lines.length; i++) {
@@ -36,7 +36,7 @@ function materialsOf(bytes: Uint8Array<ArrayBuffer>): [string, Look][] {
   return Object.entries(infos).map(([name, info]) => [name, lookOf(name, info)]);
 }
 
-// A picture is shown as it is: what a colour beside it would do differs from program to program.
+// A picture is shown unchanged: programs differ in how they combine a colour with it.
 function lookOf(name: string, { kd = [0.6, 0.6, 0.6], d, tr, map_kd: picture = "" }: MaterialInfo): Look {
   const last = (value: unknown) => Number(String(value).split(" ").at(-1));
   const opacity = d !== undefined ? last(d) : tr !== undefined ? 1 - last(tr) : 1;
@@ -46,11 +46,11 @@ function lookOf(name: string, { kd = [0.6, 0.6, 0.6], d, tr, map_kd: picture = "
 
 // An OBJ file while it is checked.
 class Statements {
-  readonly looks: (Look | null)[] = [null]; // those that faces name, by their numbers; null: the file says nothing of colours
+  readonly looks: (Look | null)[] = [null]; // used by faces, by their indices; null: the file gives no colours
   private readonly into: Triangles;
   private readonly materials = new Map<string, Look>();
   private readonly points: number[][] = [];
-  private readonly colors: number[][] = []; // of points that have one
+  private readonly colors: number[][] = []; // of points with a colour
   private readonly pictures: number[][] = [];
   private readonly normals: number[][] = [];
   private readonly faces = ["usemtl 0"];
@@ -63,7 +63,7 @@ class Statements {
   take([kind, ...rest]: string[], line: number): void {
     const number = (k: number) => numberOf(rest[k], `line ${line}`);
     if (kind === "v") {
-      // Behind x, y and z there may be w, or a colour.
+      // After x, y and z there may be w, or a colour.
       this.points.push([0, 1, 2].map(number));
       if (rest.length >= 6) this.colors.push([-3, -2, -1].map((k) => number(rest.length + k)));
     } else if (kind === "vt") this.pictures.push([number(0), rest.length > 1 ? number(1) : 0]);
@@ -79,7 +79,7 @@ class Statements {
     }
   }
 
-  // One name, which may have blanks in it, or several.
+  // One name, which may contain blanks, or several.
   private library(words: string[]): void {
     for (const name of companion(this.into.files, words.join(" ")) ? [words.join(" ")] : words) {
       const library = companion(this.into.files, name);
@@ -101,7 +101,7 @@ class Statements {
     return this.normals.length > 0;
   }
 
-  // What three is to read: lists first, because faces name their elements from 1 on.
+  // The text for three: lists first, because faces refer to their elements from 1 on.
   text(): string {
     const hasColors = this.colors.length === this.points.length;
     const points = this.points.map((point, i) => `v ${[...point, ...(hasColors ? this.colors[i]! : [])].join(" ")}`);
@@ -109,7 +109,7 @@ class Statements {
   }
 }
 
-// The number of the element that a corner names: from 1 on, or from -1 on backwards, of what stands above it.
+// The index of the element that a corner refers to: from 1 on, or from -1 backwards, in the lines above it.
 function named(kind: string, length: number, word: string): string {
   const index = Number(word);
   const at = index < 0 ? length + index + 1 : index;
@@ -123,7 +123,7 @@ export function readObj(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
   for (const mesh of new OBJLoader().parse(statements.text()).children as Mesh[]) {
     if (!("isMesh" in mesh)) continue; // points without faces
     const { geometry } = mesh;
-    if (!statements.hasNormals) geometry.deleteAttribute("normal"); // those of the triangles, from three
+    if (!statements.hasNormals) geometry.deleteAttribute("normal"); // three has computed them from the triangles
     const materials = [mesh.material].flat();
     const groups = geometry.groups.length ? geometry.groups : [{ start: 0, count: geometry.getAttribute("position").count, materialIndex: 0 }];
     for (const { start, count, materialIndex = 0 } of groups) {

@@ -1,8 +1,8 @@
-// Pictures in files: PNG and JPEG, which come with programs, from whoever wrote them.
+// Pictures in files: PNG and JPEG. They come with programs of unknown origin.
 const MOST_PIXELS = 64e6;
 const MOST_SIDE = 8192;
 
-// "image/png" or "image/jpeg", and the size that the picture says it has; null: it is neither.
+// The type "image/png" or "image/jpeg", and the size in the header of the picture; null: it is neither.
 export function pictureOf(bytes: Uint8Array): { type: string; width: number; height: number } | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length > 24 && view.getUint32(0) === 0x89504e47) return { type: "image/png", width: view.getUint32(16), height: view.getUint32(20) };
@@ -16,7 +16,7 @@ export function pictureOf(bytes: Uint8Array): { type: string; width: number; hei
   return null;
 }
 
-// The picture, ready to be drawn, its first row below; null: it is broken, too large or none.
+// The picture, ready to be drawn, with its first row at the bottom; null: it is broken, too large or no picture.
 export async function decoded(bytes: Uint8Array<ArrayBuffer>): Promise<ImageBitmap | null> {
   const picture = pictureOf(bytes);
   if (!picture || Math.max(picture.width, picture.height) > MOST_SIDE || picture.width * picture.height > MOST_PIXELS) return null;

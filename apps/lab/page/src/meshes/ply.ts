@@ -1,5 +1,5 @@
-// PLY, as text and in both binary forms. Three reads the vertices; it leaves out faces of more than four corners, so faces are read
-// here, and what the header says is compared with what there is.
+// PLY, as text and in both binary forms. Three reads the vertices; it omits faces with more than four corners, so faces are read here,
+// and the counts in the header are checked.
 //
 // source  G. Turk, The PLY polygon file format, 1994.
 import { Color, SRGBColorSpace, type BufferGeometry } from "three";
@@ -11,7 +11,7 @@ import { numberOf, textOf } from "./words.ts";
 const MOST_OF_LIST = 32_767;
 const LONGEST_HEADER = 1 << 20; // bytes
 
-// A type of PLY: its bytes, what stands for 1 where it is a part of a colour, and how a number is read.
+// A type of PLY: its size in bytes, the value of 1 in a colour, and how a number is read.
 interface Type {
   size: number;
   one: number;
@@ -79,11 +79,11 @@ function propertyOf(words: readonly string[]): Property {
   return { words: words.join(" "), name: words.at(-1)!, type: typeOf(words.at(-2)!), count };
 }
 
-// What is behind the header: the part that describes vertices, as three reads it, and the numbers behind it one after the other.
+// The content after the header: the part for vertices, as three reads it, and the numbers after it one by one.
 interface Body {
   vertices: ArrayBuffer | string;
   next(type: Type, where: () => string): number;
-  left(): number; // numbers of a text that were not asked for
+  left(): number; // numbers of a text that were not read
 }
 
 const tooFew = (element: Element, there: number): never => refuse(`its header says ${element.count} elements "${shown(element.name)}", but there are ${Math.floor(there)}`);
@@ -128,7 +128,7 @@ function vertexCorners(data: ArrayBuffer | string, vertex: Element, hasPicture: 
   const channels = (["red", "green", "blue", "alpha"] as const).map((name) => vertex.properties.find((each) => [name, name[0], `diffuse_${name}`].includes(each.name)));
   const named = hasPicture || !channels.slice(0, 3).every(Boolean) ? [] : channels.filter((each) => each !== undefined);
   const loader = new PLYLoader();
-  // By three's own names colours would be rounded to the type of the file once they are linear.
+  // With three's own names, linear colours would be rounded to the type in the file.
   if (named.length) loader.setCustomPropertyNameMapping({ screen: named.map(({ name }) => name) });
   const geometry: BufferGeometry = loader.parse(data);
   if (geometry.getAttribute("position").count !== vertex.count) refuse("its vertices have no x, y and z");
@@ -141,7 +141,7 @@ function vertexCorners(data: ArrayBuffer | string, vertex: Element, hasPicture: 
   });
 }
 
-// The numbers of an element: those of each list, of other properties one.
+// The numbers of an element: those of each list, and one for each other property.
 function rowOf({ name, properties }: Element, index: number, next: Body["next"]): number[][] {
   const where = () => `element ${index} "${shown(name)}"`;
   return properties.map(({ type, count }) => {

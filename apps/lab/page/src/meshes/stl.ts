@@ -1,4 +1,4 @@
-// STL, as text and in binary form, read by three. Three passes over what it does not expect, so files are checked before.
+// STL, as text and in binary form, read by three. Three ignores words that it does not know, so files are checked first.
 import type { BufferGeometry } from "three";
 import { STLLoader } from "three/examples/jsm/loaders/STLLoader.js";
 import { cornerOf, refuse, shown, type Corner, type Triangles } from "./triangles.ts";
@@ -7,7 +7,7 @@ import { NUMBER, textOf } from "./words.ts";
 const HEADER = 84;
 const TRIANGLE = 50;
 
-// A binary file is one whose length is what its header says, whatever it begins with, and one that does not begin with `solid`.
+// A file is binary if its length is what its header says, whatever it begins with, or if it does not begin with `solid`.
 export function readStl(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const isExact = bytes.length >= HEADER && bytes.length === HEADER + TRIANGLE * view.getUint32(80, true);
@@ -16,12 +16,12 @@ export function readStl(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
   else readBinary(bytes, into);
 }
 
-// Triangles are flat, whatever normals the file gives. `alpha`: the opacity that Magics gives.
+// Triangles are flat, whatever normals the file gives. `alpha`: the opacity in files of Magics.
 function parsed(file: string | ArrayBuffer): BufferGeometry & { alpha?: number } {
   return new STLLoader().parse(file).deleteAttribute("normal");
 }
 
-// Zeros and the sign by which DOS ends files may stand behind the text.
+// After the text there may be zeros and the character that ends files of DOS.
 function readText(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
   const text = textOf(bytes.subarray(0, bytes.findLastIndex((byte) => byte > 0x20) + 1)).toLowerCase().replace(/\r\n?/g, "\n");
   const facets = facetsOf(text, into);
@@ -33,7 +33,7 @@ function readText(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {
 const VERTEX = `\\s+vertex${`\\s+${NUMBER.source}`.repeat(3)}`;
 const FACET = new RegExp(`facet(?:\\s+normal(?:\\s+\\S+){3})?(?:\\s+outer)?(?:\\s+loop)?(${VERTEX.repeat(3)})(?:\\s+end\\s*loop)?\\s+end\\s*facet(?!\\S)`, "iy");
 
-// The facets of a text as three reads them. Lines that are unknown outside of facets are passed over.
+// The facets of a text as three reads them. Unknown lines outside of facets are ignored.
 function facetsOf(text: string, into: Triangles): string[] {
   const facets: string[] = [];
   const missing = () => into.note("`endsolid` is missing: it may be cut off");
@@ -59,7 +59,7 @@ function facetsOf(text: string, into: Triangles): string[] {
   return facets;
 }
 
-// Gives the line of a position, from 1 on; positions are asked for in rising order.
+// Returns the line of a position, from 1 on; positions must be ascending.
 function lines(text: string): (at: number) => number {
   let [line, next] = [1, text.indexOf("\n")];
   return (at) => {
@@ -68,14 +68,14 @@ function lines(text: string): (at: number) => number {
   };
 }
 
-// Why the facet with which the text begins is none.
+// The mistake in the facet with which the text begins.
 function faultOf(text: string, line: number): string {
   const end = /(?<!\S)end\s*facet(?!\S)/.exec(text);
   const facet = text.slice(0, end ? end.index + end[0].length : text.length);
   const lineAt = lines(facet);
   const words = [...facet.matchAll(/\S+/g)].map((found) => ({ word: found[0], line: line + lineAt(found.index) - 1 }));
   const isNumber = new RegExp(`^${NUMBER.source}$`, "i");
-  const cut = end ? undefined : words.at(-1); // where the text ends there may be half a word
+  const cut = end ? undefined : words.at(-1); // at the end of the text a word may be incomplete
   const known = /^(facet|normal|outer|loop|vertex|end|end(loop|facet))$/;
   for (let i = 0; i < words.length; i++) {
     const { word, line: here } = words[i]!;
@@ -92,8 +92,8 @@ function faultOf(text: string, line: number): string {
 
 const cornersOf = (geometry: BufferGeometry, first: number) => [first, first + 1, first + 2].map((i) => cornerOf(geometry, i)) as [Corner, Corner, Corner];
 
-// Two bytes behind each triangle may have its colour, five bits for each of three. Whether they do is said by a bit, which Magics,
-// whose files have a colour for the rest in the header, uses the other way round. Three reads the form of Magics.
+// The two bytes after each triangle may have its colour, with five bits per component. One bit says whether they do; Magics, whose files
+// have a default colour in the header, inverts this bit. Three reads the form of Magics.
 //
 // source  A. Hiller, in Wikipedia, STL (file format), "Color"; Materialise, Magics.
 function readBinary(bytes: Uint8Array<ArrayBuffer>, into: Triangles): void {

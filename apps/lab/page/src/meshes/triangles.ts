@@ -1,5 +1,5 @@
-// Triangles of any origin, each number checked, and as a GLB file: what the converter of the command makes of such files
-// (apps/mesh/converter/scene_builder.cpp), for pages that have no command behind them.
+// Collects triangles of any origin, with checks of each number, and writes them as a GLB file, as the converter of the command does
+// (apps/mesh/converter/scene_builder.cpp), for pages without a server.
 import { Vector3, type BufferGeometry } from "three";
 import { glbOf } from "./glb_write.ts";
 import { pictureOf } from "./picture.ts";
@@ -9,7 +9,7 @@ const FARTHEST = 1e4; // m
 const MOST_SIDE = 8192; // pixels
 const MOST_NOTES = 20;
 
-// What a file has that is wrong, as a sentence without an end.
+// A fault of a file, as a sentence without a full stop.
 export class Unusable extends Error {}
 export function refuse(why: string): never {
   throw new Unusable(why);
@@ -17,14 +17,14 @@ export function refuse(why: string): never {
 export function checkCount(triangles: number): void {
   if (triangles > MOST_TRIANGLES) refuse(`it has more than ${MOST_TRIANGLES} triangles`);
 }
-// A word of a file as messages show it.
+// A word of a file in the form in which messages show it.
 export const shown = (word: string): string => word.slice(0, 40).replace(/[^ -~\xa0-\u{10ffff}]/gu, "?");
 
 // A corner of a triangle.
 //
 // at       units of the file, z up.
-// normal   of any length; zero: follows from the triangle.
-// picture  0 to 1 from the lower left corner of the picture, v up.
+// normal   of any length; zero: computed from the triangle.
+// picture  texture coordinates, 0 to 1 from the lower left corner of the picture, v up.
 // color    red, green, blue, opacity; linear.
 export interface Corner {
   at: readonly number[];
@@ -46,7 +46,7 @@ export interface Look {
   picture: string; // the name of a file; empty: none
 }
 
-// Companions of a mesh: files that it names, by their own names.
+// Companions of a mesh: the files that it names, by their own names.
 export type Files = ReadonlyMap<string, Uint8Array<ArrayBuffer>>;
 
 const clamped = (value: number | undefined, otherwise: number) => (value !== undefined && Number.isFinite(value) ? Math.min(1, Math.max(0, value)) : otherwise);
@@ -57,11 +57,11 @@ function direction(v: readonly number[] | undefined, otherwise: readonly number[
   return v && Number.isFinite(length) && length > 1e-12 ? v.map((x) => x / length) : otherwise;
 }
 
-// The file that a mesh means by a name: it lies beside it, in whatever case.
+// The file that a mesh refers to by a name: it is beside the mesh, in upper or lower case.
 export function companion(files: Files, name: string): Uint8Array<ArrayBuffer> | null {
   const last = (path: string) => path.split(/[\\/]/).at(-1)!.toLowerCase();
   for (const wanted of [last(name), last(decoded(name))]) {
-    for (const [known, bytes] of files) if (wanted === last(known) || wanted.endsWith(` ${last(known)}`)) return bytes; // options may stand before it
+    for (const [known, bytes] of files) if (wanted === last(known) || wanted.endsWith(` ${last(known)}`)) return bytes; // options may precede it
   }
   return null;
 }
@@ -73,7 +73,7 @@ function decoded(name: string): string {
   }
 }
 
-// Vertices with the same numbers are one; they are found by their bits.
+// Vertices with the same numbers are stored once; they are found by their bits.
 class Part {
   readonly look: number;
   readonly width: number;
@@ -104,13 +104,13 @@ class Part {
     const { width } = this;
     if ((this.count + 1) * width > this.data.length) this.grow();
     const begin = this.count * width;
-    for (let k = 0; k < width; k++) this.data[begin + k] = numbers[k]! + 0; // of the two zeros, one
+    for (let k = 0; k < width; k++) this.data[begin + k] = numbers[k]! + 0; // makes -0 and +0 equal
     const slot = this.slot(this.count);
     if (this.table[slot]! < 0) this.table[slot] = this.count++;
     return this.table[slot]!;
   }
 
-  // Where the vertex stands in the table, or would.
+  // The slot of the vertex in the hash table, or a free one.
   private slot(vertex: number): number {
     const { bits, width, table } = this;
     const mask = table.length - 1;
@@ -147,7 +147,7 @@ class Part {
 
 interface Kind {
   part: Part;
-  columns: [string, number][]; // names and widths of what its vertices have
+  columns: [string, number][]; // names and widths of the attributes of its vertices
 }
 
 export class Triangles {
@@ -164,12 +164,12 @@ export class Triangles {
     this.files = files;
   }
 
-  // What the result lacks: the program that uses it is told.
+  // Adds a note about a part that the result lacks, for the program that uses it.
   note(text: string): void {
     if (this.notes.length < MOST_NOTES && !this.notes.includes(text)) this.notes.push(text);
   }
 
-  // The number of a material; the same one for the same values.
+  // The index of a material; equal materials have the same index.
   look({ name, color, picture }: Look): number {
     const texture = picture ? this.picture(picture) : -1;
     const factor = clampedColor(color);
@@ -201,7 +201,7 @@ export class Triangles {
     return index;
   }
 
-  // look  -1: the file says nothing of its colour.
+  // look  -1: the file gives no colour.
   add(look: number, corners: readonly [Corner, Corner, Corner]): void {
     checkCount(++this.count);
     for (const { at } of corners) {
@@ -241,7 +241,7 @@ export class Triangles {
     return kind;
   }
 
-  // A GLB file. Where a file gives no normals there are none: then every triangle is flat.
+  // A GLB file. If the source has no normals, it has none: then every triangle is flat.
   finish(name: string): ArrayBuffer {
     if (this.count === 0) refuse("there are no triangles in it");
     const views: Record<string, unknown>[] = [];
@@ -268,7 +268,7 @@ export class Triangles {
       return { attributes: Object.fromEntries(attributes), indices: accessor(part.corners.slice(0, part.cornerCount), "SCALAR", 34963), ...(part.look < 0 ? {} : { material: part.look }) };
     });
     const images = this.images.map(({ name: file, type, bytes }) => ({ name: file, mimeType: type, bufferView: view(bytes) }));
-    const half = Math.SQRT1_2; // turns z up into y up, as glTF has it
+    const half = Math.SQRT1_2; // rotates z up to y up, as in glTF
     const json = {
       asset: { version: "2.0", generator: "armlet" },
       scene: 0,

@@ -1,7 +1,7 @@
-// Words and numbers of files that are texts.
+// Words and numbers of text files.
 import { refuse, shown } from "./triangles.ts";
 
-// A number as the formats write it.
+// A number in the syntax of these formats.
 export const NUMBER = /[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?/i;
 const WHOLE = new RegExp(`^${NUMBER.source}$`, "i");
 
@@ -10,9 +10,9 @@ export function textOf(bytes: Uint8Array<ArrayBuffer>): string {
   return new TextDecoder().decode(bytes);
 }
 
-// where  what the message names if the word is no number.
+// where  the position for the message if the word is no number.
 export function numberOf(word: string | undefined, where: string): number {
   if (word === undefined) refuse(`${where} has fewer numbers than it should`);
   if (!WHOLE.test(word)) refuse(`${where} has "${shown(word)}" where a number should be`);
-  return Number(word); // too large a number is infinite, and refused as a coordinate
+  return Number(word); // a number that is too large becomes infinite, and is refused as a coordinate
 }

@@ -1,4 +1,4 @@
-// What a plot shows: columns over time, from the rows of an element or the track of a robot; and as files.
+// The data of a plot: columns over time, from the rows of an element or the track of a robot; and as files.
 import type { ElementInfo } from "../protocol/messages.ts";
 import type { Run } from "../store/run.ts";
 import { shownUnit } from "./units.ts";
@@ -15,14 +15,14 @@ export interface Series {
 
 const DERIVATIVES = ["q", "qd", "qdd"];
 
-// "q of arm" and the like are drawn from the robot's track.
+// "q of arm" and similar plots use the robot's track.
 export function trackPlot(element: ElementInfo, run: Run): { robot: number; derivative: number } | null {
   const match = /^(q|qd|qdd) of (.+)$/.exec(element.name);
   const robot = match ? run.robots.findIndex((r) => r.name === match[2]) : -1;
   return robot < 0 ? null : { robot, derivative: DERIVATIVES.indexOf(match![1]!) };
 }
 
-// The row of another run that this one is compared with; null: it has none.
+// The same data of another run with which this one is compared; null: there is none.
 export function besideOf(element: ElementInfo, run: Run): Series | null {
   const index = run.elements.findIndex((each) => each.kind === element.kind && each.name === element.name);
   if (index < 0 && !trackPlot(element, run)) return null;
@@ -65,7 +65,7 @@ export function csvOf({ t, columns }: Series): string {
 
 const escaped = (text: string) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 
-// A plot as a drawing: one field for each unit, one above the other.
+// A plot as a drawing: one panel for each unit, one below the other.
 export function svgOf(title: string, { t, columns }: Series, colors: readonly string[]): string {
   const units = [...new Set(columns.map((c) => c.unit))];
   const [width, high, left, top] = [640, 240, 64, 32];

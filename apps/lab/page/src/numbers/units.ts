@@ -1,8 +1,8 @@
-// Quantities as people read them: degrees and millimetres for the numbers of joints and hands.
+// Quantities for display: degrees and millimetres for joint values and tool poses.
 
 export interface Shown {
   unit: string;
-  factor: number; // what is shown = factor * SI
+  factor: number; // shown number = factor * SI
   digits: number;
 }
 
@@ -26,13 +26,13 @@ export function written(si: number, shown: Shown): string {
   return fixed(si * shown.factor, shown.digits);
 }
 
-// Without the sign of what is zero then.
+// A number that is rounded to zero has no sign.
 export function fixed(value: number, digits: number): string {
   const text = value.toFixed(digits);
   return Number(text) === 0 ? text.replace("-", "") : text;
 }
 
-// Angles of a pose's turn about z, y and x, as yaw, pitch and roll: R = Rz(yaw) Ry(pitch) Rx(roll).
+// The rotation angles of a pose about z, y and x, as yaw, pitch and roll: R = Rz(yaw) Ry(pitch) Rx(roll).
 export function rollPitchYaw(pose: readonly number[]): { roll: number; pitch: number; yaw: number } {
   const [, , , w = 1, x = 0, y = 0, z = 0] = pose;
   return {

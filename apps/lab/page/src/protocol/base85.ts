@@ -1,6 +1,6 @@
-// Bytes written as text, four of them as five digits to the base 85, which is a sixteenth shorter than base64 (apps/lab/messages/base85.hpp,
-// apps/wasm/pack_laboratory.mjs). The digits are the signs from ( to ; and from > to ~: none of them begins an element.
-// Of fewer bytes at the end as many digits and one are written.
+// Bytes as text, four of them as five digits to the base 85, which is a sixteenth shorter than base64 (apps/lab/messages/base85.hpp,
+// apps/wasm/pack_laboratory.mjs). The digits are the characters from ( to ; and from > to ~: none of them begins an element. A remainder
+// of n bytes at the end becomes n + 1 digits.
 
 export function fromBase85(text: string): Uint8Array<ArrayBuffer> {
   const rest = text.length % 5;

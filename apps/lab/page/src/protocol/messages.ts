@@ -39,7 +39,7 @@ export interface JointInfo {
   T_before_joint: Matrix;
   T_joint_link: Matrix;
 }
-// A link of a robot whose joints move several links each: its value is ratio q + offset, q that of a joint.
+// A link of a robot in which one joint moves several links: its joint value is ratio q + offset, where q is the value of that joint.
 export interface RowInfo {
   unit: "rad" | "m";
   T_before_joint: Matrix;
@@ -57,14 +57,14 @@ export interface Shape {
   length?: number;
   thickness?: number;
   size?: number[];
-  given?: boolean; // by a description: drawn beside the pictures of its link, not in their place
+  given?: boolean; // by a description: drawn in addition to the pictures of its link, not replaced by them
 }
-// What is drawn in the place of the shapes of a link: a GLB file, turned so that z is up and moved by T.
+// The picture of a link, drawn instead of its shapes: a GLB file, rotated to z up and moved by T.
 export interface LinkPicture {
   link: number;
   file: string;
   T: Matrix;
-  use?: "picture" | "collision"; // both, where it is missing
+  use?: "picture" | "collision"; // missing: both
 }
 export interface ToolInfo {
   kind: string;
@@ -84,12 +84,12 @@ export interface RobotInfo {
   name: string;
   home: number[];
   joints: JointInfo[];
-  rows?: RowInfo[]; // missing: each joint moves the link of its number
+  rows?: RowInfo[]; // missing: joint i moves link i
   on?: number; // the robot whose flange carries the base, in whose frame T_world_base is then; -1: none
   T_world_base: Matrix;
   tool: ToolInfo;
   shapes: Shape[];
-  solids?: Shape[]; // with which collisions are found
+  solids?: Shape[]; // simplified shapes for collision checks
   pictures?: LinkPicture[];
   changes?: RobotChange[];
 }
@@ -105,27 +105,27 @@ export interface ObjectInfo {
   texture?: string;
   span?: Span | null;
 }
-// What a shape that is only shown is, while only its place and its sizes change.
+// The properties of a drawing that stay the same while its pose and sizes change.
 export interface DrawingInfo {
   t: number;
   name: string;
   kind: string; // "arrow", "line", "text", "disk", "ellipsoid" or "capsule"
   text: string;
   color: string;
-  robot: number | null; // with which it moves: at its tool point where `link` is -1, or with a link
+  robot: number | null; // that carries it: at its tool point if `link` is -1, otherwise at a link
   link: number;
-  object: string; // the name of the object with which it moves; empty: none
+  object: string; // the name of the object that carries it; empty: none
   span?: Span | null;
 }
-// A camera, in the frame of what carries it: z forward, x right, y down. Lengths of its lens are in pixels.
+// A camera, in the frame of its carrier: z forward, x right, y down. Lengths of its lens are in pixels.
 export interface CameraInfo {
   name: string;
   size: [number, number];
   focal: [number, number];
   centre: [number, number];
-  robot: number | null; // which carries it, with a link, 0 being the base
+  robot: number | null; // that carries it, at a link, 0 being the base
   link: number;
-  object: string; // the name of the one that carries it; empty: none
+  object: string; // the name of the object that carries it; empty: none
   T: Matrix;
 }
 export interface Coordinate {
@@ -174,7 +174,7 @@ export interface Move {
   text: string;
   stopped?: boolean;
 }
-// What a task did, or a signal was, for a time.
+// An interval in which a task executed a statement, or a signal had a value.
 export interface Stretch {
   kind: "task" | "signal";
   name: string;
@@ -183,7 +183,7 @@ export interface Stretch {
   span?: Span | null;
   value?: number | boolean;
 }
-// A way around what stood in the way, as it was planned at t; it takes `duration`, s.
+// A path around obstacles, as it was planned at t; it takes `duration`, s.
 export interface PlannedWay {
   robot: number;
   t: number;
@@ -196,7 +196,7 @@ export interface NoteItem {
   kind: "output" | "message" | "advice";
   text: string;
   span?: Span | null;
-  element?: string; // the button whose function says so
+  element?: string; // the button whose function printed it
 }
 // Advice that the run gave at t.
 export type RunAdvice = Diagnostic & { t: number };
@@ -214,7 +214,7 @@ export interface RunMessage extends RunHead {
   type: "run";
   text_version: number;
   inputs?: Record<string, unknown>[];
-  pictures?: number; // that its cameras took
+  pictures?: number; // number of pictures that its cameras took
   hash?: string | null;
   error?: RunError | null;
 }
@@ -279,7 +279,7 @@ export interface NamedFrame {
   object: string;
   pose: Pose;
 }
-// A part of a robot, what it carries, or an object, and its point that is nearest to another one.
+// A body: a part of a robot, its payload, or an object; and its point that is nearest to another body.
 export interface NearBody {
   robot: number | null;
   object: string;
@@ -290,7 +290,7 @@ export interface NearBody {
 export interface NearPair {
   distance: number;
   at_least?: boolean; // they may overlap by more
-  felt?: boolean; // by the hand, which presses into the other one
+  felt?: boolean; // there is a contact force: the tool presses into the other one
   body: NearBody;
   other: NearBody;
 }
@@ -308,16 +308,16 @@ export interface InstantMessage {
   frames?: NamedFrame[];
   clearances?: NearPair[];
   presses?: Press[];
-  values?: Record<string, ElementValue>; // of elements, where the question was only to look
+  values?: Record<string, ElementValue>; // of elements, if the question did not move the cursor
 }
-// A place where a robot presses on something: where, m, and the force that it feels there, N.
+// A point at which a robot presses on something: the point, m, and the contact force on the robot, N.
 export interface Press {
   robot: number;
   object: string;
   at: [number, number, number];
   force: [number, number, number];
 }
-// What a recording has of an instant, as far as it differs from the one before.
+// The data of a recording for an instant, without what is equal to the instant before.
 export interface Look {
   t: number;
   instant: Partial<InstantMessage>;
@@ -395,7 +395,7 @@ export type IncomingOf<T extends Incoming["type"]> = Extract<Incoming, { type: T
 export type StepHow = "over" | "into" | "out" | "back" | "continue";
 export type Input = { set: string; value: number | string | boolean } | { press: string } | { joints: string; values: number[] } | { hand: string; pose: Pose } | { hand: string; values: number[] };
 
-// From the page to the laboratory; `seq` is put in on the way.
+// From the page to the laboratory; `seq` is added when it is sent.
 export type Outgoing =
   | { type: "hello"; protocol: 1; key?: string }
   | { type: "text"; text: string; version: number; run?: boolean }

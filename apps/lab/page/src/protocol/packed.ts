@@ -1,4 +1,4 @@
-// Bytes that were packed by gzip and written as text (apps/wasm/pack_laboratory.mjs).
+// Bytes compressed by gzip and written as text (apps/wasm/pack_laboratory.mjs).
 import { fromBase85 } from "./base85.ts";
 
 export function unpacked(text: string): ReadableStream<Uint8Array<ArrayBuffer>> {

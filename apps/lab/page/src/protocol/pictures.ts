@@ -2,14 +2,14 @@
 const HEAD = 24;
 const PICTURE = 8;
 
-// Points in a picture, x first: features and corners that were found, true corners of an object, and where features are wanted.
+// Points in a picture, x first: detected features and corners, true corners of an object, and goals of features.
 export interface Marks {
   what: string; // "feature", "corner", "truth" or "wanted"
   object: string;
   pixels: [number, number][];
 }
 
-// fault  why there are no features, though they were asked for.
+// fault  why there are no features, although they were requested.
 export interface PictureAnswer {
   width: number;
   height: number;

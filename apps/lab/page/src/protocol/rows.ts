@@ -19,7 +19,7 @@ export interface RowBlock {
   rows: Float64Array;
 }
 
-// Reads one block; null if its length is not what its head says.
+// Reads one block; null if its length differs from the one in its head.
 export function readRows(data: ArrayBuffer): RowBlock | null {
   if (data.byteLength < HEAD) return null;
   const head = new DataView(data);
