@@ -206,6 +206,7 @@ endfunction()
 
 # What the sources must be like, what the documents say, and input that nobody would mean.
 function(armlet_add_source_tests)
+  armlet_add_deletions()
   foreach(source changelog decisions layers messages names sizes structure words)
     add_test(NAME source.${source} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${source}.py)
   endforeach()

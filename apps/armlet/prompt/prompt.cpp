@@ -163,8 +163,7 @@ std::optional<std::string> Prompt::read(LineSource& lines) {
   int blank = 0;
   while (true) {
     auto line = lines.next(before_.empty() ? "rbt> " : "...> ");
-    if (!line && interrupted() && interactive_)
-      return std::string();  // discards the entry
+    if (!line && interrupted() && interactive_) return std::string();  // discards the entry
     if (!line) return before_.empty() ? std::nullopt : std::optional(std::exchange(before_, {}));
     if (before_.empty() && (is_blank(*line) || is_command(*line))) return line;
     before_ += (before_.empty() ? "" : "\n") + *line;

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/check_finite.hpp"
+#include "armlet/model/joint_arrays.hpp"
 #include "kernels.hpp"
 
 // What the functions of the layer check of their arguments and results.

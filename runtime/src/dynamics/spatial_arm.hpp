@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/twist.hpp"
+#include "armlet/model/joint_arrays.hpp"
 
 namespace armlet {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "armlet/core/error.hpp"
-#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/twist.hpp"
+#include "armlet/model/joint_arrays.hpp"
 
 namespace armlet {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/twist.hpp"
+#include "armlet/model/joint_arrays.hpp"
 
 // The joint forces of a motion. Throughout, tau are the forces of the motors, seen at the joints,
 // in N m (revolute) and N (prismatic):

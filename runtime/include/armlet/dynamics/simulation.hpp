@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "armlet/model/joint_arrays.hpp"
 #include "armlet/math/ode.hpp"
+#include "armlet/model/joint_arrays.hpp"
 
 namespace armlet {
 
