@@ -22,6 +22,8 @@ PICTURES = {
     "laboratories/laboratory_17.svg": ("examples/labs/17_stick_slip.rbt", FIGURES),
     "laboratories/laboratory_18.png": ("examples/labs/18_see_the_cube.rbt", "eye.capture().save(FILE)"),
     "laboratories/laboratory_19.svg": ("examples/labs/19_visual_servoing.rbt", FIGURES),
+    "cameras/sorting.png": ("examples/cameras/sort_by_sight.rbt", "snapshot(FILE)"),
+    "../../examples/cameras/photograph.jpg": ("tests/cameras/photograph.rbt", "photo.save(FILE)"),
     "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
 }
 
