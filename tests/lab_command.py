@@ -2,6 +2,7 @@
 """armlet lab --inputs: laboratories are played without a page, identically each time, and bad scripts are refused:
 lab_command.py ARMLET."""
 
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -10,7 +11,7 @@ from pathlib import Path
 COMMAND = Path(sys.argv[1]).resolve()
 ROOT = Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "examples" / "figures"
-MOST_LINES = 40
+MOST_LINES = 70
 
 LAB = """robot arm = robots.scara()
 lab cell {
@@ -153,7 +154,7 @@ def check_pictures(folder):
 def check_figures(folder):
     """Each figure with a `lab` block has inputs beside it, which say in comments what they show."""
     played = 0
-    for program in sorted(FIGURES.glob("*.rbt")):
+    for program in sorted(FIGURES.rglob("*.rbt")):
         text = program.read_text()
         if "\nlab " not in text:
             continue
@@ -168,7 +169,25 @@ def check_figures(folder):
             check(line in ran.stdout.splitlines(), f"{program.name}: no line `{line}` in\n{ran.stdout}")
         check(len(wanted) > 0, f"{script.name} expects nothing")
         played += 1
-    check(played >= 8, f"{played} figures were played")
+    check(played >= 11, f"{played} figures were played")
+
+
+def check_photograph(folder):
+    """The name of a photograph is given in the laboratory; one that is not there is said to be missing."""
+    for ending in ("rbt", "jpg"):
+        shutil.copy(ROOT / "examples" / "cameras" / f"photograph.{ending}", folder)
+    shutil.copy(folder / "photograph.jpg", folder / "mine.jpg")
+    program = folder / "photograph.rbt"
+    for file, exit_code in (("mine.jpg", 0), ("missing.jpg", 70)):
+        script = folder / "script.jsonl"
+        script.write_text(f'{{"t": 0, "set": "file", "value": "{file}"}}\n{{"t": 0, "press": "again"}}\n')
+        ran = armlet(folder, "lab", program, "--inputs", script, "--quiet")
+        check(ran.returncode == exit_code, f"{file}: exit {ran.returncode}: {ran.stderr}")
+        if exit_code == 0:
+            first, *found = ran.stdout.splitlines()[:4]
+            check(ran.stdout.splitlines()[4:] == [first.replace("photograph", "mine"), *found], ran.stdout)
+        else:
+            check("missing.jpg" in ran.stderr, ran.stderr)
 
 
 with tempfile.TemporaryDirectory() as name:
@@ -177,3 +196,4 @@ with tempfile.TemporaryDirectory() as name:
     check_variables(Path(name))
     check_pictures(Path(name))
     check_figures(Path(name))
+    check_photograph(Path(name))

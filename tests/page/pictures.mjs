@@ -106,7 +106,7 @@ try {
   await make("world_way", readFileSync(join(root, "examples/22_around_a_wall.rbt"), "utf8"), world, (page) => at(page, 0.43));
   await make("lab_handover", readFileSync(join(root, "examples/06_handover.rbt"), "utf8"), {}, half);
   await make("cameras/window", readFileSync(join(root, "examples/24_camera_window.rbt"), "utf8"), { viewport: { width: 1280, height: 760 }, colorScheme: "light" }, (page) => at(page, 0.43));
-  for (const folder of ["examples/figures", "examples/labs", "examples"]) {
+  for (const folder of ["examples/figures", "examples/figures/cameras", "examples/labs", "examples/cameras", "examples"]) {
     for (const file of readdirSync(join(root, folder)).filter((name) => name.endsWith(".rbt"))) {
       const text = readFileSync(join(root, folder, file), "utf8");
       if (/^lab \w+ \{/m.test(text)) await make(`lab_${file.replace(".rbt", "")}`, text);

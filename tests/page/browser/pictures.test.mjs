@@ -9,12 +9,14 @@ import { readPng, smallPng } from "../small_png.mjs";
 
 after(closeBrowser);
 
-const folder = join(root, "examples/figures");
-const names = readdirSync(folder).filter((name) => name.endsWith(".jsonl")).map((name) => name.replace(".jsonl", ""));
+// The programs with recorded inputs: the names of their files, and the folders of these.
+const folders = new Map(["examples/figures", "examples/figures/cameras"].flatMap((folder) =>
+  readdirSync(join(root, folder)).filter((name) => name.endsWith(".jsonl")).map((name) => [name.replace(".jsonl", ""), join(root, folder)])));
+const names = [...folders.keys()];
 
 // What people do there, but for what is only shown.
 function inputsOf(name) {
-  const lines = readFileSync(join(folder, `${name}.jsonl`), "utf8").split("\n").filter((line) => line.startsWith("{"));
+  const lines = readFileSync(join(folders.get(name), `${name}.jsonl`), "utf8").split("\n").filter((line) => line.startsWith("{"));
   return lines.map((line) => JSON.parse(line)).filter((input) => !input.show);
 }
 
@@ -55,10 +57,10 @@ function difference(one, other) {
   return { mean: sum / a.data.length, most };
 }
 
-assert.ok(names.length >= 8, `figures: ${names}`);
+assert.ok(names.length >= 11, `figures: ${names}`);
 for (const name of names) {
   test(`${name} looks as its picture`, () =>
-    withLab(readFileSync(join(folder, `${name}.rbt`), "utf8"), async (open) => {
+    withLab(readFileSync(join(folders.get(name), `${name}.rbt`), "utf8"), async (open) => {
       const page = await open({ viewport: { width: 1100, height: 700 }, colorScheme: "light", before: joining });
       await untilStatus(page, /\d s$/);
       let count = 0;

@@ -43,8 +43,8 @@ inline std::vector<fs::path> programs_below(const char* folder) {
     // reported; the others draw 100 pictures and more, as fig18d_7dof_ibvs.rbt does on a small
     // scale.
     static constexpr std::string_view kLong[] = {"end_of_time.rbt", "07_visual_servo.rbt",
-                                                 "fig16_ibvs.rbt", "24_camera_window.rbt",
-                                                 "hand_eye.rbt", "sort_by_sight.rbt"};
+                                                 "fig16_ibvs.rbt",  "24_camera_window.rbt",
+                                                 "hand_eye.rbt",    "sort_by_sight.rbt"};
     const bool is_long =
         std::ranges::find(kLong, entry.path().filename().string()) != std::end(kLong);
     if (entry.path().extension() == ".rbt" && !is_module && !is_long) files.push_back(entry.path());
