@@ -2,8 +2,8 @@ import { createHash } from "node:crypto";
 import { defineConfig, type Plugin } from "vite";
 import { comparedNotices } from "./notices.ts";
 
-// KaTeX names each font in three formats; every browser that runs this page reads the first. Letters of
-// \mathfrak, \mathscr and bold or slanted \mathsf, which lessons on robots do not write, are those of the system.
+// KaTeX has each font in three formats; every browser that runs this page reads the first. Letters of \mathfrak, \mathscr and bold or
+// slanted \mathsf, which lessons on robots do not use, are those of the system.
 const LEFT_OUT = /@font-face\s*\{[^}]*(?:KaTeX_Fraktur|KaTeX_Script|KaTeX_SansSerif-(?:Bold|Italic))[^}]*\}/g;
 function onlyWoff2(): Plugin {
   return {
@@ -16,7 +16,7 @@ function onlyWoff2(): Plugin {
   };
 }
 
-// What the page may do: its own script, known by its hash, and nothing that comes with a program.
+// The policy of the page: only its own script, known by its hash, may run, and nothing that comes with a program.
 function policy(code: string): string {
   const hash = createHash("sha256").update(code).digest("base64");
   return [
@@ -25,8 +25,8 @@ function policy(code: string): string {
   ].join("; ");
 }
 
-// One file: the script and the styles are written into the page, so that it can be embedded in a
-// program, mailed, and opened from a disk.
+// One file: script and styles are included in the page, so that it can be embedded in a program, mailed, and opened from a
+// disk.
 function oneFile(): Plugin {
   return {
     name: "one-file",
@@ -53,7 +53,7 @@ function oneFile(): Plugin {
   };
 }
 
-// What else is built, each into one script: `vite build --mode boot`, `--mode worker` and `--mode converter` (src/alone).
+// Further scripts, each built as one file: `vite build --mode boot`, `--mode worker` and `--mode converter` (src/alone).
 const ALONE = ["boot", "worker", "converter"];
 const alone = (name: string) => ({
   plugins: [comparedNotices(false)],

@@ -1,4 +1,4 @@
-// An arm made of the shapes of its description, and how it stands.
+// An arm made of the shapes in its description, drawn at given joint values.
 import {
   BufferAttribute, BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DoubleSide, Group, Matrix4, Mesh, Vector3,
 } from "three";
@@ -13,7 +13,7 @@ import { surface, type Surface } from "./surface.ts";
 const NONE: Shape[] = [];
 const ROUND = 48; // faces of a full circle
 
-// A cylinder about z whose edges are rounded a little, so that they catch the light.
+// A cylinder about z with slightly rounded edges, which reflect the light.
 function turned(round: number, radius: number, length: number, inner = 0): BufferGeometry {
   const bevel = Math.min(0.12 * radius, 0.12 * length, 0.004, inner ? 0.4 * (radius - inner) : Infinity);
   const h = length / 2;
@@ -25,7 +25,8 @@ function turned(round: number, radius: number, length: number, inner = 0): Buffe
   return aroundZ(profile, round);
 }
 
-// What a profile of distances from z and heights becomes when it goes around z: smooth around, with an edge at each of its points.
+// The surface that a profile of radii and heights makes when it rotates about z: smooth around z, with an edge at each point of the
+// profile.
 function aroundZ(profile: readonly [number, number][], round: number): BufferGeometry {
   const stretches = profile.length - 1;
   const rows = 2 * stretches * (round + 1);
@@ -76,7 +77,7 @@ function geometryOf(shape: Shape, round: number): BufferGeometry {
   }
 }
 
-// The body of a joint covers the round end of the link that comes to it, which may be thicker: drawn longer, with its marks at its ends.
+// The body of a joint covers the round end of the link before it, which may be thicker: it is drawn longer, with its marks at its ends.
 function covering(shapes: readonly Shape[]): Shape[] {
   return shapes.map((shape) => {
     const joint = shapes.find((each) => each.link === shape.link && each.role === "joint" && each.T[14] === 0);
@@ -101,15 +102,15 @@ export class ArmView {
   private readonly opacity: number;
   private readonly library: MeshLibrary | null;
   private shapes: Shape[] | null = null;
-  // Links whose pictures are there; shapes that stood in for them are not drawn.
+  // Links whose pictures are loaded; the shapes that replaced them are not drawn.
   private pictured = new Map<number, Group>();
   private fingers: Mesh[] = [];
-  // Whether it is drawn as the bodies with which collisions are found.
+  // Whether it is drawn as the simplified shapes used for collision checks.
   asSolids = false;
 
-  // round    faces of a full circle; fewer make a coarse arm, for drawings.
-  // library  has the pictures of links; without it they are drawn as shapes.
-  // opacity  of a ghost.
+  // round    faces of a full circle; few of them for drawings.
+  // library  provides the pictures of links; without it shapes are drawn.
+  // opacity  of a transparent copy.
   constructor(robot: RobotInfo, palette: Palette, ghost: boolean, { round = ROUND, library = null, opacity = 0.3 }: { round?: number; library?: MeshLibrary | null; opacity?: number } = {}) {
     this.robot = robot;
     this.palette = palette;
@@ -126,7 +127,7 @@ export class ArmView {
     this.build(robot.shapes);
   }
 
-  // Puts the arm where the joints are `q`.
+  // Draws the arm at the joint values `q`.
   stand(q: readonly number[], change?: RobotChange): void {
     const solids = this.asSolids ? (change?.solids ?? this.robot.solids ?? NONE) : NONE;
     const areSolids = solids.length > 0 || (this.asSolids && (this.robot.pictures ?? []).some((each) => each.use === "collision"));
@@ -153,7 +154,7 @@ export class ArmView {
     return place(other).sub(place(one)).transformDirection(one.parent.matrixWorld);
   }
 
-  // Each finger stands `inward` m nearer to the other one than its description says.
+  // Moves each finger `inward` m from its position in the description towards the other one.
   closeFingers(inward: number): void {
     const shapes = this.shapes?.filter((shape) => shape.role.startsWith("finger_")) ?? [];
     if (this.fingers.length !== 2) return;
@@ -164,7 +165,7 @@ export class ArmView {
     this.group.updateMatrixWorld(true);
   }
 
-  // What of the base stands on the floor.
+  // The parts of the base that stand on the floor.
   footprints(): Footprint[] {
     if ((this.robot.on ?? -1) >= 0) return [];
     const frame = this.frameOf(0);
@@ -181,7 +182,7 @@ export class ArmView {
     return this.links[link]?.matrix ?? new Matrix4();
   }
 
-  // What is drawn of a link.
+  // The drawn group of a link.
   linkOf(link: number): Group | null {
     return this.links[link] ?? null;
   }
@@ -216,7 +217,7 @@ export class ArmView {
     }
   }
 
-  // Pictures of links that have come since, of this use or of both, in the place of the shapes that stood in for them.
+  // Replaces the shapes of links by pictures that were loaded since, for this use or for both.
   private takePictures(wanted: "picture" | "collision"): void {
     for (const { link, file, T, use = wanted } of this.robot.pictures ?? []) {
       if (use !== wanted) continue;
@@ -258,7 +259,7 @@ export class ArmView {
     const color = role === "mark" ? palette.accent : DARK_ROLES.has(role) ? palette.linkDark : role === "link" ? palette.link : palette.tool;
     return surface(palette.plain, new Color(color), role === "link" ? 0.42 : 0.55, role === "link" || role === "mark" ? 0 : 0.1, {
       ...(isRing ? { side: DoubleSide } : {}),
-      // Rings lie on what they mark; they win where both are equally far away.
+      // Rings are drawn on the part that they mark, also at equal depth.
       ...(role === "mark" ? { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1 } : {}),
     });
   }

@@ -1,4 +1,4 @@
-// Cameras as small pyramids that open towards what they see, with the picture in the opening where the page has it.
+// Cameras as small pyramids that open in their viewing direction, with the picture in the opening if the page has it.
 import { BufferGeometry, ClampToEdgeWrapping, DataTexture, DoubleSide, Float32BufferAttribute, Group, LinearFilter, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, RGBAFormat, SRGBColorSpace, Vector3 } from "three";
 import type { CameraInfo } from "../protocol/messages.ts";
 import type { PictureAnswer } from "../protocol/pictures.ts";
@@ -14,7 +14,7 @@ export function openingOf({ size: [width, height], focal: [fx, fy], centre: [cx,
   return [at(-0.5, -0.5), at(width - 0.5, -0.5), at(width - 0.5, height - 0.5), at(-0.5, height - 0.5)];
 }
 
-// So deep that its opening is `wide` across.
+// The depth at which the opening has the width `wide`.
 export const depthFor = ({ size, focal }: Pick<CameraInfo, "size" | "focal">, wide: number) => (wide * focal[0]) / size[0];
 
 class CameraView {
@@ -66,12 +66,12 @@ export class CamerasView {
   private views: CameraView[] = [];
   private built = "";
 
-  // Where cameras are.
+  // The positions of the cameras.
   places(): Vector3[] {
     return this.views.filter(({ group }) => group.visible).map(({ group }) => new Vector3().setFromMatrixPosition(group.matrix));
   }
 
-  // reach  how large what is looked at is, m.
+  // reach  the size of the cell, m.
   place(run: Run, t: number, reach: number, palette: Palette, labels: Label[], named: boolean): void {
     const wide = 0.16 * reach;
     const key = JSON.stringify([run.cameras.map(({ size, focal, centre }) => [size, focal, centre]), wide.toPrecision(3)]);

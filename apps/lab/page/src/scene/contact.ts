@@ -1,11 +1,11 @@
-// The darkness under what stands on the floor or is close to it, where little light of the sky comes: it shows where things touch.
-// A lamp's shadow alone does not, because it begins beside them.
+// The dark area under an object on the floor or close to it, where little ambient light arrives: it shows the contact. The shadow of a
+// lamp does not, because it begins beside the object.
 import { InstancedBufferAttribute, InstancedMesh, Matrix4, PlaneGeometry, Quaternion, ShaderMaterial, Vector3 } from "three";
 
 const MOST = 256;
-const HIGHEST = 0.08; // m above the floor: what is higher leaves no darkness
+const HIGHEST = 0.08; // m above the floor: a higher object has no dark area
 
-// An area on the floor: where its middle is, how it is turned about z, half of its sizes, and how far above the floor its thing is.
+// An area on the floor: its centre, its rotation about z, its half sizes, and the height of the object above the floor.
 export interface Footprint {
   x: number;
   y: number;
@@ -80,13 +80,13 @@ export class ContactShadows {
   }
 }
 
-// That of something with the frame of these columns: `half` are half of its sizes along x, y and z.
+// The area of an object whose frame has these columns: `half` are its half sizes along x, y and z.
 export function footprintOf(frame: readonly number[], half: readonly [number, number, number], round = false): Footprint {
   const [x = 0, y = 0, z = 0] = frame.slice(12, 15);
   const reach = (row: number) => [0, 1, 2].reduce((sum, k) => sum + Math.abs(frame[4 * k + row]!) * half[k]!, 0);
   const height = z - reach(2);
   const upright = [0, 1, 2].find((k) => Math.abs(frame[4 * k + 2]!) > 0.999);
-  // What leans covers about as much as its extents along x and y.
+  // The area of a tilted object is about as large as its extents along x and y.
   if (upright === undefined) return { x, y, turn: 0, half: [0.8 * reach(0), 0.8 * reach(1)], height };
   const [a, b] = [(upright + 1) % 3, (upright + 2) % 3] as [number, number];
   return { x, y, turn: Math.atan2(frame[4 * a + 1]!, frame[4 * a]!), half: [half[a]!, half[b]!], height, ...(round && upright === 2 ? { round } : {}) };

@@ -1,6 +1,6 @@
-// Shapes that are only shown: arrows, lines, texts, disks, ellipsoids and capsules.
+// Drawings of a program: arrows, lines, texts, disks, ellipsoids and capsules.
 //
-// All of one form are one mesh of many copies, so that thousands cost little more than one.
+// All drawings of one form are instances of one mesh, so that thousands cost little more than one.
 import {
   CircleGeometry, Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, InstancedMesh, Matrix4, Mesh, SphereGeometry, Vector3, type BufferGeometry,
 } from "three";
@@ -26,7 +26,7 @@ type Form = keyof typeof FORMS;
 
 const SEEN_THROUGH = new Set<Form>(["disk", "ball", "wall", "cap"]);
 const OPACITY = 0.45;
-// An arrow's head as parts of its width, and at most so much of its length.
+// The head of an arrow in units of its width, and its largest fraction of the length.
 const HEAD_LONG = 3.2;
 const HEAD_WIDE = 1.3;
 const HEAD_MOST = 0.5;
@@ -55,7 +55,7 @@ class Copies {
     if (i === this.mesh.instanceMatrix.count) {
       const larger = this.make(2 * i);
       larger.instanceMatrix.array.set(this.mesh.instanceMatrix.array);
-      larger.setColorAt(0, color); // makes room for colours
+      larger.setColorAt(0, color); // allocates memory for colours
       if (this.mesh.instanceColor) larger.instanceColor!.array.set(this.mesh.instanceColor.array);
       this.mesh.parent?.add(larger);
       this.mesh.removeFromParent();
@@ -100,7 +100,7 @@ export class DrawingsView {
     this.group.updateMatrixWorld(true);
   }
 
-  // Each copy as a mesh of its own, for drawings.
+  // Each instance as a mesh of its own, for vector pictures.
   meshes(): Group {
     const group = new Group();
     const color = new Color();
@@ -119,7 +119,7 @@ export class DrawingsView {
 
   private show(info: DrawingInfo, frame: Matrix4, [a, b, c]: [number, number, number], labels: Label[]): void {
     const color = this.colorOf(info.color);
-    // A copy that is so wide along x, y and z, its origin so far along z.
+    // An instance with the widths x, y and z, and its origin at `along` on z.
     const add = (form: Form, x: number, y: number, z: number, along = 0, turned = false) => {
       const copy = frame.clone();
       if (along) copy.multiply(new Matrix4().makeTranslation(0, 0, along));
@@ -156,7 +156,7 @@ export class DrawingsView {
     return color;
   }
 
-  // What a shape is on, in the world; null: that is not there. `known` keeps what was asked for this instant.
+  // The frame in the world that carries a drawing; null: it does not exist. `known` stores the frames of this instant.
   private frameOf(run: Run, t: number, info: DrawingInfo, known: Map<string, Matrix | null>): Matrix | null {
     const key = info.robot === null ? `on ${info.object}` : `${info.robot} ${info.link}`;
     const found = known.get(key);

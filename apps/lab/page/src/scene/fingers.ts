@@ -1,11 +1,11 @@
-// How far the fingers of a gripper stand apart: programs grasp and release at an instant, and fingers of a picture
-// close on what is held.
+// The opening of a gripper: programs grasp and release at an instant, and the drawn fingers close on the held
+// object.
 import type { ObjectInfo } from "../protocol/messages.ts";
 import { poseMatrix } from "../store/kinematics.ts";
 import type { Run } from "../store/run.ts";
 import { halfExtents, isRound } from "../store/shapes.ts";
 
-const TAKES = 0.15; // s of a picture before the grasp and after the release
+const TAKES = 0.15; // s during which the picture changes, before the grasp and after the release
 
 // The extent of an object along a direction of the world, m.
 export function extent(object: ObjectInfo, pose: readonly number[], along: readonly [number, number, number]): number {
@@ -14,11 +14,12 @@ export function extent(object: ObjectInfo, pose: readonly number[], along: reado
   const [x, y, z] = halfExtents(object);
   if (object.shape === "sphere") return 2 * x;
   if (!isRound(object)) return 2 * (x * inside[0] + y * inside[1] + z * inside[2]);
-  const radius = object.shape === "cone" ? x / 2 : x; // where the frame is
+  const radius = object.shape === "cone" ? x / 2 : x; // where its frame is
   return 2 * (radius * Math.hypot(inside[0], inside[1]) + z * inside[2]);
 }
 
-// What a robot holds at t or is about to take or has just given, and how much of the way the fingers have closed: 0 to 1.
+// The object that a robot holds at t, is about to grasp or has just released, and the closed fraction of the motion of its fingers: 0 to
+// 1.
 export function grasped(run: Run, robot: number, t: number): { object: number; closed: number } | null {
   let held: number | null = null;
   for (const event of run.events) {

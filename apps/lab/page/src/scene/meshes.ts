@@ -1,4 +1,4 @@
-// Meshes and pictures from files, as three.js draws them. Each file is read once; what is drawn shares its geometry.
+// Meshes and pictures from files, as three.js draws them. Each file is read once; all drawings of it share its geometry.
 import {
   CanvasTexture, Group, LoadingManager, Mesh, MeshLambertMaterial, MeshStandardMaterial, SRGBColorSpace, type BufferGeometry, type Material, type Object3D, type Texture,
 } from "three";
@@ -6,16 +6,16 @@ import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { decoded } from "../meshes/picture.ts";
 import { onlyShapes } from "./safe_glb.ts";
 
-const KEPT = 32; // files that are kept although nothing shows them
+const KEPT = 32; // files that stay loaded although nothing shows them
 
-// A mesh from a file, z up. Without materials in the file it has none of its own.
+// A mesh from a file, z up. If the file has no materials, neither has the mesh.
 export interface Model {
   group: Group;
   hasMaterials: boolean;
 }
 type Entry<T> = { value: T | null; ready: Promise<T | null> };
 
-// glTF materials mirror their surroundings, of which there are none here: metal would be black.
+// Metallic glTF materials reflect their surroundings, of which there are none here: they would be black.
 function calm(material: Material, plain: boolean): Material {
   if (!(material instanceof MeshStandardMaterial)) return material;
   if (!plain) {
@@ -45,7 +45,7 @@ export async function readModel(bytes: ArrayBuffer, plain: boolean): Promise<Mod
     }
     const mesh = node as Mesh<BufferGeometry, Material>;
     if (!mesh.geometry.hasAttribute("normal")) {
-      // Then every triangle is flat (glTF 2.0 specification, 3.7.2.1), and has its corners for itself.
+      // Then every triangle is flat (glTF 2.0 specification, 3.7.2.1), and needs corners of its own.
       if (mesh.geometry.index) mesh.geometry = mesh.geometry.toNonIndexed();
       mesh.geometry.computeVertexNormals();
     }
@@ -64,7 +64,7 @@ export class MeshLibrary {
   private readonly textures = new Map<string, Entry<Texture>>();
   private readonly file: (name: string) => Promise<ArrayBuffer>;
   private readonly plain: boolean;
-  // Called when something has become known.
+  // Called when a file was loaded.
   changed: () => void = () => {};
 
   constructor(file: (name: string) => Promise<ArrayBuffer>, plain: boolean) {
@@ -72,7 +72,7 @@ export class MeshLibrary {
     this.plain = plain;
   }
 
-  // Null: it is not known yet, or cannot be shown.
+  // Null: it is not loaded yet, or cannot be shown.
   model(name: string): Model | null {
     return this.entry(this.models, name, async (bytes) => readModel(bytes, this.plain)).value;
   }
@@ -82,19 +82,19 @@ export class MeshLibrary {
       const bitmap = await decoded(new Uint8Array(bytes));
       if (!bitmap) return null;
       const texture = new CanvasTexture(bitmap as unknown as HTMLCanvasElement);
-      texture.flipY = false; // it is turned already
+      texture.flipY = false; // the picture is flipped already
       texture.colorSpace = SRGBColorSpace;
       texture.anisotropy = 8;
       return texture;
     }).value;
   }
 
-  // Whether all files that were asked for have been read.
+  // Resolves when all requested files have been read.
   async settled(): Promise<void> {
     await Promise.all([...this.models.values(), ...this.textures.values()].map((entry) => entry.ready));
   }
 
-  // Forgets files that nothing has asked for since many others.
+  // Removes the files that were requested least recently.
   private entry<T extends Model | Texture>(map: Map<string, Entry<T>>, name: string, read: (bytes: ArrayBuffer) => Promise<T | null>): Entry<T> {
     let entry = map.get(name);
     if (!entry) {

@@ -1,9 +1,9 @@
-// How near two things are, in words.
+// The distance of two bodies as text.
 import type { NearPair } from "../protocol/messages.ts";
 
-export const SOFT = 1e-4; // m: what overlaps less touches only, as collisions are told
+export const SOFT = 1e-4; // m: a smaller overlap is only a contact, as in collision reports
 
-const PRESSED = 0.01; // m: what a hand presses into so deep is felt, as it may be wanted
+const PRESSED = 0.01; // m: up to this depth of the tool in an object there is a contact force, which may be intended
 
 export const overlaps = (pair: NearPair) => pair.distance < -(pair.felt ? PRESSED : SOFT);
 

@@ -11,7 +11,7 @@ import { surface, type Surface } from "./surface.ts";
 
 const TOP = 4; // the face of a box towards +z
 
-// Pictures lie on a box with their lower left corner at -x, -y; on what is round they go once around, upright along z.
+// A picture on a box has its lower left corner at -x, -y; on a round object it goes once around, upright along z.
 function geometryOf(object: ObjectInfo): BufferGeometry {
   const [a = 0.04, b = 0.04, c = 0.04] = object.size;
   if (object.shape === "sphere") return new SphereGeometry(a, 48, 32).rotateX(Math.PI / 2);
@@ -22,7 +22,7 @@ function geometryOf(object: ObjectInfo): BufferGeometry {
   return new RoundedBoxGeometry(a, b, c, 2, Math.min(0.003, 0.06 * Math.min(a, b, c)));
 }
 
-// Colours have the names of CSS or are written as there; anything else is grey.
+// Colours are names of CSS or in its notation; anything else is grey.
 export function colorOf(name: string): Color {
   const grey = new Color("#8c939d");
   if (/^#[0-9a-f]{6}$/i.test(name)) return grey.set(name);
@@ -53,7 +53,7 @@ class ObjectView {
     return material;
   }
 
-  // What has come of the files of the object since.
+  // Uses the files of the object that were loaded since.
   take(library: MeshLibrary): void {
     const { file, T, texture, shape, name } = this.info;
     const model = file !== undefined && T && !this.model ? library.model(file) : null;
@@ -117,7 +117,7 @@ export class ObjectsView {
     this.group.updateMatrixWorld(true);
   }
 
-  // What is drawn of an object.
+  // The drawn group of an object.
   viewOf(index: number): Group | null {
     return this.views[index]?.group ?? null;
   }

@@ -14,12 +14,12 @@ export interface Palette {
   slow: string;
   middle: string;
   fast: string;
-  way: string; // that was planned
+  way: string; // of a planned path
   force: string;
   shadow: number;
   light: number;
   fill: number;
-  // Surfaces without gloss, which are drawn in less time where there is no graphics processor.
+  // Surfaces without gloss, which are drawn faster if there is no graphics processor.
   plain: boolean;
 }
 
@@ -65,7 +65,7 @@ export const dark: Palette = {
   plain: false,
 };
 
-// From slow (0) to fast (1).
+// The colour for a speed from slow (0) to fast (1).
 export function speedColor(palette: Palette, s: number, into = new Color()): Color {
   const [a, b, u] = s < 0.5 ? [palette.slow, palette.middle, 2 * s] : [palette.middle, palette.fast, 2 * s - 1];
   return into.set(a).lerp(new Color(b), Math.min(1, Math.max(0, u)));

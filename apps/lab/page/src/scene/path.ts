@@ -9,7 +9,7 @@ import { neededPoints } from "./simplify.ts";
 import type { Stroke } from "./vector_picture.ts";
 
 const MOST_POINTS = 6000;
-// What a drawn line may differ from the path, as a share of its extent, and its colour, as a share of the top speed.
+// The tolerance of a drawn line, as a fraction of the extent of the path, and of its colour, as a fraction of the top speed.
 const AWAY = 2e-4;
 const PALER = 0.04;
 
@@ -18,7 +18,7 @@ function extentOf(points: readonly (readonly number[])[]): number {
   return box.getSize(new Vector3()).length();
 }
 
-// Straight stretches are drawn as one: without a graphics processor every point of a line takes time.
+// Straight parts are drawn as one line: without a graphics processor every point of a line takes time.
 function drawn(places: readonly number[][], speeds: readonly number[], top: number): number[] {
   const tolerance = AWAY * extentOf(places);
   return neededPoints(places.map((place, i) => [...place, ((speeds[i] ?? 0) / top) * (tolerance / PALER)]), tolerance);
@@ -83,7 +83,7 @@ export class PathView {
     }
   }
 
-  // Lights up what was done from t0 to t1; nothing if t0 > t1.
+  // Highlights the path from t0 to t1; nothing if t0 > t1.
   light(ranges: [number, number][], palette: Palette): void {
     if (this.highlight) this.remove(this.highlight);
     this.highlight = null;
@@ -101,7 +101,7 @@ export class PathView {
     this.group.add(this.highlight);
   }
 
-  // The time at which the path is nearest to a place on the screen (pixels), if that is near.
+  // The time at which the path is nearest to a point on the screen (pixels), if it is close to it.
   timeAt(x: number, y: number, width: number, height: number, camera: Camera, within: number): number | null {
     const track = this.track;
     if (!track) return null;

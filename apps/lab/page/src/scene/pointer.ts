@@ -1,4 +1,4 @@
-// What the pointer does in the 3D view: paths under it light up, a click goes there or to the text, the handle pulls the hand.
+// The pointer in the 3D view: paths under it are highlighted, a click goes to that instant or to the text, the handle drags the tool.
 import { Plane, Raycaster, Vector2, Vector3, type Camera, type Mesh } from "three";
 import { matrixPose, toolFrame } from "../store/kinematics.ts";
 import type { Span } from "../protocol/messages.ts";
@@ -8,12 +8,12 @@ import type { Store } from "../store/store.ts";
 import type { PathView } from "./path.ts";
 import type { Stage } from "./stage.ts";
 
-// What is there to be pointed at.
+// The data of the scene that the pointer needs.
 export interface Pointed {
   canvas: HTMLCanvasElement;
   paths(): PathView[];
-  active(): number; // the robot whose hand is pulled
-  reach(): number; // radius of what is shown, m
+  active(): number; // the robot whose tool is dragged
+  reach(): number; // radius of the cell, m
   pickObject(name: string, span: Span | null): void;
 }
 
@@ -51,7 +51,7 @@ export class ScenePointer {
     canvas.addEventListener("pointerleave", () => this.setHover(null));
   }
 
-  // Where a pointer meets what is shown or the floor, and whether that faces up; null: it points into the air.
+  // The point of a body or the floor under a pointer, and whether that surface faces up; null: there is none.
   pointAt(event: { clientX: number; clientY: number }): { at: Vector3; isLevel: boolean } | null {
     const { ray } = this.place(event);
     const hit = ray.intersectObject(this.stage.content, true).find((each) => each.object.visible);
@@ -63,7 +63,7 @@ export class ScenePointer {
     return at && at.distanceTo(this.stage.controls.target) < 20 * this.view.reach() ? { at, isLevel: true } : null;
   }
 
-  // Where the pointer is on the picture, and the ray from the eye through it.
+  // The position of the pointer in the picture, and the ray from the camera through it.
   private place(event: { clientX: number; clientY: number }): { x: number; y: number; width: number; height: number; ray: Raycaster } {
     const box = this.view.canvas.getBoundingClientRect();
     const [x, y] = [event.clientX - box.left, event.clientY - box.top];

@@ -1,4 +1,4 @@
-// The 3D view of the shown run at the instant that is looked at.
+// The 3D view of the shown run at the shown instant.
 import { Group, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from "three";
 import type { Intents } from "../store/intents.ts";
 import type { NearBody, Span } from "../protocol/messages.ts";
@@ -28,14 +28,14 @@ import { WaysView } from "./ways.ts";
 export interface SceneHost {
   stage: HTMLElement;
   labels: HTMLElement;
-  // An object or a robot was clicked: the editor shows where the program makes it.
+  // An object or a robot was clicked: the editor shows its declaration.
   pickObject(name: string, span: Span | null): void;
   topSpeed(speed: number): void;
   // The bytes of a file that a description names.
   file(name: string): Promise<ArrayBuffer>;
 }
 
-const LATE = 0.3; // s: what was near so long ago still counts while playing
+const LATE = 0.3; // s: while playing, distances of this age are still shown
 
 export class SceneView {
   private readonly store: Store;
@@ -66,15 +66,15 @@ export class SceneView {
   private follow = false;
   readonly pointer: ScenePointer;
   showFrames = false;
-  // Whether lines show how near things are; what overlaps is shown always.
+  // Whether lines show the clearances; overlaps are always shown.
   showClearance = false;
-  // Whether arms are drawn as the bodies with which collisions are found.
+  // Whether arms are drawn as the simplified shapes used for collision checks.
   showSolids = false;
-  // Whether bars show what motors give; null: of the robots for which the laboratory has a row that says so.
+  // Whether bars show motor torques; null: only for robots for which the laboratory has a row with torques.
   showTorques: boolean | null = null;
-  // Told how the camera is turned before each picture: a rotation from the world to the camera, in columns.
+  // Called before each picture with the rotation from the world to the camera, in columns.
   onTurn: (columns: readonly number[]) => void = () => {};
-  // The robot whose hand is pulled and whose pose is shown.
+  // The robot whose tool is dragged and whose pose is shown.
   active = 0;
 
   constructor(store: Store, intents: Intents, host: SceneHost) {
@@ -145,7 +145,7 @@ export class SceneView {
     return new Promise((resolve) => this.stage.renderer.domElement.toBlob(resolve, "image/png"));
   }
 
-  // The same as a drawing.
+  // The same as a vector picture.
   drawing(): string {
     const run = shownRun(this.store.state);
     if (!run) return "";
@@ -258,7 +258,7 @@ export class SceneView {
     const failure = run.error;
     if (failure && run.robots.length) {
       const robot = Math.max(0, failure.robot ?? 0);
-      // A goal may lie far outside of the picture; what comes nearest to it does not.
+      // A goal may be far outside of the picture; the nearest reachable pose is not.
       const place = failure.nearest?.pose ?? failure.goal;
       const at = place ? pointOf(place) : new Vector3().setFromMatrixPosition(new Matrix4().fromArray(toolFrame(run.robots[robot]!, run.qAt(robot, run.tEnd), run.changeAt(robot, run.tEnd))));
       labels.push({ text: failure.nearest ? `${failure.message}: ${tooFar(failure.nearest)}` : failure.message, at, warning: true });
@@ -267,7 +267,7 @@ export class SceneView {
     this.framePicture(run);
   }
 
-  // Of the objects and of the feet of robots.
+  // Of the objects and of the bases of robots.
   private footprints(run: Run, t: number): Footprint[] {
     const feet = this.arms.flatMap((arm) => arm.footprints());
     const objects = run.objects.flatMap((object, i) => {
@@ -334,7 +334,7 @@ export class SceneView {
     return found && this.objects.viewOf(found.index);
   }
 
-  // Frames with names stay where the things are that they are on.
+  // Named frames move with the bodies that carry them.
   private namedFrames(run: Run, t: number): { name: string; frame: Matrix4 }[] {
     const { instant } = this.store.state;
     if (instant?.run !== run.id) return [];
@@ -393,7 +393,7 @@ export class SceneView {
     this.torques.show(bars, this.palette);
   }
 
-  // The first picture of other robots shows all of them.
+  // For the first picture of other robots the camera moves so that all are visible.
   private reach = 0.5;
   private framePicture(run: Run): void {
     const key = JSON.stringify(run.robots.map((r) => [r.name, r.joints.length, r.T_world_base]));
@@ -426,7 +426,7 @@ export class SceneView {
   }
 }
 
-// Why it is not reached, where it comes nearest; the whole reason stands at the slider or in the problems.
+// The distance of the nearest pose from the goal; the complete reason is at the slider or in the problems.
 export function tooFar({ distance, angle }: { distance: number; angle: number }): string {
   return distance >= 5e-5 ? `${(1000 * distance).toFixed(distance < 0.01 ? 1 : 0)} mm too far` : `turned ${((180 / Math.PI) * angle).toFixed(1)} deg too far`;
 }
@@ -435,7 +435,7 @@ function pointOf(pose: readonly number[]): Vector3 {
   return new Vector3(pose[0], pose[1], pose[2]);
 }
 
-// What is lit of a robot's path: the moves of the line under the pointer, or the one at its instant.
+// The highlighted parts of a robot's path: the moves of the line under the pointer, or the move at its instant.
 export function litRanges(run: Run, hover: State["hover"], robot: number): [number, number][] {
   if (!hover) return [];
   if (hover.from === "text") return run.movesOfLine(hover.line).filter((m) => m.robot === robot).map((m) => [m.t0, m.t1]);

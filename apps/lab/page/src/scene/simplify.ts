@@ -1,7 +1,7 @@
-// Fewer points for a line that looks the same.
+// Removes points of a line without a visible change.
 
-// The indices of the points that are needed so that every other one lies within `tolerance` of the straight piece that takes its
-// place (Douglas and Peucker, 1973). Points have any number of coordinates, all the same; the first and the last one are kept.
+// The indices of the points that are needed so that every other one is within `tolerance` of the line segment that replaces it (Douglas
+// and Peucker, 1973). Points have any number of coordinates, all the same; the first and the last one are kept.
 export function neededPoints(points: readonly (readonly number[])[], tolerance: number): number[] {
   if (points.length < 3) return points.map((_, i) => i);
   const needed = new Set([0, points.length - 1]);
@@ -21,7 +21,7 @@ export function neededPoints(points: readonly (readonly number[])[], tolerance: 
   return [...needed].sort((a, b) => a - b);
 }
 
-// The square of the distance of p from the straight piece from a to b.
+// The squared distance of p from the line segment from a to b.
 function squareToPiece(p: readonly number[], a: readonly number[], b: readonly number[]): number {
   let along = 0;
   let length = 0;

@@ -1,4 +1,4 @@
-// Renderer, camera, light and floor. Draws when something has changed, not otherwise.
+// Renderer, camera, light and floor. Draws only when something has changed.
 import {
   Box3, type BufferGeometry, DirectionalLight, Group, HemisphereLight, MathUtils, Mesh, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
   Scene, ShaderMaterial, ShadowMaterial, Sphere, Vector3, WebGLRenderer, Color, NeutralToneMapping,
@@ -47,8 +47,8 @@ const DIRECTIONS: Record<Exclude<Preset, "hand">, [number, number, number]> = {
   bottom: [0, -0.3, -1],
 };
 
-// Without a graphics processor each picture takes the time of the processor that runs everything else: its edges are not smoothed.
-// Starting is slow there too, so what was started to find out is used.
+// Without a graphics processor the processor draws each picture, without smooth edges. Since the start is slow there too, the renderer
+// that was started to find out is used.
 function startDrawing(): { renderer: WebGLRenderer; software: boolean } {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("webgl2", { alpha: true, antialias: false });
@@ -60,7 +60,7 @@ function startDrawing(): { renderer: WebGLRenderer; software: boolean } {
   return { renderer: new WebGLRenderer({ antialias: true }), software: false };
 }
 
-const TALL = 0.76; // of the height of the view, which buttons and texts do not cover
+const TALL = 0.76; // of the height of the view that buttons and texts do not cover
 
 export class Stage {
   readonly scene = new Scene();
@@ -72,12 +72,12 @@ export class Stage {
   before: () => void = () => {};
   after: () => void = () => {};
   private readonly key = new DirectionalLight(0xffffff, 2.4);
-  private readonly rim = new DirectionalLight(0xffffff, 1); // from behind, so that edges stand out
+  private readonly rim = new DirectionalLight(0xffffff, 1); // from behind, so that edges are visible
   private readonly sky = new HemisphereLight(0xffffff, 0xb8bcc4, 0.8);
   private readonly floor: Mesh<PlaneGeometry, ShaderMaterial>;
   private readonly shade: Mesh<PlaneGeometry, ShadowMaterial>;
   private dirty = false;
-  // Whether the processor draws.
+  // Whether the processor draws, not a graphics processor.
   readonly software: boolean;
 
   constructor(host: HTMLElement) {
@@ -85,7 +85,7 @@ export class Stage {
     this.renderer = renderer;
     this.software = software;
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.autoUpdate = false; // only what stands elsewhere throws another shadow
+    this.renderer.shadowMap.autoUpdate = false; // only moved bodies change the shadows
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
     this.camera.up.set(0, 0, 1);
@@ -141,20 +141,20 @@ export class Stage {
     });
   }
 
-  // Arms or objects stand elsewhere.
+  // Arms or objects have moved.
   moved(): void {
     this.renderer.shadowMap.needsUpdate = true;
     this.invalidate();
   }
 
-  // Draws now, so that the picture can be read.
+  // Draws at once, so that the picture can be read.
   draw(): void {
     this.before();
     this.renderer.render(this.scene, this.camera);
     this.after();
   }
 
-  // Floor, light and limits of zooming for what is `bounds`.
+  // Sets floor, light and limits of zooming for a scene with these bounds.
   fitSurroundings(bounds: Sphere): void {
     const r = Math.max(0.2, bounds.radius);
     const reach = Math.max(1.5, 3.2 * r);
@@ -176,7 +176,7 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  // Looks from a side, or from where the camera is, as near as all the points can be seen between what lies over the view.
+  // Moves the camera to a side, or keeps its direction, as near as possible with all points visible between the controls over the view.
   look(preset: Exclude<Preset, "hand"> | null, { center, points }: Bounds): void {
     const back = (preset ? new Vector3(...DIRECTIONS[preset]) : this.camera.position.clone().sub(this.controls.target)).normalize();
     const right = new Vector3(0, 0, 1).cross(back).normalize();
@@ -205,7 +205,7 @@ export class Stage {
     const { clientWidth: width, clientHeight: height } = host;
     if (!width || !height) return;
     const ratio = Math.min(2, devicePixelRatio);
-    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio); // which begins the picture anew too
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio); // this clears the picture, too
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
@@ -213,7 +213,7 @@ export class Stage {
   }
 }
 
-// A ball around everything, and points at the edges of what is in it.
+// A sphere around everything, and extreme points of the bodies in it.
 export interface Bounds extends Sphere {
   points: Vector3[];
 }

@@ -1,4 +1,4 @@
-// What happens between things: how near they are, which ones touch or overlap, and what hands feel.
+// Relations between bodies: clearances, contacts and overlaps, and contact forces.
 import {
   ConeGeometry, CylinderGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3, type BufferGeometry, type Object3D, type PerspectiveCamera,
 } from "three";
@@ -17,7 +17,7 @@ const DOT = 4;
 const SHAFT = 2.5;
 const HEAD = [7, 18] as const;
 
-// A line between the nearest points of two things, and both in colour where they touch.
+// A line between the nearest points of two bodies, and both bodies coloured if they touch.
 export class Clearances {
   readonly group = new Group();
   private readonly dots: Mesh<SphereGeometry, MeshBasicMaterial>[] = [];
@@ -27,7 +27,7 @@ export class Clearances {
   private lines: Line2[] = [];
   private key = "";
 
-  // partOf  what is drawn of a body; null: nothing is.
+  // partOf  the drawn group of a body; null: it is not drawn.
   show(pairs: readonly NearPair[], palette: Palette, partOf: (body: NearBody) => Object3D | null, labels: Label[]): void {
     const key = JSON.stringify(pairs) + palette.accent;
     for (const pair of pairs) {
@@ -64,7 +64,7 @@ export class Clearances {
     for (const line of this.lines) this.group.add(line);
   }
 
-  // Both things of a pair once more, in a colour that can be seen through.
+  // Draws both bodies of a pair again, in a transparent colour.
   private tint(pairs: readonly NearPair[], palette: Palette, partOf: (body: NearBody) => Object3D | null): void {
     for (const tint of this.tints) tint.removeFromParent();
     for (const material of this.materials) material.dispose();
@@ -92,22 +92,22 @@ export class Clearances {
     this.group.updateMatrixWorld(true);
   }
 
-  // Before each picture: `pixel` gives what a pixel measures at a place, m.
+  // Called before each picture: `pixel` returns the size of a pixel at a point, m.
   face(pixel: (at: Vector3) => number): void {
     for (const dot of this.dots) dot.scale.setScalar(DOT * pixel(dot.position));
     this.group.updateMatrixWorld(true);
   }
 }
 
-// A force at a point; its length on the screen tells how large it is.
+// A force at a point; its length on the screen shows its magnitude.
 export interface Force {
   at: Vector3;
   force: Vector3; // N
   share: number; // of the largest force of the run, 0 to 1
-  on?: string; // what is pressed at this one place; without it: all that a hand feels
+  on?: string; // the pressed body at this point; missing: the whole contact force of the tool
 }
 
-const LONGEST = 0.35; // of the reach of what is shown
+const LONGEST = 0.35; // of the size of the cell
 const SHORTEST = 0.08;
 
 class ArrowView {
@@ -158,7 +158,7 @@ export class Forces {
   readonly group = new Group();
   private arrows: ArrowView[] = [];
 
-  // named  whether each place of pressure says with what it presses.
+  // named  whether each contact point has the name of the pressed body.
   show(forces: readonly Force[], named: boolean, reach: number, palette: Palette, labels: Label[]): void {
     while (this.arrows.length > forces.length) this.arrows.pop()!.dispose();
     forces.forEach((force, i) => {
@@ -176,7 +176,7 @@ export class Forces {
   }
 }
 
-// What a pixel of a picture of this height measures at a place, m.
+// The size of a pixel of a picture with this height at a point, m.
 export function pixelSize(camera: PerspectiveCamera, height: number): (at: Vector3) => number {
   const forward = camera.getWorldDirection(new Vector3());
   return (at) => {

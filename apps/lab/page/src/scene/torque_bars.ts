@@ -1,17 +1,17 @@
-// Bars beside the joints: what each motor gives, as a share of what it can give. They face the camera, have one size on the
-// screen, and are never hidden.
+// Bars beside the joints: the torque of each motor relative to its limit. They face the camera, have a fixed size on the screen, and are
+// never hidden.
 import { Group, Mesh, MeshBasicMaterial, PlaneGeometry, Vector3, type PerspectiveCamera } from "three";
 import { NEAR } from "../store/run.ts";
 import type { Palette } from "./palette.ts";
 
 const HALF = 22; // px: the height of a full bar above and below its middle
 const WIDTH = 8;
-const STEP = 12; // px from one bar to the next of joints that are seen at the same place
+const STEP = 12; // px from one bar to the next, for joints at the same point of the screen
 
 
 export interface Bar {
   at: Vector3;
-  share: number; // -1 to 1 is what the motor can give
+  share: number; // -1 to 1 is within the limit of the motor
 }
 
 const plane = new PlaneGeometry(1, 1);
@@ -67,7 +67,7 @@ export class TorqueBars {
     });
   }
 
-  // Before each picture, which is `height` px high.
+  // Called before each picture, which is `height` px high.
   face(camera: PerspectiveCamera, height: number): void {
     const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
     const forward = camera.getWorldDirection(new Vector3());
@@ -76,7 +76,7 @@ export class TorqueBars {
       const depth = bar.at.clone().sub(camera.position).dot(forward);
       const pixel = (2 * Math.max(depth, camera.near) * Math.tan((camera.fov * Math.PI) / 360)) / Math.max(1, height);
       let at = bar.at.clone().addScaledVector(right, 2 * STEP * pixel);
-      // Joints of a wrist lie together: their bars stand side by side.
+      // Joints of a wrist are close together: their bars are drawn side by side.
       while (seen.some((other) => other.distanceTo(at) < 0.9 * STEP * pixel)) at = at.addScaledVector(right, STEP * pixel);
       seen.push(at);
       bar.group.position.copy(at);

@@ -1,4 +1,4 @@
-// Frames as thin triads with a name, and labels that stay at a point of the scene.
+// Frames as thin triads with a name, and labels at points of the scene.
 import { AxesHelper, Group, Vector3, type Camera, type Matrix4 } from "three";
 
 const COLORS = ["#d1495b", "#2a9d58", "#2f6fde"] as const;
@@ -7,9 +7,9 @@ export interface Label {
   text: string;
   at: Vector3;
   warning?: boolean;
-  // Leaves room for a bar at that point.
+  // Leaves space for a bar at that point.
   beside?: boolean;
-  // A text of the program: so high in the scene, m, in its colour, and exactly at its place.
+  // A text of the program: its height in the scene, m, in its own colour, and exactly at its point.
   height?: number;
   color?: string;
 }
@@ -39,7 +39,7 @@ export class Triads {
   }
 }
 
-// Text over the picture; text comes from programs and is never read as HTML.
+// Texts over the picture; a text may come from a program and is never parsed as HTML.
 export class Labels {
   private readonly host: HTMLElement;
   private labels: Label[] = [];
@@ -60,7 +60,7 @@ export class Labels {
     });
   }
 
-  // What would lie over another one goes below it; the last ones stay where they belong.
+  // A label that would overlap another one moves down; the last labels are not moved.
   place(camera: Camera, width: number, height: number): void {
     const taken: { x: number; y: number; wide: number; high: number }[] = [];
     for (let i = this.labels.length - 1; i >= 0; i--) {
@@ -75,7 +75,7 @@ export class Labels {
         element.style.transform = `translate(${(((p.x + 1) / 2) * width).toFixed(1)}px, ${(((1 - p.y) / 2) * height).toFixed(1)}px) translate(-50%, -50%)`;
         continue;
       }
-      // What is wrong is told at the edge, too.
+      // Warnings are shown at the edge, too.
       element.hidden = p.z > 1 || (!this.labels[i]!.warning && Math.max(Math.abs(p.x), Math.abs(p.y)) > 1.1);
       if (element.hidden) continue;
       const [wide, high] = [element.offsetWidth, element.offsetHeight];

@@ -1,4 +1,4 @@
-// The 3D view as a drawing of lines and areas: what is farther away is drawn first.
+// The 3D view as a vector picture of lines and areas: the farthest are drawn first.
 import { BoxGeometry, BufferGeometry, Color, DoubleSide, Matrix3, Mesh, Vector3, type Object3D, type PerspectiveCamera } from "three";
 import type { Surface } from "./surface.ts";
 
@@ -11,25 +11,25 @@ export interface Drawing {
   width: number;
   height: number;
   ground: string;
-  // Under everything, in the order given, and over everything.
+  // Drawn under everything, in this order, and over everything.
   below: Stroke[];
   above: Stroke[];
 }
 
 const LIGHT = new Vector3(-0.35, -0.95, 1.6).normalize();
 
-// How bright an area with this normal is: light from above and a lamp.
+// The brightness of an area with this normal: light from above and a lamp.
 function brightness(normal: Vector3): number {
   return 0.5 + 0.14 * (1 + normal.z) + 0.32 * Math.max(0, normal.dot(LIGHT));
 }
 
-// A triangle on the picture: pixels, and the depth of each corner as the camera has it.
+// A triangle in the picture: pixels, and the depth of each corner as seen by the camera.
 interface Area {
   corners: [Vector3, Vector3, Vector3];
   color: string;
 }
 
-const MOST_TRIANGLES = 20_000; // of one mesh; a finer one is drawn as the box around it
+const MOST_TRIANGLES = 20_000; // of one mesh; a finer one is drawn as its bounding box
 
 function coarse(mesh: Mesh): Mesh {
   const { geometry } = mesh as Mesh<BufferGeometry>;
@@ -42,8 +42,8 @@ function coarse(mesh: Mesh): Mesh {
   return box;
 }
 
-const SPLIT = 14; // px: what is smaller can stand before or behind another area, but hardly both
-const HIDDEN = 1.5e-5; // of depth: what is farther behind than this is hidden
+const SPLIT = 14; // px: a smaller area is either before or behind another one, hardly both
+const HIDDEN = 1.5e-5; // of depth: an area farther behind than this is hidden
 
 function areasOf(mesh: Mesh, camera: PerspectiveCamera, project: (p: Vector3) => Vector3): Area[] {
   const { geometry } = mesh as Mesh<BufferGeometry>;
@@ -84,7 +84,7 @@ function split(area: Area, into: Area[]): void {
   split({ corners: [middle, q, r], color }, into);
 }
 
-// What is nearest at each pixel.
+// The nearest depth at each pixel.
 class DepthMap {
   private readonly depth: Float64Array;
   private readonly width: number;
@@ -112,7 +112,7 @@ class DepthMap {
     }
   }
 
-  // Whether some of the area is seen: its middle, or a place near a corner.
+  // Whether a part of the area is visible: its middle, or a point near a corner.
   shows({ corners }: Area): boolean {
     const middle = corners[0].clone().add(corners[1]).add(corners[2]).divideScalar(3);
     return [middle, ...corners.map((corner) => corner.clone().lerp(middle, 0.3))].some((p) => {
@@ -147,7 +147,7 @@ export function vectorPicture(content: Object3D[], camera: PerspectiveCamera, dr
     if (places.some((p) => p.z > 1)) return "";
     return `<polyline points="${places.map((p) => `${number(p.x)},${number(p.y)}`).join(" ")}" fill="none" stroke="${color}" stroke-width="${w}" stroke-linecap="round"/>`;
   };
-  // Neighbours of one colour in the order of drawing are one path.
+  // Neighbours with the same colour in the drawing order become one path.
   const paths: string[] = [];
   for (let i = 0; i < seen.length; ) {
     const { color } = seen[i]!;

@@ -1,4 +1,4 @@
-// Planned ways around what stands in the way: the path of the tool, and the arm at some places of it, to be seen through.
+// Planned paths around obstacles: the path of the tool, and transparent copies of the arm along it.
 import { Group } from "three";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
@@ -24,7 +24,7 @@ class WayView {
     this.line.computeLineDistances();
     this.line.frustumCulled = false;
     this.line.renderOrder = 3;
-    this.arms = way.arms.filter((_, i) => i % 2 === 0).map((q) => { // more hide each other
+    this.arms = way.arms.filter((_, i) => i % 2 === 0).map((q) => { // more of them would hide each other
       const arm = new ArmView(run.robots[way.robot]!, { ...palette, ghost: palette.way }, true, { round: 24, library, opacity: 0.13 });
       arm.stand(q, run.changeAt(way.robot, way.t));
       this.group.add(arm.group);

@@ -1,4 +1,4 @@
-// Files that are dropped onto the 3D view: they are kept beside the program, which gets an object of them under the pointer.
+// Files dropped onto the 3D view: they are saved beside the program, and an object with the mesh is added under the pointer.
 import type { Editor } from "../editor/editor.ts";
 import { nameForObject, objectText, placeForObject } from "../editor/new_object.ts";
 import { Refused } from "../home/connection.ts";
@@ -8,7 +8,7 @@ import type { Intents } from "../store/intents.ts";
 import { inControl, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 
-const MOST_BYTES = 32 * 2 ** 20; // as the laboratory takes them
+const MOST_BYTES = 32 * 2 ** 20; // the limit of the laboratory
 const MOST_FILES = 16; // at once
 const MANY_METRES = 10;
 const COMPANION = /\.(mtl|png|jpe?g|bin)$/i;
@@ -28,7 +28,7 @@ export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store,
     stage.classList.remove("takes");
     if (!holds(event)) return;
     event.preventDefault();
-    // Materials and pictures before the meshes that name them.
+    // Materials and pictures precede the meshes that name them.
     const files = [...event.dataTransfer!.files].sort((a, b) => Number(COMPANION.test(b.name)) - Number(COMPANION.test(a.name))).slice(0, MOST_FILES);
     const { clientX, clientY } = event;
     void (async () => {
@@ -49,7 +49,7 @@ export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store,
       const { text } = store.state;
       const found = scene.pointer.pointAt(pointer);
       const at = found ? found.at.toArray() : [0, 0, 0];
-      // Its frame is in the middle of the box around it.
+      // The frame of a mesh is in the middle of its bounding box.
       const height = Math.max(at[2]!, 0) + size[2] / 2;
       const words = Object.values(store.state.welcome?.words ?? {}).flat();
       const things = shownRun(store.state)?.objects.map((object) => object.name) ?? [];
@@ -63,7 +63,7 @@ export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store,
   }
 }
 
-// Where the lines go, and what is put there.
+// The offset for the new lines, and the lines.
 function lines(text: string, object: string): [number, string] {
   const at = placeForObject(text);
   return [at, at > 0 && text[at - 1] !== "\n" ? `\n${object}` : object];

@@ -1,4 +1,4 @@
-// Title, robots and world, play and speed, sharing, and which columns are open; below, who is in control.
+// Title, robots and world, play and speed, sharing, and the visible columns; below, the page that has control.
 import { el, remember, remembered, save, setText } from "../dom/dom.ts";
 import { icon } from "../dom/icons.ts";
 import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
@@ -12,7 +12,7 @@ import type { ColumnName } from "./columns.ts";
 import { hashToText, textToHash } from "./link.ts";
 
 export interface HeaderActions {
-  // The page as it was before anything was shown in it, and whether its laboratory is in it.
+  // The HTML of the page before anything was shown in it, and whether its laboratory is in it.
   source: string;
   alone: boolean;
   help(): void;
@@ -149,7 +149,7 @@ async function share(intents: Intents): Promise<void> {
   }
 }
 
-// A program that came with an address is not run before somebody says so.
+// A program in the address of the page is not run until the user confirms it.
 async function offerLink(host: HTMLElement, intents: Intents): Promise<void> {
   const text = await hashToText(location.hash);
   const isNew = text !== null && text !== intents.state.text;

@@ -1,4 +1,4 @@
-// Three lines in each part of the page for those who see it for the first time. Once closed, they do not come back.
+// Three lines in each part of the page for new users. Once closed, they are not shown again.
 import { el, remember, remembered } from "../dom/dom.ts";
 import type { Store } from "../store/store.ts";
 import type { ColumnName } from "./columns.ts";

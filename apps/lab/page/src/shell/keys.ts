@@ -1,4 +1,4 @@
-// Keys of the whole page, where nobody writes; the help tells them.
+// Keys of the whole page, outside of text fields; the help lists them.
 import { el } from "../dom/dom.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl } from "../store/state.ts";
@@ -60,8 +60,8 @@ export function globalKeys(intents: Intents, help: () => void): void {
   });
 }
 
-// Shows what of the help has the words that are searched. What was searched before is gone when it opens: browsers tell late that
-// a dialog has closed, perhaps when somebody searches in it again.
+// Shows the parts of the help with the searched words. The last search is cleared when the help opens, not when it closes: browsers
+// report the closing of a dialog late, possibly during the next search.
 export function helpDialog(about: () => void): { dialog: HTMLDialogElement; open(): void } {
   const rows = KEYS.map(([key, what]) => el("div", {}, el("dt", {}, key), el("dd", {}, what)));
   const none = el("p", { class: "quiet", role: "status" });

@@ -1,6 +1,6 @@
-// A short program in the address of a page: #p= and the deflated text (zlib) in base64 as addresses write it.
+// A short program in the address of a page: #p= and the text, compressed with zlib, in base64 for addresses.
 
-const MOST = 32_768; // characters of an address that browsers and mails carry without harm
+const MOST = 32_768; // characters of an address that browsers and mail programs accept
 
 async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream): Promise<Uint8Array<ArrayBuffer>> {
   const piped = new Blob([bytes]).stream().pipeThrough(stream);

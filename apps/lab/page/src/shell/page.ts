@@ -1,4 +1,4 @@
-// The page: header, three columns, the bar of time; on a phone one column with tabs.
+// The page: header, three columns, the time bar; on a phone one column with tabs.
 import { aboutDialog } from "../about/about.ts";
 import { el, remember, remembered, setText } from "../dom/dom.ts";
 import { Editor } from "../editor/editor.ts";
@@ -56,7 +56,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
       sceneTools(columns.view, scene, store, intents, editor);
       droppedFiles(stage, scene, store, intents, editor, findConverter());
     } catch (error) {
-      // Everything else works without it.
+      // All other parts work without it.
       columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
     }
     columns.view.append(legend);
@@ -83,8 +83,8 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   });
 }
 
-// Starting to draw in space takes as long as all the rest: it begins when the rest has been painted, with the first run in it or
-// two seconds later.
+// The start of the 3D view takes as long as all the rest: it begins when the rest has been painted with the first run, or after two
+// seconds.
 function whenPainted(store: Store, start: () => void): void {
   let done = false;
   const once = () => {
@@ -96,7 +96,7 @@ function whenPainted(store: Store, start: () => void): void {
   setTimeout(once, 2000);
 }
 
-// In the empty view why there is nothing to be seen; a click leads to the first mistake.
+// In an empty view: the reason why there is nothing to show; a click shows the first mistake.
 function noRun(store: Store, show: (span: Span) => void): HTMLElement {
   const first = () => store.state.diagnostics.find((d) => d.severity === "error");
   const note = el("button", { class: "no-run", hidden: true, onclick: () => first()?.span && show(first()!.span!) });

@@ -13,8 +13,8 @@ export interface Tab {
   content: HTMLElement;
 }
 
-// Tabs with their panels; arrow keys go from one to the next.
-// beside  what stands in their line.
+// Tabs with their panels; arrow keys select the next one.
+// beside  an element at the end of the line of tabs.
 export function tabs(host: HTMLElement, list: Tab[], label: string, beside: HTMLElement): { choose(name: string): void; count(name: string, n: number): void } {
   const buttons = new Map<string, HTMLButtonElement>();
   const counts = new Map<string, HTMLElement>();
@@ -52,7 +52,7 @@ export function tabs(host: HTMLElement, list: Tab[], label: string, beside: HTML
   return { choose, count: (name, n) => setText(counts.get(name)!, n ? String(n) : "") };
 }
 
-// `when` is what stands behind the message: the instant that it is about.
+// `when` is shown after the message: the instant to which it belongs.
 function problem(d: Diagnostic, editor: Editor, allowed: boolean, when: HTMLElement | null = null): HTMLElement {
   const fix = d.fix;
   return el(

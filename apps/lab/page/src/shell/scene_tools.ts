@@ -1,4 +1,4 @@
-// What stands over the 3D view: points of view, frames, the picture as a file, and where the hand is.
+// The tools over the 3D view: points of view, frames, the picture as a file, and the tool pose.
 import { el, save, setText } from "../dom/dom.ts";
 import type { Editor } from "../editor/editor.ts";
 import { fixed, rollPitchYaw } from "../numbers/units.ts";
@@ -14,13 +14,13 @@ const PRESETS: [Preset, string][] = [["iso", "Iso"], ["front", "Front"], ["side"
 
 const trimmed = (value: number, digits: number) => `${+value.toFixed(digits)}`;
 
-// The joints as a program writes them.
+// The joint values in the syntax of programs.
 export function positionText(q: readonly number[], units: readonly ("rad" | "m")[]): string {
   const values = q.map((v, i) => (units[i] === "m" ? `${trimmed(1000 * v, 2)}mm` : `${trimmed((180 / Math.PI) * v, 2)}deg`));
   return `posJ(${values.join(", ")})`;
 }
 
-// The pose of the hand as a program writes it.
+// The tool pose in the syntax of programs.
 export function poseText(pose: readonly number[]): string {
   const mm = (i: number) => `${trimmed(1000 * (pose[i] ?? 0), 2)}mm`;
   const { roll, pitch, yaw } = rollPitchYaw(pose);
@@ -62,7 +62,7 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     const blob = await scene.picture();
     if (blob) save("view.png", blob);
   };
-  // In a narrow view the others stay away until they are asked for; those that are on stay.
+  // In a narrow view the other buttons are hidden until the user opens them; those that are on stay visible.
   const extra = el(
     "span", { class: "extra" }, frames, clearance, torques, solids,
     el("button", { class: "tiny", onclick: () => void picture() }, "PNG"),

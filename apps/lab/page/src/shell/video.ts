@@ -1,12 +1,12 @@
-// The 3D view as a film: the browser records the canvas while the run plays from its start to its end.
+// The 3D view as a video: the browser records the canvas while the run plays from start to end.
 import { el, save, setText } from "../dom/dom.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Store } from "../store/store.ts";
 
 const PICTURES = 30; // a second, at most
-const LAST = 250; // ms that the last picture stays
+const LAST = 250; // ms for which the last picture is shown
 
-// The first kind of film that this browser writes; null: it writes none.
+// The first video format that this browser can write; null: none.
 function kindOfFilm(canvas: HTMLCanvasElement): string | null {
   if (typeof MediaRecorder === "undefined" || typeof canvas.captureStream !== "function") return null;
   return ["video/webm;codecs=vp9", "video/webm", "video/mp4"].find((kind) => MediaRecorder.isTypeSupported(kind)) ?? null;
@@ -32,13 +32,13 @@ export function videoButton(canvas: HTMLCanvasElement, store: Store, intents: In
     own.start();
     intents.goTo(0);
     intents.play(true);
-    if (!store.state.playing) own.stop(); // a run that takes no time
+    if (!store.state.playing) own.stop(); // a run without duration
   };
   const button: HTMLButtonElement = el("button", {
     class: "tiny", hidden: kind === null, "aria-pressed": "false", title: "Play the run and save it as a film; press again to end sooner",
     onclick: () => (recorder ? intents.play(false) : start()),
   }, "Video");
-  // Who pauses, goes elsewhere or comes to the end of the run ends the film.
+  // Pausing, going to another instant, or the end of the run ends the video.
   store.watch((s) => [s.playing], (s) => {
     const own = recorder;
     if (!s.playing && own?.state === "recording") setTimeout(() => own.state === "recording" && own.stop(), LAST);

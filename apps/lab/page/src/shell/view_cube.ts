@@ -1,4 +1,4 @@
-// A cube that stands as the picture does, and whose faces are points of view. Keys and the buttons beside it do the same.
+// A cube that rotates with the view, and whose faces select points of view. Keys and the buttons beside it do the same.
 import { el } from "../dom/dom.ts";
 import type { SceneView } from "../scene/scene.ts";
 import type { Side } from "../scene/stage.ts";
@@ -6,7 +6,7 @@ import type { Side } from "../scene/stage.ts";
 type Axis = readonly [number, number, number];
 const HALF = 20; // px
 
-// Each face with what lies to the right of its middle, below it and in front of it, in the world.
+// Each face with the directions to the right of its middle, below it and in front of it, in the world.
 const FACES: [Side, string, Axis, Axis, Axis][] = [
   ["front", "Front", [1, 0, 0], [0, 0, -1], [0, -1, 0]],
   ["back", "Back", [-1, 0, 0], [0, 0, -1], [0, 1, 0]],

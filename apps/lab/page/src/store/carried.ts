@@ -1,17 +1,17 @@
-// Where something is that a robot or an object carries.
+// The pose of a body that a robot or an object carries.
 import type { Matrix } from "../protocol/messages.ts";
 import { multiply, poseMatrix, rowsOf, shapeFrames, toolFrame } from "./kinematics.ts";
 import type { Run } from "./run.ts";
 
 // robot   its number, or null. link: -1: its tool point; 0: the base; i: link i, the last one being the flange.
-// object  the name of one; empty: none. Without both it stands in the world.
+// object  the name of an object; empty: none. Without robot and object the body is fixed in the world.
 export interface Carrier {
   robot: number | null;
   link: number;
   object: string;
 }
 
-// The frame of what carries it, in the world; null: that is not there.
+// The frame of the carrier in the world; null: it does not exist.
 export function carrierFrame(run: Run, t: number, { robot, link, object }: Carrier): Matrix | null {
   return robot === null ? frameOfObject(run, t, object) : frameOfLink(run, t, robot, link);
 }

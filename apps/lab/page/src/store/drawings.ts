@@ -1,10 +1,10 @@
-// Shapes of a run that are only shown: where each of them is at a time.
+// Drawings of a run, and the pose of each at a time.
 import type { RowBlock } from "../protocol/rows.ts";
 import { Rows } from "./rows.ts";
 
 export const DRAWING_COLUMNS = 12; // t, number, pose (7), sizes (3)
 
-// One list of rows for all shapes; those of each are in the order of time.
+// One list of rows for all drawings; the rows of each are in the order of time.
 export class DrawingRows extends Rows {
   private ofShape: number[][] = [];
 
@@ -23,7 +23,7 @@ export class DrawingRows extends Rows {
     for (; i < this.count; i++) (this.ofShape[this.at(i, 1)] ??= []).push(i);
   }
 
-  // The row of a shape at t; -1: it is not shown then.
+  // The row of a drawing at t; -1: it is not shown then.
   rowAt(shape: number, t: number): number {
     const rows = this.ofShape[shape] ?? [];
     let low = 0;

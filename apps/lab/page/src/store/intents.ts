@@ -1,4 +1,4 @@
-// What a person wants: changes of the state and messages to the laboratory.
+// Actions of the user: changes of the state and messages to the laboratory.
 import { Refused, type Connection } from "../home/connection.ts";
 import type { Incoming, IncomingOf, Input, Pose, StepHow } from "../protocol/messages.ts";
 import { toBase85 } from "../protocol/base85.ts";
@@ -6,12 +6,12 @@ import { Pictures } from "./pictures.ts";
 import type { Store } from "./store.ts";
 import { inControl, shownRun, type State } from "./state.ts";
 
-const PAUSE_IN_TYPING = 150; // ms until the text runs
-const CHECK_EVERY = 30; // ms between two checks of a text that is typed, at least
+const PAUSE_IN_TYPING = 150; // ms without a key after which the text runs
+const CHECK_EVERY = 30; // ms, least time between two checks of a text that is being typed
 const WHILE_PLAYING = 200; // ms between questions for variables
-const WHILE_LOOKING = 60; // the same, while how near things are is shown
+const WHILE_LOOKING = 60; // the same, while clearances are shown
 const PIECE = 480_000; // bytes of a file in one message
-const LONGEST_WAIT = 2000; // ms for an input to be taken, before the next one is sent
+const LONGEST_WAIT = 2000; // ms to wait for an answer to an input, before the next one is sent
 
 export class Intents {
   readonly store: Store;
@@ -23,20 +23,20 @@ export class Intents {
   private sentText: string | null = null;
   private checkedText: string | null = null;
   private checkedAt = -Infinity;
-  private awaited: number | null = null; // the version of the text whose diagnostics have not come yet
+  private awaited: number | null = null; // the version of the text whose diagnostics have not arrived yet
   private wantsCheck = false;
   private waitsForRun = false;
   private asking = false;
   private steps = 0;
   private askedFor = "";
-  private moved = false; // somebody went to an instant that the laboratory has not been asked about yet
-  private visits = 0; // counts that
+  private moved = false; // the user went to an instant for which the laboratory has not been asked yet
+  private visits = 0; // number of such visits
   private askedAt = 0;
   private input: { element: string; what: Input } | null = null;
   private givingInput = false;
   private lastInputs = "";
   private pulling = false;
-  // Whether what comes with an instant is drawn while playing.
+  // Whether data of the instant is drawn while playing.
   looksClosely = false;
   private pullGoal: { robot: number; pose: Pose } | null = null;
 
@@ -51,7 +51,7 @@ export class Intents {
     return this.store.state;
   }
 
-  // A message came in: what waited for it can go on.
+  // A message has arrived: actions that waited for it continue.
   heard(message: Incoming): void {
     if (message.type === "welcome") {
       this.sentText = message.text;
@@ -60,7 +60,7 @@ export class Intents {
       this.givingInput = false;
     }
     const ended = (message.type === "run" && message.state !== "running") || (message.type === "diagnostics" && !message.runs);
-    // A run that goes on with an input, of whichever page, may have other values at the same instant.
+    // A run that continues with an input, of whichever page, may have other values at the same instant.
     if (message.type === "run" && message.run === this.state.shown && message.state !== "running") {
       const key = `${message.run} ${message.inputs?.length ?? 0}`;
       if (key !== this.lastInputs) {
@@ -85,7 +85,7 @@ export class Intents {
     return this.state.ghost !== null && this.state.text !== this.sentText;
   }
 
-  // The text was typed: it is checked and runs after a pause, or at once when `now`.
+  // The text was typed: it is checked, and runs after a pause, or at once if `now`.
   typeText(text: string, now = false): void {
     this.store.change((s) => {
       s.text = text;
@@ -103,8 +103,8 @@ export class Intents {
     this.checkSoon();
   }
 
-  // The first key is checked at once. Of those that follow soon only the last counts: one check at a time, when the one
-  // before it has been answered.
+  // The first key is checked at once. Of keys soon after it only the last is checked: one check at a time, after the answer to the one
+  // before.
   private checkSoon(): void {
     if (this.checking !== undefined || this.awaited !== null) return;
     const wait = this.checkedAt + CHECK_EVERY - performance.now();
@@ -115,7 +115,7 @@ export class Intents {
     }, wait);
   }
 
-  // A number in the text is pulled: the path before it stays as a ghost, and as many texts run as can.
+  // A number in the text is dragged: the path before the change stays visible, and as many texts run as possible.
   pullText(text: string): void {
     this.store.change((s) => {
       s.text = text;
@@ -135,7 +135,7 @@ export class Intents {
     this.store.change((s) => (s.ghost = null));
   }
 
-  // The laboratory has the text of the editor after this; without `run` it only checks it.
+  // Sends the text of the editor to the laboratory; without `run` it is only checked.
   sendText(run = true): void {
     if (run) clearTimeout(this.typing);
     this.wantsCheck = false;
@@ -151,7 +151,7 @@ export class Intents {
     this.connection.send({ type: "text", text: this.state.text, version, ...(run ? {} : { run: false }) });
   }
 
-  // What a page asks for at an instant, without showing it.
+  // The data of an instant, without showing that instant.
   look(run: number, t: number): Promise<IncomingOf<"instant">> {
     return this.connection.ask<"instant">({ type: "goto", t, run, looks: true }, true);
   }
@@ -167,7 +167,7 @@ export class Intents {
     return this.connection.file(name);
   }
 
-  // Keeps a file beside the program; gives the name under which the mesh is there, empty for what belongs to one that comes later.
+  // Saves a file beside the program; returns the name of the mesh there, empty for a companion of a mesh that comes later.
   async keepFile(name: string, bytes: Uint8Array): Promise<{ name: string; size: [number, number, number] }> {
     let kept: { name: string; size: [number, number, number] } = { name: "", size: [0, 0, 0] };
     for (let at = 0; at === 0 || at < bytes.length; at += PIECE) {
@@ -200,7 +200,7 @@ export class Intents {
     this.askForInstant();
   }
 
-  // Time passes while playing: `seconds` of the wall clock.
+  // Advances the shown instant while playing, by `seconds` of the wall clock.
   advance(seconds: number): void {
     const { playing, t, speed } = this.state;
     const run = shownRun(this.state);
@@ -213,7 +213,7 @@ export class Intents {
     this.askForInstant();
   }
 
-  // To the next or last instant at which a move begins or ends.
+  // Goes to the next or previous instant at which a move begins or ends.
   stepMove(direction: 1 | -1): void {
     const stops = shownRun(this.state)?.stops() ?? [];
     const t = this.state.t;
@@ -226,9 +226,9 @@ export class Intents {
       s.playing = false;
       s.followed++;
     });
-    // A step begins where the laboratory's cursor is: first it goes where this page is, if it is not there yet.
+    // A step begins at the laboratory's cursor: first the cursor goes to the shown instant, if it is elsewhere.
     if (this.steps === 0 ? this.isElsewhere() : this.moved) void this.goThere();
-    this.steps++; // until its answer is there, nothing is asked about where this page was
+    this.steps++; // until it is answered, no data of the old instant is requested
     const { visits } = this;
     const instant = await this.answered<"instant">({ type: "step", how });
     this.steps--;
@@ -247,7 +247,7 @@ export class Intents {
     this.connection.send({ type: "breakpoints", lines: next });
   }
 
-  // A slider was moved, a button pressed: the last of what comes while the laboratory is busy counts.
+  // A slider was moved or a button pressed: while the laboratory is busy, only the last input is kept.
   async giveInput(element: string, what: Input): Promise<void> {
     this.input = { element, what };
     if (this.givingInput || !this.live) return;
@@ -287,7 +287,7 @@ export class Intents {
     if (this.state.nearest !== nearest) this.store.change((s) => (s.nearest = nearest));
   }
 
-  // The hand of a robot is pulled to `pose`: how the arm gets there, or why it does not.
+  // The tool of a robot is dragged to `pose`: gets the joint values, or the reason why there are none.
   async pullHand(robot: number, pose: Pose): Promise<void> {
     this.pullGoal = { robot, pose };
     if (this.pulling || !this.live) return;
@@ -338,7 +338,7 @@ export class Intents {
     this.store.change((s) => (s.message = message));
   }
 
-  // The answer, or null after the reason was said.
+  // The answer, or null after the reason was shown.
   async answered<T extends Incoming["type"]>(message: Parameters<Connection["ask"]>[0]) {
     try {
       return await this.ask<T>(message);
@@ -348,7 +348,7 @@ export class Intents {
     }
   }
 
-  // A recording answers no questions, but has what was told at some instants.
+  // A recording answers no questions, but contains data of some instants.
   private showLook(): void {
     const run = shownRun(this.state);
     const look = run?.lookAt(this.state.t);
@@ -360,7 +360,7 @@ export class Intents {
     });
   }
 
-  // Where a recording stands: at the nearest instant that it knows.
+  // The instant of a recording with data that is nearest to t.
   private placeFor(t: number): number {
     const run = shownRun(this.state);
     const inside = Math.min(Math.max(0, t), run?.tEnd ?? 0);
@@ -369,13 +369,13 @@ export class Intents {
     return behind && behind.t - inside < inside - before.t ? behind.t : Math.min(before.t, run.tEnd);
   }
 
-  // Variables and values of elements at the instant that is looked at: one question at a time.
+  // Requests variables and values of elements at the shown instant: one question at a time.
   private askForInstant(): void {
     const { shown, t, playing, connection, instant } = this.state;
     if (!this.live) this.showLook();
     if (!this.live || this.asking || this.steps > 0 || shown === null || connection !== "open" || !this.isElsewhere()) return;
     if (playing && Date.now() - this.askedAt < (this.looksClosely ? WHILE_LOOKING : WHILE_PLAYING)) return;
-    // Several statements may be at one instant: who goes there comes to where all of them were.
+    // Several statements may be at one instant: going to it means after all of them.
     if (!this.moved && instant && instant.run === shown && Math.abs(instant.t - t) < 1e-9) return;
     this.asking = true;
     void this.goThere().finally(() => {
@@ -384,7 +384,7 @@ export class Intents {
     });
   }
 
-  // Whether the laboratory has not been asked about the instant that is looked at.
+  // Whether the laboratory has not been asked about the shown instant.
   private isElsewhere(): boolean {
     return this.moved || `${this.state.shown} ${this.state.t}` !== this.askedFor;
   }

@@ -19,19 +19,19 @@ export function matrixPose(m: Matrix): number[] {
   return [m[12]!, m[13]!, m[14]!, ...[w, x, y, z].map((part) => (w < 0 ? -part : part))];
 }
 
-// How each link moves: as the joint of its number, or as its row says.
+// The motion of each link: by the joint of its number, or by its row.
 export function rowsOf(robot: RobotInfo): readonly RowInfo[] {
   return robot.rows ?? robot.joints.map((joint, i) => ({ ...joint, joint: i, ratio: 1, offset: 0 }));
 }
 
-// The link that a joint moves itself, counted from 0; links that copy it follow.
+// The link that a joint moves directly, counted from 0; links of mimic joints follow.
 export function linkOfJoint(robot: RobotInfo, joint: number): number {
   const own = rowsOf(robot).findIndex((row) => row.joint === joint && row.ratio === 1 && row.offset === 0);
   return own < 0 ? joint : own;
 }
 
-// The frames in which shapes stand, in the world: the base, each joint's T_before_joint M(q), the
-// flange, which is the last link.
+// The frames of the shapes, in the world: the base, T_before_joint M(q) of each joint, and the flange, which is the last
+// link.
 export function shapeFrames(robot: RobotInfo, q: readonly number[], base: Matrix = robot.T_world_base): Matrix[] {
   const link = matrix(base);
   const frames: Matrix[] = [base];
@@ -52,12 +52,12 @@ export function toolFrame(robot: RobotInfo, q: readonly number[], change?: Robot
   return multiply(shapeFrames(robot, q, change?.T_world_base).at(-1)!, tool.T_flange_tool);
 }
 
-// What the robot's base and tool are at t, if that changed since the start.
+// The base and tool of the robot at t, if they have changed since the start.
 export function changeAt(robot: RobotInfo, t: number): RobotChange | undefined {
   return robot.changes?.findLast((change) => change.t <= t);
 }
 
-// Joints within a hundredth of their range of a limit.
+// Whether each joint is closer to a limit than one hundredth of its range.
 export function jointsAtLimits(robot: RobotInfo, q: readonly number[]): boolean[] {
   return robot.joints.map((joint, i) => {
     const margin = 0.01 * (joint.upper - joint.lower);

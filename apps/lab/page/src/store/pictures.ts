@@ -1,5 +1,5 @@
-// Pictures of elements at the instant that is looked at: the laboratory draws them when it is asked, and nothing keeps them but the
-// page, the last one of each.
+// Pictures of elements at the shown instant: the laboratory renders them on request, and only the page stores them, the last one of each
+// element.
 import type { PictureAnswer } from "../protocol/pictures.ts";
 import type { Run, SeenPicture } from "./run.ts";
 import { shownRun, type State } from "./state.ts";
@@ -12,9 +12,9 @@ const keyOf = (run: Run, t: number) => `${run.id} ${run.inputs.length} ${t}`;
 export class Pictures {
   private readonly store: Store;
   private readonly ask: AskPicture;
-  private readonly wanted = new Map<string, number>(); // elements, and how many views show them
+  private readonly wanted = new Map<string, number>(); // elements, and the number of views that show them
   private asking = false;
-  private turn: string[] = []; // who was asked about last stands last
+  private turn: string[] = []; // in the order of their last request
 
   constructor(store: Store, ask: AskPicture) {
     this.store = store;
@@ -22,7 +22,7 @@ export class Pictures {
     store.watch((s) => [s.shown, s.t, s.connection, shownRun(s)?.inputs, shownRun(s)?.described], () => void this.next());
   }
 
-  // The pictures of an element are shown from now on, until the function that is given is called.
+  // Shows the pictures of an element from now on, until the returned function is called.
   want(element: string): () => void {
     this.wanted.set(element, (this.wanted.get(element) ?? 0) + 1);
     if (!this.turn.includes(element)) this.turn.unshift(element);
@@ -37,13 +37,13 @@ export class Pictures {
     };
   }
 
-  // The element whose picture is of another instant and was not asked about for the longest time.
+  // The element whose picture is from another instant and that was requested least recently.
   private due(state: State, run: Run): string | undefined {
     const now = keyOf(run, state.t);
     return this.turn.find((name) => run.elements.some((element) => element.name === name) && run.pictures.get(name)?.key !== now);
   }
 
-  // One question at a time: while it is under way the instant may go on, and only the newest counts.
+  // One request at a time: the instant may change before the answer, and only the newest counts.
   private async next(): Promise<void> {
     const { state } = this.store;
     const run = shownRun(state);

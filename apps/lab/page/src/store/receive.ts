@@ -1,4 +1,4 @@
-// Messages of the laboratory into the state.
+// Applies messages of the laboratory to the state.
 import type * as M from "../protocol/messages.ts";
 import type { Incoming, IncomingOf } from "../protocol/messages.ts";
 import { CONTACT_ROWS, DRAWING_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
@@ -35,7 +35,7 @@ const handlers: Handlers = {
     const run = runOf(state, message.run);
     const atEnd = run === shownRun(state) && !state.playing && state.t >= run.tEnd - 1e-9;
     run.state = message.state;
-    if (atEnd) state.t = message.t_end; // a run that goes on: who looks at its end goes along
+    if (atEnd) state.t = message.t_end; // at the end of a run that continues, the shown instant follows it
     run.tEnd = message.t_end;
     run.textVersion = message.text_version;
     run.label = message.label ?? "";
@@ -92,7 +92,7 @@ const handlers: Handlers = {
   },
   instant(state, message) {
     state.instant = message;
-    // An answer is about where this page was when it asked: it may have gone on since. Who steps goes along by itself.
+    // An answer is for the instant at which it was requested; the page may be elsewhere now. Steps move the page anyway.
     if (message.cursor && !state.playing && typeof message.to !== "number") {
       state.t = message.t;
       state.followed++;
@@ -110,7 +110,7 @@ const handlers: Handlers = {
   },
 };
 
-// A message that is not known is left alone: a newer laboratory may say more.
+// Unknown messages are ignored: a newer laboratory may send more kinds.
 export function receive(state: State, message: Incoming): void {
   const handler = handlers[message.type] as ((state: State, message: Incoming) => void) | undefined;
   handler?.(state, message);
@@ -171,8 +171,8 @@ function growList<T>(state: State, name: "moves" | "ways" | "stretches" | "state
   run.version++;
 }
 
-// A new run is shown when it has ended or has come to the instant that is looked at: until then
-// the one before it stays, so that nothing flickers. Who looks at the end goes on looking at it.
+// A new run is shown when it has ended or has reached the shown instant: until then the run before it stays, so that the view does not
+// flicker. If the end was shown, the end stays shown.
 function showAnnounced(state: State): void {
   if (state.announced === null) return;
   const next = state.runs.get(state.announced);

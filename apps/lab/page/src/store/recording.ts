@@ -1,4 +1,4 @@
-// A run as the messages that tell it, so that a page can show it again without a laboratory.
+// A run as messages, with which a page can show it again without a laboratory.
 import type { Recording } from "../home/recording.ts";
 import { CONTACT_ROWS, DRAWING_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, writeRows } from "../protocol/rows.ts";
 import type { InstantMessage, Look } from "../protocol/messages.ts";
@@ -24,21 +24,21 @@ export function filesOf(run: Run): string[] {
   return [...new Set(names.filter((name) => name !== undefined))];
 }
 
-const EVEN = 240; // instants of a recording at even times
-const MOST = 600; // with the beginnings and ends of moves
+const EVEN = 240; // number of instants at equal intervals in a recording
+const MOST = 600; // including the start and end of moves
 
 export function timesToLook(run: Run): number[] {
   const even = Array.from({ length: EVEN + 1 }, (_, i) => (run.tEnd * i) / EVEN);
   return [...new Set([...even, ...run.stops().slice(0, MOST - EVEN)])].sort((a, b) => a - b);
 }
 
-// What changes of an object from one instant to the next.
+// The members of an object that differ from those at the instant before.
 function changes<T extends object>(now: T, before: Partial<T>): Partial<T> {
   const names = (Object.keys(now) as (keyof T)[]).filter((name) => JSON.stringify(now[name]) !== JSON.stringify(before[name]));
   return Object.fromEntries(names.map((name) => [name, now[name]])) as Partial<T>;
 }
 
-// What was told of some instants, each as far as it differs from the one before.
+// The data of some instants, each without what is equal to the one before.
 export function looksOf(instants: readonly InstantMessage[]): Look[] {
   let [before, known]: [Look["instant"], Look["values"]] = [{}, {}];
   return instants.map(({ type: _type, run: _run, t, cursor: _cursor, values = {}, ...instant }) => {
@@ -48,7 +48,7 @@ export function looksOf(instants: readonly InstantMessage[]): Look[] {
   });
 }
 
-// files  what filesOf names, in base64; those that could not be had are left out.
+// files  the files of filesOf, in base64; files that could not be loaded are left out.
 export function recordingOf(state: State, run: Run, files = new Map<string, string>(), looks: Look[] = run.looks): Recording {
   const { welcome } = state;
   const id = run.id;

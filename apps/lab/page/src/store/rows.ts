@@ -11,7 +11,7 @@ export class Rows {
     this.values = new Float64Array(columns * 64);
   }
 
-  // Takes the rows of a block at the place that it names; `first: 0` begins again.
+  // Stores the rows of a block from index `first` on; `first: 0` starts again.
   add(block: RowBlock): void {
     if (block.columns !== this.columns || block.first > this.count) return;
     const end = block.first + block.count;
@@ -51,7 +51,7 @@ export class Rows {
     return values;
   }
 
-  // `length` columns from column `from` at t, straight between rows.
+  // `length` columns from column `from` at t, interpolated linearly between rows.
   between(t: number, from: number, length: number): number[] {
     const i = this.indexAt(t);
     const j = Math.min(i + 1, this.count - 1);
@@ -62,7 +62,7 @@ export class Rows {
     return values;
   }
 
-  // A pose in seven columns: its quaternion goes the short way.
+  // A pose in seven columns; its quaternion is interpolated along the shorter arc.
   poseAt(t: number, from: number): number[] {
     const pose = this.between(t, from, 7);
     const i = this.indexAt(t);
@@ -76,7 +76,7 @@ export class Rows {
   }
 }
 
-// What one robot did: t, q, qd, qdd of each joint, the pose of the tool.
+// The motion of one robot: t, q, qd, qdd of each joint, the pose of the tool.
 export class Track extends Rows {
   readonly joints: number;
 

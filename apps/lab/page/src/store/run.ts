@@ -1,4 +1,4 @@
-// Everything that is known of one run, and questions about it.
+// All data of one run, and queries about it.
 import type * as M from "../protocol/messages.ts";
 import type { PictureAnswer } from "../protocol/pictures.ts";
 import { DrawingRows } from "./drawings.ts";
@@ -10,7 +10,7 @@ export interface Figure {
   svg: string;
 }
 
-// The newest picture of an element: its instant and the picture, or why there is none.
+// The newest picture of an element with its instant, or the reason why there is none.
 export interface SeenPicture {
   key: string; // of the run with its inputs, and the instant
   t: number;
@@ -18,7 +18,7 @@ export interface SeenPicture {
   fault: string;
 }
 
-// A share of what a motor can give from which on it is near its limit.
+// The fraction of a motor limit above which a torque is near the limit.
 export const NEAR = 0.8;
 
 export class Run {
@@ -43,7 +43,7 @@ export class Run {
   statements: [number, number][] = [];
   ways: M.PlannedWay[] = [];
   stretches: M.Stretch[] = [];
-  looks: M.Look[] = []; // of a recording, each whole, in the order of time
+  looks: M.Look[] = []; // of a recording, each complete, in the order of time
   events: M.ObjectEvent[] = [];
   drawings: M.DrawingInfo[] = [];
   drawingRows = new DrawingRows();
@@ -55,14 +55,14 @@ export class Run {
   elementRows = new Map<number, Rows>();
   forceRows = new Map<number, Rows>();
   contactRows = new Map<number, Rows>();
-  // Values of elements at the time for which they were asked last.
+  // Values of elements at the time of the last request.
   values: Record<string, M.ElementValue> = {};
   valuesAt = -1;
-  // Pictures of elements that were asked for last, by their names.
+  // Pictures of elements that were requested last, by name.
   pictures: ReadonlyMap<string, SeenPicture> = new Map();
-  taken = 0; // pictures that its cameras took
+  taken = 0; // number of pictures that its cameras took
   described = false;
-  // Counts what has come in, so that views know when to look again.
+  // Counts received messages, so that views notice changes.
   version = 0;
 
   constructor(id: number) {
@@ -74,8 +74,8 @@ export class Run {
     return track?.count ? track.qAt(t) : (this.robots[robot]?.home ?? []);
   }
 
-  // What the robot's base and tool are at t, if that is not what they were at the start. The base of a hand is where the arm
-  // that carries it brings it.
+  // The base and tool of the robot at t, if they are not those at the start. The base of a hand moves with the arm that carries
+  // it.
   changeAt(robot: number, t: number): M.RobotChange | undefined {
     const info = this.robots[robot];
     const change = info && changeAt(info, t);
@@ -91,7 +91,7 @@ export class Run {
     };
   }
 
-  // What its tool point goes along; null for a hand on an arm, which has no rows while the arm carries it.
+  // The path of its tool point; null for a hand on an arm, which has no rows while the arm carries it.
   pathOf(robot: number): Track | null {
     return (this.robots[robot]?.on ?? -1) < 0 ? (this.tracks[robot] ?? null) : null;
   }
@@ -104,19 +104,19 @@ export class Run {
     return track?.count ? track.toolAt(t) : matrixPose(toolFrame(info, info.home, this.changeAt(robot, t)));
   }
 
-  // What the motors of a robot give at t, N m or N; null: its masses are not known.
+  // The motor torques of a robot at t, N m or N; null: its masses are unknown.
   forcesAt(robot: number, t: number): number[] | null {
     const rows = this.forceRows.get(robot);
     return rows?.count ? rows.between(t, 1, rows.columns - 1) : null;
   }
 
-  // The same as shares of what they can give; null where nobody knows that.
+  // The same as fractions of the motor limits; null where the limit is unknown.
   sharesAt(robot: number, t: number): (number | null)[] {
     const joints = this.robots[robot]?.joints ?? [];
     return (this.forcesAt(robot, t) ?? []).map((force, k) => (joints[k]?.max_force ? force / joints[k].max_force : null));
   }
 
-  // Force that objects exert on the tool point of a robot at t, N; null: none.
+  // The contact force on the tool point of a robot at t, N; null: none.
   contactAt(robot: number, t: number): [number, number, number] | null {
     const rows = this.contactRows.get(robot);
     if (!rows?.count || t < rows.time(0)) return null;
@@ -124,7 +124,7 @@ export class Run {
     return x || y || z ? [x, y, z] : null;
   }
 
-  // The largest of these forces in the run, N.
+  // The largest contact force in the run, N.
   topContact(robot: number): number {
     const rows = this.contactRows.get(robot);
     let top = 0;
@@ -132,8 +132,8 @@ export class Run {
     return top;
   }
 
-  // The way that a robot goes around something at t, or is about to go: the newest that was planned until then, if the
-  // move behind it has not ended.
+  // The path around an obstacle that a robot follows at t, or is about to follow: the newest one planned until then, if its move has not
+  // ended.
   wayAt(robot: number, t: number): M.PlannedWay | null {
     const way = this.ways.findLast((each) => each.robot === robot && each.t <= t + 1e-9);
     if (!way) return null;
@@ -158,7 +158,7 @@ export class Run {
     return rows?.count && rows.time(0) <= t ? rows.poseAt(t, 1) : object.pose;
   }
 
-  // The object of that name that is there at t, and its pose.
+  // The object with that name that exists at t, and its pose.
   objectNamed(name: string, t: number): { index: number; pose: M.Pose } | null {
     for (let i = this.objects.length - 1; i >= 0; i--) {
       const pose = this.objects[i]!.name === name ? this.objectAt(i, t) : null;
@@ -177,7 +177,7 @@ export class Run {
     return holder;
   }
 
-  // What a recording knows of the newest instant until t.
+  // The data of a recording for the newest instant until t.
   lookAt(t: number): M.Look | undefined {
     return this.looks.findLast((look) => look.t <= t + 1e-9);
   }
@@ -202,7 +202,7 @@ export class Run {
     return this.moves.find((move) => move.robot === robot && move.t0 <= t && t <= move.t1);
   }
 
-  // Instants at which something begins or ends, in order: where the arrow keys stop.
+  // Instants at which something begins or ends, in order: the arrow keys stop there.
   stops(): number[] {
     const times = new Set<number>([0, this.tEnd]);
     for (const move of this.moves) times.add(move.t0).add(move.t1);
@@ -210,7 +210,7 @@ export class Run {
   }
 }
 
-// Puts the items of a growing list where they belong.
+// Stores items of a growing list at their indices.
 export function grow<T>(list: T[], first: number, items: T[]): void {
   if (first > list.length) return;
   list.length = first;

@@ -1,7 +1,7 @@
-// What the shapes of objects measure; their sizes are those of the protocol.
+// The dimensions of objects; sizes are those of the protocol.
 import type { ObjectInfo } from "../protocol/messages.ts";
 
-// From the middle to the sides along the axes of the object, m.
+// The distances from the middle to the sides along the axes of the object, m.
 export function halfExtents(object: ObjectInfo): [number, number, number] {
   const [a = 0, b = a, c = a] = object.size;
   switch (object.shape) {

@@ -1,10 +1,10 @@
-// What the page knows: plain data. Views are functions of it.
+// The state of the page: plain data. Views are functions of it.
 import type * as M from "../protocol/messages.ts";
 import type { Run } from "./run.ts";
 
 export type Hover = { from: "text"; line: number } | { from: "path" | "bar"; robot: number; t: number; line: number | null } | null;
 
-// The hand of a robot being pulled, or why it stops there.
+// The dragged tool of a robot, or the reason why it stops.
 export interface Pull {
   robot: number;
   q: number[] | null;
@@ -17,10 +17,10 @@ export interface State {
   connectionNote: string;
   welcome: M.Welcome | null;
   control: { holder: number | null; pages: number[]; wishes: number[] };
-  // The program: what the editor has and what the laboratory has.
+  // The program: the text of the editor and the text of the laboratory.
   text: string;
   textVersion: number;
-  // Set when the text comes from elsewhere than the editor, which then takes it.
+  // Increased when the text comes from elsewhere than the editor, which then takes it.
   textFrom: number;
   diagnostics: M.Diagnostic[];
   diagnosedVersion: number;
@@ -28,13 +28,14 @@ export interface State {
   list: M.RunHead[];
   shown: number | null;
   announced: number | null;
-  // The run before the one that is shown, while a number is pulled.
+  // The run before the shown one, while a number is dragged.
   ghost: number | null;
   comparison: M.Comparison | null;
   t: number;
   playing: boolean;
   speed: number;
-  // Counts how often somebody went to an instant or a statement since the text was changed last. Above 0 the current line is kept in view.
+  // The number of times that the user went to an instant or a statement since the last change of the text. Above 0 the current line is
+  // kept in view.
   followed: number;
   hover: Hover;
   pull: Pull | null;
@@ -43,10 +44,10 @@ export interface State {
   breakable: number[];
   // Why an input was refused, by the name of the element.
   refusals: Map<string, string>;
-  // What comes nearest to the last refused wish for the hand; null: the last one was taken.
+  // The pose nearest to the last refused goal of the tool; null: the last one was accepted.
   nearest: (M.Nearest & { robot: number }) | null;
   message: string;
-  // Whether plots stand below the bar of time, along it.
+  // Whether plots are shown below the time bar, with its scale.
   plotsBelow: boolean;
 }
 
@@ -87,7 +88,7 @@ export function shownRun(state: State): Run | null {
   return state.shown === null ? null : (state.runs.get(state.shown) ?? null);
 }
 
-// The run that takes the place of the shown one when it has come as far; null: there is none.
+// The run that replaces the shown one when it has reached the shown instant; null: there is none.
 export function comingRun(state: State): Run | null {
   const run = state.announced === null || state.announced === state.shown ? null : (state.runs.get(state.announced) ?? null);
   return run?.state === "running" ? run : null;
@@ -97,13 +98,13 @@ export function inControl(state: State): boolean {
   return state.welcome !== null && state.control.holder === state.welcome.page;
 }
 
-// Whether the text as it is now does not run, so that what is shown belongs to an older one.
+// Whether the present text does not run, so that the shown run belongs to an older text.
 export function isStale(state: State): boolean {
   return state.diagnosedVersion >= 0 && state.diagnostics.some((d) => d.severity === "error");
 }
 
-// Advice of the shown run, each of a place and a text once: `t` is when it came first, `times` how often it came. None while an
-// older text is shown.
+// Advice of the shown run, one entry for each statement and text: `t` is its first time, `times` the number of times. None while an older
+// text is shown.
 export function adviceOfRun(state: State): (M.RunAdvice & { times: number })[] {
   const once = new Map<string, M.RunAdvice & { times: number }>();
   for (const each of isStale(state) ? [] : (shownRun(state)?.advice ?? [])) {
@@ -115,7 +116,7 @@ export function adviceOfRun(state: State): (M.RunAdvice & { times: number })[] {
   return [...once.values()];
 }
 
-// The line on which the program is: that of the instant the laboratory told, or that of the record.
+// The line of the program: at the instant that the laboratory has sent, or from the record.
 export function currentLine(state: State): number | null {
   const { instant, t } = state;
   if (instant && instant.run === state.shown && Math.abs(instant.t - t) < 1e-9 && instant.line) return instant.line;

@@ -1,4 +1,4 @@
-// The one place where the state changes, and who looks at it.
+// The only object that changes the state, and the functions called after changes.
 import { initialState, type State } from "./state.ts";
 
 export type Select = (state: State) => readonly unknown[];
@@ -30,7 +30,7 @@ export class Store {
     });
   }
 
-  // Calls `render` after changes of any of the values that `select` gives, and once at the start.
+  // Calls `render` after changes of any value that `select` returns, and once at the start.
   watch(select: Select, render: (state: State) => void): void {
     this.watchers.push({ select, last: null, render });
     this.change(() => {});

@@ -1,4 +1,4 @@
-// The bar of time: lanes of blocks, ticks for what happened, other runs as thin lines.
+// The time bar: lanes of blocks, ticks for events, other runs as thin lines.
 import { el, setText } from "../dom/dom.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
@@ -8,7 +8,7 @@ import { LEFT, lanesOf, rightMargin, spanOf, type Block, type Lane } from "./lan
 
 const RULER = 18;
 const OTHERS = 8; // runs drawn as thin lines
-const ROOM = 16; // px for them, however many there are: a new run moves nothing else on the page
+const ROOM = 16; // px for these lines, whatever their number: a new run does not move other parts of the page
 
 interface Tick {
   t: number;
@@ -16,7 +16,7 @@ interface Tick {
   kind: "event" | "advice" | "message";
 }
 
-// What happened besides moves, in the order of time.
+// Events other than moves, in the order of time.
 export function ticksOf(run: Run): Tick[] {
   const events = run.events
     .filter((event) => event.what !== "added" || event.t > 0)
@@ -28,7 +28,7 @@ export function ticksOf(run: Run): Tick[] {
   return [...events, ...notes, ...advice].sort((a, b) => a.t - b.t);
 }
 
-// Distance of the marks of a ruler, so that about `room` of them fit into `span` seconds.
+// The distance of marks on a ruler, so that about `room` of them fit into `span` seconds.
 export function rulerStep(span: number, room: number): number {
   const raw = span / Math.max(1, room);
   const power = 10 ** Math.floor(Math.log10(raw));
@@ -43,7 +43,7 @@ export class TimeBar {
   private readonly store: Store;
   private readonly intents: Intents;
   private drag: number | null = null;
-  // What is drawn whatever the instant, and what it was worked out from.
+  // The drawing that does not depend on the instant, and the data it was computed from.
   private lanes: Lane[] = [];
   private ticks: Tick[] = [];
   private right = 0;
@@ -98,7 +98,7 @@ export class TimeBar {
     });
   }
 
-  // The block or tick under the pointer is told, and what belongs to it lights up.
+  // Shows the text of the block or tick under the pointer, and highlights what belongs to it.
   private hover(x: number, y: number): void {
     const run = shownRun(this.store.state);
     if (!run) return;
@@ -116,7 +116,7 @@ export class TimeBar {
     this.store.change((s) => (s.hover = next));
   }
 
-  // The number of the lane there; those of robots come first, with their numbers.
+  // The index of the lane at y; the lanes of robots come first, with their numbers.
   private laneAt(y: number): number {
     let below = RULER;
     return this.lanes.findIndex((lane) => y >= below && y < (below += lane.height));
@@ -168,7 +168,7 @@ export class TimeBar {
   private drawRuler(c: CanvasRenderingContext2D, color: (name: string) => string, height: number): void {
     const width = this.bar.clientWidth;
     const step = rulerStep(this.span, (width - LEFT) / 90);
-    const end = shownRun(this.store.state)?.tEnd ? this.span * 1.0001 : 0; // a run without time has no marks but its start
+    const end = shownRun(this.store.state)?.tEnd ? this.span * 1.0001 : 0; // a run without duration has only the mark of its start
     c.font = "11px system-ui, sans-serif";
     c.textBaseline = "middle";
     for (let k = 0; k * step <= end; k++) {
@@ -201,7 +201,7 @@ export class TimeBar {
       c.roundRect(LEFT, y, end - LEFT, high, 4);
       c.fill();
       c.globalAlpha = isStale(state) ? 0.35 : 1;
-      let drawn = -Infinity; // blocks that are too narrow to be seen beside each other are one
+      let drawn = -Infinity; // blocks that are too narrow to be distinguished are drawn as one
       for (const block of lane.blocks) {
         const [x0, x1] = [this.x(block.t0), this.x(block.t1)];
         if (x1 < drawn + 0.5) continue;

@@ -1,17 +1,17 @@
-// What stands in the bar of time: a lane for each robot, task and signal, with blocks for what they did and were.
+// The contents of the time bar: a lane for each robot, task and signal, with blocks for statements and values.
 import { seriesOf } from "../numbers/series.ts";
 import type { Run } from "../store/run.ts";
 import type { State } from "../store/state.ts";
 import { shownRun } from "../store/state.ts";
 
-export const LEFT = 76; // px: names of lanes; where plots below the bar have their axis
+export const LEFT = 76; // px: names of lanes; the axis of plots below the bar is there
 const RIGHT = 14;
 
 export interface Block {
   t0: number;
   t1: number;
-  name: string; // that stands in it
-  text: string; // that is told of it
+  name: string; // shown in the block
+  text: string; // shown under the pointer
   lines: [number, number] | null; // of the program
   low?: boolean; // a signal that is off
 }
@@ -26,7 +26,7 @@ export interface Lane {
 const PROGRAM = "the program";
 const HEIGHTS = { robot: 24, task: 17, signal: 17 };
 
-// "every on line 9" as it fits beside a lane; the whole name is told when it is pointed at.
+// "every on line 9", short enough for the name of a lane; the pointer shows the whole name.
 function shortName(name: string): string {
   const found = /^(every|when|branch \d+ of parallel|lambda) on line (\d+)$/.exec(name);
   const text = found ? `${found[1]!.replace(/branch (\d+) of parallel/, "part $1")} :${found[2]}` : name.split(".").at(-1)!;
@@ -42,7 +42,7 @@ function robotLanes(run: Run): Lane[] {
   return lanes;
 }
 
-// `lines` are those of the text of the run; empty: it is not known any more.
+// `lines` are the lines of the text of the run; empty: the text is not known any more.
 function stretchLanes(run: Run, lines: readonly string[]): Lane[] {
   const lanes = new Map<string, Lane>();
   for (const each of run.stretches) {
@@ -56,7 +56,7 @@ function stretchLanes(run: Run, lines: readonly string[]): Lane[] {
     const text = each.kind === "signal" ? `${title} is ${value}` : `${title}${line === null ? "" : `, line ${line}: ${written}`}`;
     const before = lane.blocks.at(-1);
     if (before?.text === text && before.t1 >= each.t0 - 1e-9) {
-      before.t1 = each.t1; // a run that went on has told it in two pieces
+      before.t1 = each.t1; // a run that continued has sent it in two parts
       continue;
     }
     lane.blocks.push({
@@ -68,11 +68,11 @@ function stretchLanes(run: Run, lines: readonly string[]): Lane[] {
       low: each.kind === "signal" && (each.value === false || each.value === 0),
     });
   }
-  // The program first, then as they begin; what was told first has ended first.
+  // The program first, then in the order of their start; intervals arrive in the order of their end.
   const begin = (lane: Lane) => (lane.title === PROGRAM ? -1 : (lane.blocks[0]?.t0 ?? 0));
   const of = (kind: Lane["kind"]) => [...lanes.values()].filter((lane) => lane.kind === kind).sort((a, b) => begin(a) - begin(b) || (a.title < b.title ? -1 : 1));
   const tasks = of("task");
-  return [...(tasks.length > 1 ? tasks : []), ...of("signal")]; // the program alone is what the moves show
+  return [...(tasks.length > 1 ? tasks : []), ...of("signal")]; // the program alone shows the same as the moves
 }
 
 export function lanesOf(run: Run | null, state: State): Lane[] {
@@ -81,7 +81,7 @@ export function lanesOf(run: Run | null, state: State): Lane[] {
   return lanes.length ? lanes : [{ kind: "robot", name: "", title: "", height: HEIGHTS.robot, blocks: [] }];
 }
 
-// Room on the right: plots below the bar that have two units have an axis there.
+// Space on the right: plots below the bar with two units have an axis there.
 export function rightMargin(state: State): number {
   const run = shownRun(state);
   if (!state.plotsBelow || !run) return RIGHT;
@@ -89,7 +89,7 @@ export function rightMargin(state: State): number {
   return Math.max(...plots, 0) > 1 ? LEFT : RIGHT;
 }
 
-// How long the bar is: the run that is shown, and one beside it.
+// The duration of the bar: that of the shown run, or of one beside it.
 export function spanOf(state: State): number {
   const ghost = state.ghost === null ? undefined : state.runs.get(state.ghost);
   return Math.max(shownRun(state)?.tEnd ?? 0, ghost?.tEnd ?? 0) || 1;

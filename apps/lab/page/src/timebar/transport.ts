@@ -1,4 +1,4 @@
-// Play and speed, in the header; steps, beside what is told of the program.
+// Play and speed, in the header; steps, beside the state of the program.
 import { el, setText } from "../dom/dom.ts";
 import { icon, type IconName } from "../dom/icons.ts";
 import type { StepHow } from "../protocol/messages.ts";
