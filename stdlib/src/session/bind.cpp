@@ -48,7 +48,7 @@ Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t
 std::string clause_of(const std::exception& error) {
   std::string sentence = error.what();
   if (sentence.ends_with('.')) sentence.pop_back();
-  // Only a name or an abbreviation keeps its capital.
+  // A capital at the start becomes a small letter, unless a second capital follows.
   if (sentence.size() > 1 && std::isupper(static_cast<unsigned char>(sentence[0])) != 0 &&
       std::isupper(static_cast<unsigned char>(sentence[1])) == 0) {
     sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));

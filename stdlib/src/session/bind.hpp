@@ -1,6 +1,6 @@
 #pragma once
-// What the chapters of the library share: their tables, and small helpers to read arguments and to
-// fail.
+// Declarations shared by the chapters of the library: their tables, and helpers that read arguments
+// and report failures.
 
 #include <array>
 #include <span>
@@ -16,8 +16,8 @@ namespace armlet::bind {
 struct Chapter {
   std::string_view title;
   std::span<const NativeFunction> functions;
-  bool is_mathematics = false;  // docs/mathematics.md says what each of its functions is in C++
-  bool only_values = false;     // nothing else is changed by what gives a value
+  bool is_mathematics = false;  // its functions are in docs/mathematics.md
+  bool only_values = false;     // its functions only return values and change nothing else
 };
 [[nodiscard]] std::span<const Chapter> chapters();
 
@@ -77,7 +77,7 @@ std::span<const NativeFunction> opencv_functions();
 std::span<const NativeFunction> marker_functions();
 std::span<const NativeFunction> shape_functions();
 std::span<const NativeFunction> calibration_functions();
-// What has a signature but nothing behind it yet.
+// Functions that have a signature but no implementation yet.
 std::span<const NativeFunction> later_functions();
 
 // R0609: `function` of `value`: the value must `requirement`. Marks argument `parameter`.
@@ -85,7 +85,7 @@ Failed domain_failure(Vm& vm, std::string_view function, double value, std::stri
                       std::string fix = {}, int parameter = 0);
 // R0612: an argument that is infinite or not a number.
 Failed not_finite(Vm& vm, std::string_view what, double value, int parameter);
-// R0613: two sizes that do not fit.
+// R0613: two sizes that do not match.
 Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right);
 
 // A failure of a native function with a code of the catalogue and its own headline.
@@ -96,8 +96,8 @@ Failed failure(Vm& vm, KnownCode code, std::string message, int parameter = -1,
 Failed failure_of(Vm& vm, MessageCode<1> code, const std::exception& error, int parameter = -1,
                   std::string fix = {});
 
-// The sentence of a broken precondition as it goes on from other words, without capital and full
-// stop.
+// The sentence of a broken precondition in a form that can follow other words, without capital and
+// full stop.
 [[nodiscard]] std::string clause_of(const std::exception& error);
 
 }  // namespace armlet::bind

@@ -1,5 +1,5 @@
-// Functions of the language reference that nothing stands behind yet. Programs that use them are
-// checked whole and then refused (E0199), so that they are right on the day the function arrives.
+// Functions of the language reference without an implementation. Programs that use them are checked
+// completely and then refused (E0199), so that they are valid when the function is added.
 
 #include "session/bind.hpp"
 #include "values/values.hpp"
@@ -7,7 +7,7 @@
 namespace armlet::bind {
 namespace {
 
-// `feature` is what the message says is missing; without it, the name.
+// `feature`: what the message says is missing; empty: the name.
 constexpr NativeFunction later(std::string_view name, std::string_view signature,
                                std::string_view feature = {}) {
   return {.name = name, .signature = signature, .help = feature, .later = true};

@@ -1,5 +1,5 @@
 // Settings of `with` (language reference, section 9). The checker calls "with{" before the block,
-// one function for each setting, and "with}" on every way out.
+// one function for each setting, and "with}" at every exit.
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ namespace {
 
 template <double BlockSettings::*kMember>
 Answer<void> set_fraction(Vm& vm, double value) {
-  constexpr double kLeast = 1e-9;  // a turn would take years
+  constexpr double kLeast = 1e-9;  // a revolution would take years
   if (!(value >= kLeast && value <= 1.0)) {
     return failure(
         vm, "R0609",
@@ -57,7 +57,7 @@ Answer<void> set_fraction(Vm& vm, double value) {
 
 // A setting that is one of a few names.
 //
-// cannot  what is said of a name that is none of them, in front of it.
+// cannot  beginning of the message about another name.
 template <class T, std::size_t N>
 struct NamedChoices {
   std::string_view setting;
@@ -144,7 +144,7 @@ void set_frame_of(Vm& vm, const Named& frame) {
   set_frame(vm, frame);
 }
 
-// E0513.
+// Reports a fraction outside its range: E0513.
 void check_share(CheckCall& call, std::string_view what) {
   const auto constant = call.constant(0);
   if (!constant || (constant->real > 0.0 && constant->real <= 1.0)) return;

@@ -1,5 +1,5 @@
 #pragma once
-// What editors may offer between quotes.
+// Texts that editors may offer between quotes.
 
 #include <functional>
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace armlet {
 
-// The texts that a parameter of the library may hold (CompileOptions::texts): names of planners, of
-// objects of the world, and of what settings can be.
+// The texts that a parameter of the library may have (CompileOptions::texts): names of planners and
+// of objects of the world, and values of settings.
 [[nodiscard]] std::function<std::vector<std::string>(const NativeFunction&, std::string_view)>
 editor_texts(std::vector<std::string> planners, std::shared_ptr<const WorldNames> world);
 

@@ -1,5 +1,5 @@
-// Entries of a session: each runs in the cell and with the variables that those before it have
-// left.
+// Entries of a session: each runs in the cell and with the variables that the entries before it
+// have left.
 
 #include <algorithm>
 #include <utility>
@@ -29,7 +29,7 @@ void Session::begin_call(std::string_view name, const std::vector<Value>& argume
              .program = nullptr});
 }
 
-// Of the entries that have run; a call has none of its own.
+// The program of the last entry that has run; a call has no program of its own.
 std::shared_ptr<const Program> Session::newest_program() const {
   for (std::size_t i = run_->done; i > 0; --i) {
     const Entry& entry = run_->entries[i - 1];

@@ -1,4 +1,4 @@
-// Files of a program: only below the folder that the host grants (language reference, ruling 34).
+// Files of a program: only below the folder that the host allows (language reference, ruling 34).
 
 #include "armlet/core/files.hpp"
 
@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 
 Error refuse(std::string why) { return Error{"file", std::move(why)}; }
 
-// In the words of a program, which knows nothing of the host's folders.
+// The error in words for a program, which does not know the host's folders.
 Error refusal(const Error& error, std::string_view does) {
   if (error.code != "outside") return refuse(error.message);
   return refuse(fmt::format("programs {} files only below their own folder", does));
 }
 
-// A mesh of a package that the host granted, which need not be below the program's folder.
+// A mesh of a package that the host allows; it need not be below the program's folder.
 Result<std::string> read_package_mesh(const HostOptions& options, const std::string& path,
                                       double unit) {
   const std::string folder = fs::path(path).parent_path().string();
@@ -71,11 +71,11 @@ Result<std::string> Host::read_mesh(const std::string& name, double unit) const 
     if (unit != 0.0 && unit != 1.0) return refuse("GLB is in metres; it takes no other unit");
     return read(name, kMostGlbBytes);
   }
-  // By another name it may be a GLB all the same; read_glb says if not.
+  // A file with another name may contain a GLB; read_glb fails if it does not.
   if (mesh_format(name).empty()) return read(name, kMostGlbBytes);
   if (folder_of_files().empty()) return refuse("this host lets programs read no files");
   if (!options_.convert_mesh) {
-    // What a laboratory took along is a GLB by the name that the program says.
+    // Files that came with an exported laboratory are GLB under the name that the program uses.
     Result<std::string> bytes = read(name, kMostGlbBytes);
     if (!bytes.ok() || bytes->starts_with("glTF")) return bytes;
     return Error{"converter", "this host reads GLB alone; make one of it with armlet mesh convert"};
@@ -160,7 +160,7 @@ Result<std::string> Host::load_shape(const std::string& name, double unit) const
     if (reply.error) return *reply.error;
     return std::move(reply.text);
   }();
-  // The parts of a scene are many.
+  // A scene has many parts in one file.
   if (fills_world_ && glb.ok()) world_meshes_.emplace(key, *glb);
   return glb;
 }

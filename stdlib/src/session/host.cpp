@@ -8,11 +8,11 @@
 namespace armlet {
 namespace {
 
-// How often a host that paces the clock is asked: often enough that a viewer sees motion and Ctrl-C
-// is heard.
+// The time between two calls of a host that paces the clock: short enough for a viewer to see
+// motion, and for Ctrl-C to have effect.
 constexpr std::int64_t kPaceStep = 10'000'000;  // ns
 
-// Of a motion, between two looks at the wish to stop.
+// The longest part of a motion between two checks for a stop request.
 constexpr std::int64_t kLongestPart = 3'600'000'000'000;  // ns
 
 }  // namespace
@@ -133,8 +133,8 @@ bool Host::knows_collision(const void* call, const std::string& pair) const {
 std::int64_t Host::now_ns() const { return cell_.now_ns(); }
 std::int64_t Host::tick_ns() const { return cell_.options().tick_ns; }
 
-// Asks the host while time passes to the last piece of the way. False: it wants the program to
-// stop.
+// Calls the host while time passes, except for the last step. False: it requests that the program
+// stops.
 bool Host::pace_to(std::int64_t t_ns) {
   Journal* journal = options_.journal;
   if (!options_.pace || (journal != nullptr && journal->is_silent())) return true;

@@ -22,7 +22,7 @@ constexpr NativeConstant kConstants[] = {
     {"E", std::numbers::e, dims::kNone, "The base of natural logarithms."},
 };
 
-// Names of the language reference without even a signature yet.
+// Names of the language reference that do not even have a signature yet.
 constexpr std::span<const std::string_view> kPlanned = {};
 
 }  // namespace
@@ -38,7 +38,7 @@ Chapter values(std::string_view title, std::span<const NativeFunction> functions
   return {.title = title, .functions = functions, .only_values = true};
 }
 
-// The chapters about pictures and what is not available yet, behind others.
+// Appends the chapters about pictures and about functions that are not available yet.
 std::vector<Chapter> with_pictures(std::vector<Chapter> chapters) {
   const Chapter more[] = {
       {.title = "Pictures", .functions = picture_value_functions(), .only_values = true},

@@ -32,7 +32,7 @@ LabNumber number_in(std::string_view text) {
   return number;
 }
 
-// Of the robot that alone has this name; null: there is none, or there are several.
+// The robot with this name; null: there is none, or there are several.
 const Robot* robot_named(const Cell& cell, const std::string& name) {
   const Robot* found = nullptr;
   for (int i = 0; i < cell.robot_count(); ++i) {

@@ -1,8 +1,8 @@
 #pragma once
-// The units that the check before the run has read of numbers whose type has none, as it writes
-// them into text parameters such as valueUnits: "rad/s,m/s", "@rad/s|m/s|arm" of all joints of an
-// arm and
-// "@rad/s|m/s|arm#2" of one (bind::dims_by_joint).
+// Units of numbers whose type has none, as the check before the run has determined
+// them. It writes them into text parameters such as valueUnits: "rad/s,m/s",
+// "@rad/s|m/s|arm" for all joints of an arm and "@rad/s|m/s|arm#2" for one
+// (bind::dims_by_joint).
 
 #include <span>
 #include <string>
@@ -16,15 +16,15 @@ namespace armlet::bind {
 
 [[nodiscard]] std::vector<LabNumber> numbers_in(std::string_view units);
 
-// The dimensions, those of joints by what the joints of their robots are; empty: not all are known.
+// The dimensions; those of joints follow from the joints of the robots. Empty: not all are known.
 [[nodiscard]] std::vector<Dim> dims_of(std::span<const LabNumber> numbers, const Cell& cell);
 
-// The names of the units in SI, one for each of `count` numbers: of one that is given, all have it.
+// The names of the units in SI, one for each of `count` numbers; a single unit applies to all.
 // Empty: not all are known.
 [[nodiscard]] std::vector<std::string> units_of(std::string_view units, std::size_t count,
                                                 const Cell& cell);
 
-// The part for column `k` of "s;rad/s,m/s", which are the units of a table.
+// The part for column `k` of "s;rad/s,m/s", the units of a table.
 [[nodiscard]] std::string_view part_of(std::string_view units, std::size_t k);
 
 }  // namespace armlet::bind

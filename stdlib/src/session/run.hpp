@@ -1,5 +1,5 @@
 #pragma once
-// What a session has of its run, and who may touch it when.
+// The state of a session's run, and the classes that control access to it.
 
 #include <memory>
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace armlet {
 
-// How an entry found the session, in case that it is taken back: the machine gives back variables
-// and functions itself.
+// The state of the session before an entry, in case that the entry is rolled back; the virtual
+// machine restores variables and functions itself.
 struct Checkpoint {
   std::unique_ptr<Host> host;  // null: there was no cell
   bool names_objects = false;
@@ -23,25 +23,25 @@ struct Checkpoint {
 
 struct Session::Run {
   std::vector<Entry> entries;    // known, oldest first
-  std::size_t done = 0;          // of these that have ended
-  bool is_under_way = false;     // the next one has begun
-  bool has_run = false;          // and the machine has run some of it
-  bool is_told = false;          // that it has begun, and not yet that it has ended
-  bool names_objects = false;    // by insertObj, in what has run in the cell
+  std::size_t done = 0;          // number of entries that have ended
+  bool is_under_way = false;     // the next entry has begun
+  bool has_run = false;          // the virtual machine has run a part of it
+  bool is_told = false;          // its begin was reported to listeners, its end not yet
+  bool names_objects = false;    // by insertObj, in programs that have run in the cell
   bool decides_picking = false;  // by grasp or release
   bool keeps_checkpoints = true;
   RunResult result{.status = Progress::kPaused, .error = {}, .steps = 0};
-  std::unique_ptr<Checkpoint> before;  // the entry under way
+  std::unique_ptr<Checkpoint> before;  // the entry that is running
   std::unique_ptr<Journal> journal;    // of the entry that has begun last
   std::unique_ptr<Host> host;
   std::unique_ptr<FanOut> fan_out;
-  std::unique_ptr<Vm> vm;  // goes first
+  std::unique_ptr<Vm> vm;  // destroyed first
 
   [[nodiscard]] std::size_t current() const { return is_under_way ? done : done - 1; }
   [[nodiscard]] bool has_later() const { return entries.size() > current() + 1; }
 };
 
-// A text that was compiled, and what there is to say about it.
+// A compiled text with its messages.
 struct Session::Compiled {
   Compilation compilation;
   std::vector<Problem> problems;
@@ -49,7 +49,7 @@ struct Session::Compiled {
   bool can_run = false;
 };
 
-// Whatever was wished of a compilation that ends with no program has come true with its end.
+// Discards a stop request when a compilation ends without a program: it has had its effect.
 class Session::OneCompilation {
  public:
   explicit OneCompilation(Wish& wish) : wish_(wish) {}
@@ -66,7 +66,7 @@ class Session::OneCompilation {
   bool makes_program_ = false;
 };
 
-// One slice at a time; what somebody wished of a run ends with it, however it ends.
+// Allows one slice at a time; discards a stop request when the run ends, however it ends.
 class Session::OneSlice {
  public:
   explicit OneSlice(Session& session) : session_(session) {
@@ -84,8 +84,8 @@ class Session::OneSlice {
   Session& session_;
 };
 
-// The machine that `cancel` reaches. It goes only when nobody is about to touch it. A program that
-// names an object first fills the world, so one machine can stand before another.
+// The virtual machine that `cancel` stops. It is replaced only when no `cancel` is being executed.
+// A program that names an object first fills the world, so one virtual machine can replace another.
 class Session::InReach {
  public:
   InReach(Session& session, Vm& vm)

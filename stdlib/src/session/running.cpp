@@ -1,4 +1,4 @@
-// How the entries of a session run: their beginnings, slices and ends.
+// How the entries of a session run: their starts, slices and ends.
 
 #include <fmt/format.h>
 
@@ -50,7 +50,7 @@ const RunResult& Session::result() const { return run_->result; }
 Vm* Session::vm() { return run_->vm.get(); }
 const Host* Session::host() const { return run_->host.get(); }
 
-// ---- beginnings -------------------------------------------------------------------------------
+// ---- starts -----------------------------------------------------------------------------------
 
 void Session::begin_next() {
   Run& run = *run_;
@@ -70,7 +70,7 @@ void Session::begin_next() {
   }
 }
 
-// Those that were known to come give way, and come back if this one is taken back.
+// The entries to come are removed, and restored if this entry is rolled back.
 void Session::begin_new(Entry entry) {
   Run& run = *run_;
   const auto first = run.entries.begin() + static_cast<std::ptrdiff_t>(run.done);
@@ -78,7 +78,7 @@ void Session::begin_new(Entry entry) {
                            std::make_move_iterator(run.entries.end()));
   run.entries.erase(first, run.entries.end());
   const bool is_call = entry.logged.kind == EntryKind::kCall;
-  // A session lives long with few entries: they do not get twice their room.
+  // A session lives long with few entries: their capacity is not doubled.
   if (run.entries.size() == run.entries.capacity())
     run.entries.reserve(run.entries.size() + run.entries.size() / 8 + 1);
   run.entries.push_back(std::move(entry));
@@ -130,7 +130,7 @@ void Session::begin_entry() {
   compilation_.sources = {entry.program, &entry.program->sources()};
 }
 
-// A new cell, and a machine for the program in it.
+// Makes a new cell, and a virtual machine for the program in it.
 void Session::begin_cell(Entry& entry) {
   Run& run = *run_;
   run.journal = std::make_unique<Journal>();
@@ -167,7 +167,7 @@ void Session::begin_cell(Entry& entry) {
   if (!breakpoints_.empty() && !is_silent_) armlet::set_breakpoints(*run.vm, breakpoints_);
 }
 
-// The program that is about to run may name objects, and pick them by contact.
+// Notes whether the program to run may name objects, and pick them by contact.
 void Session::take_world(const Program& program) {
   Run& run = *run_;
   if (!options_.world && program.uses_world())
@@ -226,7 +226,8 @@ RunResult Session::run_test(std::size_t index) {
   return run_->result;
 }
 
-// What the host throws outside of the program ends the run. The machine cannot be gone on with.
+// An exception of the host outside of the program ends the run. The virtual machine cannot
+// continue.
 void Session::break_off() {
   Run& run = *run_;
   if (!run.is_under_way) return;
@@ -234,14 +235,14 @@ void Session::break_off() {
   if (run.done == 0 && run.is_told) {
     try {
       tell_end();
-    } catch (...) {  // something has been thrown already, and goes on its way
+    } catch (...) {  // another exception is already on its way to the caller
     }
   }
   run.is_told = false;
   run.host->cell().set_backend(nullptr);
   if (run.done == 0) {
     const bool is_program = run.entries.front().logged.kind == EntryKind::kProgram;
-    if (is_program) run.done = run.entries.size();  // it can begin again
+    if (is_program) run.done = run.entries.size();  // it can be run again
     if (!is_program) run_ = std::make_unique<Run>();
   } else if (!is_silent_) {
     run.entries.resize(run.done);
@@ -258,7 +259,7 @@ void Session::advance(const Budget& budget) {
   if (run_->result.status != Progress::kPaused) end_entry();
 }
 
-// The program, and when it is done the robots that still move.
+// Runs the program, and when it has ended the robots that still move.
 Progress Session::run_slice(const Budget& budget) {
   Vm& vm = *run_->vm;
   if (vm.result().status == Progress::kPaused) vm.run(budget);
@@ -276,7 +277,7 @@ Progress Session::finish_slice(const Budget& budget) {
   return result.status;
 }
 
-// A program may end while a robot still slows down after a velocity command. Whether all stand.
+// A robot may still decelerate when its program has ended. Returns whether all are at rest.
 bool Session::come_to_rest(const Budget& budget) {
   Host& host = *run_->host;
   while (const auto next = host.cell().next_event()) {
@@ -287,9 +288,9 @@ bool Session::come_to_rest(const Budget& budget) {
   return true;
 }
 
-// A robot of a laboratory may slow down still when its program has ended.
+// A robot of a laboratory may still decelerate when its program has ended.
 void Session::rest(const Budget& budget) {
-  if (!options_.laboratory) return;  // nothing waits for its host
+  if (!options_.laboratory) return;  // then nothing waits for the host
   Vm& vm = *run_->vm;
   Host& host = *run_->host;
   while (!budget.until_ns && armlet::is_at_rest(vm)) {
@@ -297,10 +298,10 @@ void Session::rest(const Budget& budget) {
     if (!next || *next <= host.now_ns()) break;
     vm.run({.until_ns = *next});
   }
-  // Who wished to stop what a button does has come to it.
+  // A stop request for the task of a button has now had its effect.
   if (!is_at_rest()) return;
   wish_.forget();
-  host.cell().begin();  // who listens is told what is there, also if nothing has moved
+  host.cell().begin();  // listeners get the contents of the cell, even if nothing has moved
 }
 
 bool Session::is_at_rest() const {
@@ -323,7 +324,7 @@ void Session::end_entry() {
   Run& run = *run_;
   Entry& entry = run.entries[run.done];
   run.is_under_way = false;
-  // A wish that came when there was nothing left to stop is not for what runs next.
+  // A stop request that arrived after the last statement is not for the next run.
   static_cast<void>(run.vm->take_cancellation());
   if (entry.logged.kind == EntryKind::kEntry && run.result.status != Progress::kDone) {
     take_back_entry();
@@ -341,20 +342,20 @@ void Session::end_entry() {
   std::exception_ptr fault;
   try {
     if (run.entries.front().logged.kind == EntryKind::kProgram) tell_end();
-  } catch (...) {  // of a backend: the run has ended all the same
+  } catch (...) {  // of a backend: the run has ended nevertheless
     fault = std::current_exception();
   }
   apply_due_inputs();
   if (fault) std::rethrow_exception(fault);
 }
 
-// The machine has given back its variables; the cell is as it was kept.
+// The virtual machine has restored its variables; the cell is replaced by its copy.
 void Session::take_back_entry() {
   Run& run = *run_;
   const std::unique_ptr<Checkpoint> before = std::move(run.before);
   const RunResult failed = run.result;
   run.entries.erase(run.entries.begin() + static_cast<std::ptrdiff_t>(run.done), run.entries.end());
-  if (before == nullptr && run.done > 0) return;  // on the way to another place, which it ends
+  if (before == nullptr && run.done > 0) return;  // while going to another time, which this ends
   tell_undone(run, run.done > 0 ? before->host.get() : nullptr);
   if (before != nullptr) std::ranges::move(before->later, std::back_inserter(run.entries));
   if (run.done == 0) {
@@ -371,8 +372,9 @@ void Session::take_back_entry() {
   run_->result = failed;
 }
 
-// host  where the session stands instead of where the run had come; null: before all.
-// from  the first event that does not count; without it all do that were told on the way to there.
+// host  the present state of the session instead of that of the former run; null: the state before
+//       all.
+// from  the first event that no longer counts; without it, all events after that state.
 void Session::tell_undone(const Run& former, const Host* host, std::optional<std::uint64_t> from) {
   if (former.fan_out == nullptr || former.host == nullptr || is_silent_) return;
   const Cell& there = former.host->cell();
@@ -382,8 +384,8 @@ void Session::tell_undone(const Run& former, const Host* host, std::optional<std
   if (mark.from != mark.number || from) former.fan_out->on(mark);
 }
 
-// Whatever backends throw, all are told the end and the cell has none any more. The first exception
-// is thrown on.
+// Reports the end to all backends, whatever they throw, and removes them from the cell. The first
+// exception is rethrown.
 void Session::tell_end() {
   run_->is_told = false;
   Cell& cell = run_->host->cell();

@@ -16,7 +16,7 @@
 namespace armlet {
 namespace {
 
-// While it lives files are those of a world; after it those of the program again.
+// While it exists, files are those of a world; afterwards those of the program again.
 class FillingWorld {
  public:
   FillingWorld(Host& host, const WorldText& world) : host_(host) { host.begin_world(world.folder); }
@@ -29,7 +29,7 @@ class FillingWorld {
 };
 
 // Whether names of objects may be checked: the text, or a file that it imports, calls one of the
-// functions that take them.
+// functions that take names.
 bool may_name_objects(std::string_view text) {
   const auto mentions = [&](std::string_view word) {
     return text.find(word) != std::string_view::npos;
@@ -42,7 +42,7 @@ bool may_name_objects(std::string_view text) {
   return false;
 }
 
-// Whether a text compiles to the same program with both.
+// Whether a text compiles to the same program with both options.
 bool are_checked_alike(const SessionOptions& a, const SessionOptions& b) {
   return a.robot == b.robot && a.world == b.world && a.default_world == b.default_world &&
          a.open == b.open && a.markers == b.markers && a.laboratory == b.laboratory &&
@@ -56,7 +56,7 @@ Session::Session(const Engine& engine, SessionOptions options)
 Session::~Session() {
   try {
     give_up();
-  } catch (...) {  // of a backend; there is nobody to tell
+  } catch (...) {  // of a backend; it cannot be reported
     run_->is_under_way = false;
   }
 }
@@ -91,7 +91,7 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   compile_options.host = &host;
   compile_options.open = false;
   compile_options.cancelled = &wish_.is_there;
-  if (options_.world) {  // not the host's own
+  if (options_.world) {  // given by the user, not the default one
     compile_options.only_blocks = {"object", "frame"};
     compile_options.refuse = [](Span statement) {
       return make_diagnostic(bind::row("R0670"), statement);
@@ -113,12 +113,12 @@ bool Session::fill_world(Host& host, const WorldText& world, std::vector<Problem
   return false;
 }
 
-// The world is evaluated once, in a cell of its own; what it then holds is all that checks know.
+// Runs the world once, in a cell of its own; the checks know only the names that it then holds.
 void Session::describe_world() {
   const std::optional<WorldText>& text = options_.world ? options_.world : options_.default_world;
   if (world_names_ != nullptr || !text) return;
   world_problems_.clear();
-  // A run begins with what its world asks for.
+  // The files that the world reads are the first replies of a run.
   LoggedEntry known;
   known.replies = world_replies_;
   Journal journal;
@@ -205,7 +205,7 @@ Session::Compiled Session::compile_text(const LoggedEntry& entry,
     made.compilation = engine_.compile(entry.text, entry.name, options);
   };
   compile();
-  // What it names and does not know may be a thing of the world, which is looked at only then.
+  // An unknown name may be an object of the world; only now the world is described.
   const auto& found = made.compilation.diagnostics;
   if (world_names_ == nullptr &&
       std::ranges::find(found, "E0201", &Diagnostic::code) != found.end()) {

@@ -7,7 +7,7 @@
 
 namespace armlet::bind {
 
-// The names that a setting can have; none if it is no such setting.
+// The names that a setting can have; empty if it is not such a setting.
 [[nodiscard]] std::vector<std::string> choices_of_setting(std::string_view setting);
 
 }  // namespace armlet::bind

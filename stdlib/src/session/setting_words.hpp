@@ -1,6 +1,6 @@
 #pragma once
-// The words of settings that take one of a few: "standard" or "modified". The checks before the
-// run, those in the run and the editor read them here.
+// The words of settings with a few possible words: "standard" or "modified". The checks before the
+// run and in the run, and the editor, use these lists.
 
 #include <array>
 #include <span>
@@ -30,10 +30,10 @@ inline constexpr std::array<std::string_view, 5> kServoLaws = {"current", "desir
 // In the order of HandEyeMethod.
 inline constexpr std::array<std::string_view, 4> kHandEyeMethods = {"tsai", "park", "horaud",
                                                                     "daniilidis"};
-// Of a camera: with shades and shadows, or without.
+// Of a camera: with shading and shadows, or without.
 inline constexpr std::array<std::string_view, 2> kLightWords = {"key", "flat"};
 
-// What the shape of a link is for, in the order of LinkSolidUse.
+// The use of the shape of a link, in the order of LinkSolidUse.
 inline constexpr std::array<std::string_view, 3> kShapeUses = {"both", "picture", "collision"};
 
 inline constexpr std::array<std::string_view, 2> kPictureEndings = {".svg", ".txt"};
@@ -42,7 +42,7 @@ inline constexpr std::array<std::string_view, 5> kImageEndings = {".png", ".jpg"
 inline constexpr std::array<std::string_view, 3> kSnapshotEndings = {".png", ".jpg", ".jpeg"};
 inline constexpr std::array<std::string_view, 1> kTableEndings = {kTableEnding};
 
-// The words of the parameter of that name; none if it takes any text.
+// The words of the parameter with that name; empty if it takes any text.
 [[nodiscard]] std::span<const std::string_view> words_of_parameter(std::string_view parameter);
 
 }  // namespace armlet::bind

@@ -1,6 +1,6 @@
 #pragma once
-// The settings of the `with` blocks around a call (language reference, section 9): run-time state
-// of a task, so functions called inside a block obey it too.
+// The settings of the `with` blocks around a call (language reference, section 9): state of a task
+// at run time, so that they also apply to functions called inside a block.
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -13,30 +13,30 @@
 
 namespace armlet::bind {
 
-// Where targets are read: a fixed frame, or that of an object or a frame with a name.
+// The frame of targets: a fixed frame, or that of an object or a frame with a name.
 using Frame = std::variant<Eigen::Isometry3d, ObjectRef, FrameRef>;
 
 struct CollectedPath;
 
-// What a line does where it comes close to a singularity: goes as slowly all along as the joints
-// need it there, slows down only there, or leaves the line a little.
+// How a line is tracked close to a singularity: the whole line as slowly as the joints require
+// there; slow only there; or with a small deviation from the line.
 enum class Track { kExact, kSlow, kDamped };
 
-// What becomes of a move that asks motors for more than they give; kLimit: it is made so that it
+// The reaction to a move that requires torques beyond the limits; kLimit: it is planned so that it
 // does not.
 enum class TorqueCheck { kReport, kError, kIgnore, kLimit };
 
-// What becomes of a move that runs into something.
+// The reaction to a move with a collision.
 enum class CollisionCheck { kReport, kError, kIgnore };
 
-// What becomes of a move that would take joints beyond their limits: it is refused; it goes as far
-// and as fast as they allow; it is made, with advice.
+// The reaction to a move that would exceed joint limits: it is refused; it is executed within the
+// limits; it is executed with advice.
 enum class LimitCheck { kError, kClamp, kWarn };
 
-// speed, accel   fractions of the joint limits, for moves that do not say how fast.
-// T_flange_tool  the point that moves, instead of the robot's own.
-// avoid          moves of the joints go around what is in their way.
-// path           where moves are collected instead of made; null: outside of any path.
+// speed, accel   fractions of the joint limits, for moves without a speed of their own.
+// T_flange_tool  the tool point, instead of the robot's own.
+// avoid          joint moves go around obstacles.
+// path           collects moves instead of executing them; null: outside of any path.
 struct BlockSettings {
   std::shared_ptr<const BlockSettings> outer{};  // never changes; shared by tasks started inside
   double speed = 1.0;
@@ -51,10 +51,10 @@ struct BlockSettings {
   bool avoid = false;
 };
 
-// Those of the running task.
+// The settings of the running task.
 [[nodiscard]] BlockSettings settings_of(Vm& vm);
 void replace_settings(Vm& vm, BlockSettings settings);
-// A block that begins keeps those around it, and gives them back when it ends.
+// open_settings stores the present settings at the start of a block; close_settings restores them.
 void open_settings(Vm& vm);
 void close_settings(Vm& vm);
 

@@ -8,10 +8,10 @@
 
 namespace armlet::bind {
 
-// Refuses what is not over before virtual time ends.
+// Refuses a duration that would exceed the end of virtual time.
 Answer<void> check_time_left(Vm& vm, std::string_view what, double seconds, int parameter);
 
-// What a straight move of the tool takes at least, s, whatever the joints can do.
+// A lower bound of the duration of a straight move of the tool, s, for any joint speeds.
 [[nodiscard]] double least_time(double distance, std::optional<double> speed,
                                 std::optional<double> accel);
 
