@@ -78,7 +78,7 @@ std::vector<Eigen::Isometry3d> poses_of(const HostList<PosC>& list) {
   return poses;
 }
 
-constexpr int kHandEyeWord = 2;  // the parameter of calibrateHandEye
+constexpr int kHandEyeWord = 2;  // index of the parameter of calibrateHandEye
 
 Answer<Obj*> calibrate_hand_eye(Vm& vm, HostList<PosC> tools, HostList<PosC> targets,
                                 std::string_view method) {

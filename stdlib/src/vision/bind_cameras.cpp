@@ -1,4 +1,4 @@
-// How cameras come into a cell, and where they are (language reference, section 15).
+// Creation of cameras in a cell, and their poses (language reference, section 15).
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace armlet::bind {
 
 namespace {
 constexpr int kPixelSides = 2;
-constexpr double kUsualView = 1.0;  // rad, across the width
+constexpr double kUsualView = 1.0;  // rad, horizontal angle of view
 constexpr const char* kNoRate = "leave `rate` out to take a picture whenever it is asked for";
 }  // namespace
 
@@ -93,7 +93,7 @@ Failed fail_camera(Vm& vm, const std::string& clause, std::string fix = {}) {
   return fail(vm, std::move(f));
 }
 
-// What a block says beside where the camera is.
+// The fields of a block besides the pose of the camera.
 struct Rows {
   Wholes size{};
   Number fov{};
@@ -111,7 +111,7 @@ struct Rows {
   Number rate{};
 };
 
-// A side of a picture as the checks of the runtime take it: what is out of range stays so.
+// A side of a picture as an int; values out of range stay so, and the runtime refuses them.
 int side_of(Slot slot) { return static_cast<int>(std::clamp<std::int64_t>(slot.i, -1, 1'000'000)); }
 
 Answer<Intrinsics> intrinsics_of(Vm& vm, const Rows& rows) {
@@ -180,10 +180,10 @@ Answer<CameraRef> make_camera(Vm& vm, std::string_view name, const PosC* at,
 }
 
 constexpr int kOn = 1;
-constexpr int kLight = 13;  // of a camera that is on nothing
+constexpr int kLight = 13;  // index of the parameter of a camera without a mount
 constexpr int kRate = 15;
 
-// kShift  how many parameters there are more.
+// kShift  number of additional parameters.
 template <int kShift>
 void check_camera(CheckCall& call) {
   check_words(call, kLight + kShift, kLightWords);
@@ -221,7 +221,7 @@ Answer<CameraRef> camera_on(Vm& vm, std::string_view name, const On& on, const P
                       light, ground, rate});
 }
 
-// ---- where it is
+// ---- poses
 
 Answer<PosC> camera_pose(Vm& vm, const CameraRef& camera, const PosC* from) try {
   if (from == nullptr) {

@@ -1,4 +1,4 @@
-// Corners, regions and what follows from points of pictures (language reference, section 15).
+// Corners, regions and results from points of pictures (language reference, section 15).
 
 #include <fmt/format.h>
 
@@ -118,7 +118,7 @@ Answer<RecordObj*> flat_pose(Vm& vm, const CameraRef& c, const PlanePoints& pixe
 
 namespace {
 
-constexpr int kNearTo = 7;  // the parameters of corners
+constexpr int kNearTo = 7;  // index of the parameter of corners
 constexpr int kMethod = 1;
 
 Answer<CornerOptions> corner_options(Vm& vm, std::string_view method, std::int64_t threshold,
@@ -144,7 +144,7 @@ Answer<CornerOptions> corner_options(Vm& vm, std::string_view method, std::int64
                        .refine = refine};
 }
 
-// R0687: not one corner was found near any of the wanted points.
+// R0687: no corner was found near any of the wanted points.
 Failed fail_none(Vm& vm, const Image& image, const CornerOptions& options) {
   const auto levels = image.bytes();
   const auto [low, high] = std::minmax_element(levels.begin(), levels.end());
@@ -198,7 +198,7 @@ Answer<PlanePoints> corners(Vm& vm, const Image& image, std::string_view method,
 
 // ---- regions
 
-constexpr int kColor = 2;  // the parameter of blobs
+constexpr int kColor = 2;  // index of the parameter of blobs
 
 Obj* new_color(Vm& vm, const std::array<double, 3>& rgb) {
   RecordObj* record = new_record(vm, vm.program().library_record("Color"));

@@ -1,4 +1,4 @@
-// Markers, and poses from points that are known, by OpenCV (language reference, section 15).
+// Markers, and poses from known points, by OpenCV (language reference, section 15).
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@
 namespace armlet::bind {
 namespace {
 
-constexpr int kDictionary = 1;  // the parameter of markers and of markerPicture
+constexpr int kDictionary = 1;  // index of the parameter of markers and of markerPicture
 
 Answer<int> dictionary_of(Vm& vm, std::string_view word) {
   const auto found = std::find(kMarkerDictionaries.begin(), kMarkerDictionaries.end(), word);

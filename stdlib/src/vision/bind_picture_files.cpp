@@ -23,10 +23,10 @@ Failed bad_picture(Vm& vm, std::string_view file, std::string why, int parameter
 
 Answer<Image> load_image(Vm& vm, std::string_view file) try {
   constexpr std::size_t kMostBytes = 64 << 20;
-  constexpr std::uint64_t kCost = 16;  // operations for a byte
+  constexpr std::uint64_t kCost = 16;  // operations per byte
   const Result<std::string> bytes = Host::of(vm).load_file(std::string(file), kMostBytes);
   if (!bytes.ok()) return bad_picture(vm, file, bytes.error().message, 0);
-  const std::optional<PictureSize> size = picture_size(*bytes);  // of PNG and JPEG
+  const std::optional<PictureSize> size = picture_size(*bytes);  // known for PNG and JPEG
   const std::uint64_t pixels = size ? std::uint64_t{size->width} * size->height : 0;
   if (pixels > std::uint64_t{kMostPixels}) {
     return bad_picture(vm, file,

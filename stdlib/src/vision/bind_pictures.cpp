@@ -57,9 +57,9 @@ Answer<double> depth_at(Vm& vm, const Image& image, std::int64_t x, std::int64_t
 
 // ---- storing
 
-constexpr int kStored = 3;  // the parameter with what is stored
+constexpr int kStored = 3;  // index of the parameter with the stored value
 
-// The same value if nobody else has it, else a copy.
+// The same value if it has no other owner, otherwise a copy.
 PictureValue* own_picture(Vm& vm, Slot& slot) {
   auto& value = *static_cast<PictureValue*>(static_cast<HostObj*>(slot.o)->payload());
   if (slot.o->refs == 1 && value.kept.use_count() == 1) {
@@ -72,7 +72,7 @@ PictureValue* own_picture(Vm& vm, Slot& slot) {
                            : static_cast<PictureValue*>(static_cast<HostObj*>(slot.o)->payload());
 }
 
-// store(image) into a picture of the kind at a place that is in it.
+// Calls store(image) if the indices are inside of the picture and it has this kind.
 template <class F>
 Answer<Obj*> store_at(Vm& vm, Slot picture, PixelKind kind, std::int64_t x, std::int64_t y,
                       F store) {
@@ -149,7 +149,7 @@ std::uint64_t values_of(const Image& image) {
   return std::uint64_t{1} * image.width() * image.height() * image.channels();
 }
 
-// R0681 unless two pictures have one size and kind.
+// R0681 unless two pictures have the same size and kind.
 Answer<void> check_alike(Vm& vm, const Image& a, const Image& b) {
   if (a.width() == b.width() && a.height() == b.height() && a.kind() == b.kind()) return {};
   return fail_picture(vm,
@@ -244,7 +244,7 @@ Answer<void> check_size(Vm& vm, const MatrixObj& A) {
                       0);
 }
 
-// The elements of a matrix as one channel of a picture, to the nearest grey level.
+// The elements of a matrix as one channel of a picture, rounded to grey levels.
 Answer<void> fill_channel(Vm& vm, const MatrixObj& A, int parameter, int channel, Image& image) {
   std::size_t bad = count_of(A);
   const auto fill = [&](std::size_t begin, std::size_t end) {

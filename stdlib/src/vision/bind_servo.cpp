@@ -17,7 +17,7 @@
 namespace armlet::bind {
 namespace {
 
-// The parameters of visualServo.
+// The indices of the parameters of visualServo.
 struct ServoAt {
   enum : int {
     kRobot,
@@ -37,7 +37,7 @@ struct ServoAt {
   };
 };
 
-// A gain as a program gives it: a number, or a ServoGain.
+// A gain in a program: a number, or a ServoGain.
 AdaptiveGain gain_of(double gain) {
   if (!(gain > 0.0)) {
     throw ArgumentError(fmt::format("`gain` is {}; it must be greater than zero.",
@@ -68,7 +68,7 @@ Answer<ServoLaw> law_of(Vm& vm, std::string_view word) {
   return static_cast<ServoLaw>(found - kServoLaws.begin());
 }
 
-// The arm that carries the camera behind its flange, and may be moved now.
+// The arm whose flange carries the camera; fails if it may not be moved now.
 Answer<void> check_carrier(Vm& vm, const RobotRef& r, const CameraRef& camera) {
   if (!check_arm(vm, r.id)) return Failed{};
   Cell& cell = Host::of(vm).cell();
@@ -88,7 +88,7 @@ Answer<void> check_carrier(Vm& vm, const RobotRef& r, const CameraRef& camera) {
   return check_idle(vm, r.id);
 }
 
-// A whole number of nanoseconds above 0, at most an hour.
+// The period in whole nanoseconds; above 0 and at most an hour.
 Answer<std::int64_t> period_of(Vm& vm, double seconds) {
   constexpr double kLongest = 3600.0;
   const std::int64_t ns = seconds > 0.0 && seconds <= kLongest ? to_ns(seconds) : 0;
@@ -105,7 +105,7 @@ Answer<void> check_numbers(Vm& vm, double within, double timeout, double smooth)
   return {};
 }
 
-// What the goal of a call is, with its sizes checked.
+// The goal of a call, with its sizes checked.
 Answer<ServoGoal> goal_of(Vm& vm, const MatrixObj& wanted, Eigen::VectorXd depths,
                           std::optional<std::span<const Slot>> rows) {
   const auto pixels = pixels_of(vm, wanted, ServoAt::kWanted);
@@ -122,7 +122,7 @@ Answer<ServoGoal> goal_of(Vm& vm, const MatrixObj& wanted, Eigen::VectorXd depth
   return goal;
 }
 
-// Where the points are expected in the first picture.
+// The expected points in the first picture.
 Answer<PlanePoints> start_of(Vm& vm, std::optional<Slot> start, const PlanePoints& wanted) {
   if (!start) return wanted;
   auto points = pixels_of(vm, matrix_value(*start), ServoAt::kStart);
@@ -193,7 +193,7 @@ Answer<RecordObj*> adaptive(Vm& vm, double at_zero, double at_infinity, double s
 }
 
 std::string explain_run(const RecordObj& run) {
-  constexpr std::size_t kExplanation = 10;  // a field of ServoRun
+  constexpr std::size_t kExplanation = 10;  // index of a field of ServoRun
   return std::string(text_value(run.fields()[kExplanation]));
 }
 

@@ -1,4 +1,4 @@
-// What cameras see: pictures, and what is true of them (language reference, section 15).
+// Pictures of cameras, and the true data behind them (language reference, section 15).
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 namespace armlet::bind {
 namespace {
 
-// f(cell, pose of the camera there or now); what is refused is R0684.
+// f(cell, pose of the camera, given or present); R0684 if it refuses.
 template <class F>
 auto looking(Vm& vm, const CameraRef& c, const PosC* from, F f)
     -> Answer<decltype(f(std::declval<Cell&>(), Eigen::Isometry3d()))> try {
@@ -80,7 +80,7 @@ Answer<Eigen::MatrixXd> project(Vm& vm, const CameraRef& c, std::span<const Slot
   return fail_blind(vm, clause_of(error));
 }
 
-// The directions in which pixels are seen, in the camera's frame with z = 1.
+// The directions of the rays through pixels, in the camera's frame with z = 1.
 Answer<std::vector<Eigen::Vector3d>> rays_of(Vm& vm, const CameraRef& c, const PlanePoints& pixels,
                                              int parameter) {
   const Pinhole& lens = Host::of(vm).cell().cameras().at(c.id).lens;
@@ -111,7 +111,7 @@ Answer<std::vector<double>> ray(Vm& vm, const CameraRef& c, std::span<const doub
   return std::vector<double>{d.x(), d.y(), d.z()};
 }
 
-// One depth for each of `count` points; of one it is that of all.
+// One depth for each of `count` points; a single depth applies to all.
 Answer<Eigen::VectorXd> depths_of(Vm& vm, std::span<const double> depths, Eigen::Index count,
                                   int parameter) {
   if (depths.size() != 1 && static_cast<Eigen::Index>(depths.size()) != count) {
@@ -172,10 +172,10 @@ Answer<Eigen::MatrixXd> interaction(Vm& vm, const CameraRef& c, const MatrixObj&
   return fail_blind(vm, clause_of(error));
 }
 
-// ---- what is true
+// ---- true data
 
-// How far along the axis of the camera what is nearest lies within a pixel around one: corners
-// belong to what is in front. Nothing if nothing is seen there.
+// The depth along the camera axis of the nearest body within a pixel around one: a corner belongs
+// to the body in front. Nullopt if there is no body.
 std::optional<double> nearest_depth(const Scene& scene, const Pinhole& lens,
                                     const Eigen::Isometry3d& T_world_camera,
                                     const Eigen::Vector2d& pixel) {
@@ -184,7 +184,7 @@ std::optional<double> nearest_depth(const Scene& scene, const Pinhole& lens,
     const auto ray = lens.ray(pixel + Eigen::Vector2d(x, y));
     if (!ray) continue;
     const auto hit = first_hit(scene, T_world_camera.translation(), T_world_camera.linear() * *ray);
-    // The ray has z = 1.
+    // The direction of the ray has z = 1, so t is the depth.
     if (hit && (!nearest || hit->t < *nearest)) nearest = hit->t;
   }
   return nearest;
@@ -192,7 +192,7 @@ std::optional<double> nearest_depth(const Scene& scene, const Pinhole& lens,
 
 Answer<std::vector<double>> depth(Vm& vm, const CameraRef& c, const MatrixObj& matrix) try {
   const auto pixels = pixels_of(vm, matrix, 1);
-  const auto rays = pixels ? rays_of(vm, c, *pixels, 1) : Failed{};  // for what it refuses
+  const auto rays = pixels ? rays_of(vm, c, *pixels, 1) : Failed{};  // only for its checks
   const auto now = rays ? pose_now(vm, c) : Failed{};
   if (!now) return Failed{};
   Cell& cell = Host::of(vm).cell();
@@ -231,7 +231,7 @@ Answer<MatrixObj*> seen_corners_of(Vm& vm, const CameraRef& c, const ObjectRef& 
   return A;
 }
 
-// Half the size of a shape along its axes, m; a mesh lies about the middle of its box.
+// Half the size of a shape along its axes, m; a mesh is centred at the middle of its box.
 Eigen::Vector3d half_size(const Shape& shape) {
   const Surface surface = surface_of(shape);
   return 0.5 * (surface.high() - surface.low());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kLeastSide = 16, kMostSide = 2048;  // pixels of a picture of the cell
 
-// "cell" is the file cell.png.
+// Adds the extension: "cell" is the file cell.png.
 std::string with_ending(std::string_view file) {
   std::string path(file);
   if (path.find('.', path.find_last_of('/') + 1) == std::string::npos) path += ".png";

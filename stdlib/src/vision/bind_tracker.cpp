@@ -1,4 +1,4 @@
-// Points followed from picture to picture (language reference, section 15).
+// Points tracked from picture to picture (language reference, section 15).
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 
 namespace armlet::bind {
 
-// What a `tracker` of the language holds; it changes.
+// The value of a `tracker` of the language; it changes.
 struct TrackerValue {
   struct State {
     PointTracker points;

@@ -13,12 +13,12 @@
 
 namespace armlet::bind {
 
-// A camera of the cell, by its number.
+// A camera of the cell, by its index.
 struct CameraRef {
   int id = 0;
 };
 
-// The sentence of an error as it goes on from other words.
+// The sentence of an error in a form that can follow other words.
 [[nodiscard]] inline std::string clause_of(const Error& error) {
   return clause_of(ArgumentError(error.message));
 }
@@ -36,7 +36,7 @@ Answer<Points> points_of(Vm& vm, std::span<const Slot> rows, int parameter);
 // The picture of the camera at this instant.
 Answer<Image> picture_now(Vm& vm, const CameraRef& camera);
 
-// Where the camera is now.
+// The present pose of the camera.
 Answer<Eigen::Isometry3d> pose_now(Vm& vm, const CameraRef& camera);
 
 }  // namespace armlet::bind

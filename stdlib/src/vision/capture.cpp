@@ -17,7 +17,7 @@ class RateFact : public Fact {
   const bool has_rate;
 };
 
-// A picture that the host was to give and did not.
+// The failure for a picture that the host did not supply.
 Failed fail_frame(Vm& vm, const FrameRequest& asked, std::string why) {
   Failure f;
   f.headline = {row("R0686"), {std::to_string(asked.number + 1), std::string(asked.camera)}};
@@ -27,7 +27,7 @@ Failed fail_frame(Vm& vm, const FrameRequest& asked, std::string why) {
   return fail(vm, std::move(f));
 }
 
-// The picture of the host, if it gives those of this camera; null: it is to be drawn.
+// The picture of the host, if it supplies those of this camera; nullopt: it is to be rendered.
 Answer<std::optional<Image>> given_frame(Vm& vm, const Camera& camera, std::uint64_t number) {
   Host& host = Host::of(vm);
   const Intrinsics& lens = camera.lens.intrinsics();
@@ -47,7 +47,7 @@ Answer<std::optional<Image>> given_frame(Vm& vm, const Camera& camera, std::uint
   return std::optional<Image>(std::move(image).value());
 }
 
-// Until the next frame of a camera; stopped before, it takes what is seen then.
+// Waits until the next frame of a camera; if it is stopped before, it takes a picture then.
 class FrameWaiting : public Waiting {
  public:
   FrameWaiting(Vm& vm, const CameraRef& camera, const PosC* from)
@@ -92,9 +92,9 @@ Answer<Image> capture(Vm& vm, const CameraRef& camera, const PosC* from) try {
   const Eigen::Isometry3d T_world_camera =
       from == nullptr ? cell.cameras().T_world_camera(cell, camera.id)
                       : cell.cameras().T_world_camera_for(cell, camera.id, from->T);
-  // A row of a page is read as often as one likes: the run goes on as if it had not been.
+  // A row of a page may be read at any time: reading must not change the run.
   if (is_reading(vm)) return cell.cameras().preview(cell, camera.id, T_world_camera);
-  // The frame of this instant that another task has taken.
+  // Another task has already taken the frame of this instant.
   if (const Image* taken = cell.cameras().taken_at(camera.id, cell.now_ns(), T_world_camera))
     return *taken;
   auto given = given_frame(vm, cell.cameras().at(camera.id), cell.cameras().taken(camera.id));

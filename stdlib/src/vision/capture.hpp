@@ -10,15 +10,15 @@
 
 namespace armlet::bind {
 
-// What the text shows of a camera: whether it takes pictures at a rate.
+// Notes what is known of a camera from the text: whether it takes pictures at a rate.
 void note_rate(CheckCall& call, int rate);
-// A call on a camera that has a rate, or perhaps has one, takes time.
+// A call on a camera that has a rate, or may have one, takes time.
 void check_rate(CheckCall& call, int camera);
 
-// The RGB picture at this instant, counted and told to listeners. from: of the tool point (cameras
-// on robots) or of the camera.
+// The RGB picture at this instant, counted and reported to listeners. from: pose of the tool point
+// (for cameras on robots) or of the camera.
 Answer<Image> capture(Vm& vm, const CameraRef& camera, const PosC* from);
-// The same at the next frame of a camera with a rate; at once, if it has none.
+// The same with the next frame of a camera with a rate; at once if it has no rate.
 Answer<std::unique_ptr<Waiting>> capture_next(Vm& vm, const CameraRef& camera, const PosC* from);
 
 }  // namespace armlet::bind

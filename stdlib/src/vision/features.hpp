@@ -1,5 +1,5 @@
 #pragma once
-// What functions of corners share.
+// Helpers shared by functions of corners.
 
 #include <string_view>
 #include <vector>
@@ -12,28 +12,28 @@
 
 namespace armlet::bind {
 
-// R0681 unless a picture is grey and not too large to be looked through.
+// R0681 unless a picture is grey and small enough to be searched.
 Answer<void> searchable(Vm& vm, const Image& image);
 
 // The detector of that name; R0681 if there is none.
 Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter);
 
-// R0682: these wanted points have no corner within so many pixels.
+// R0682: these wanted points have no corner within the search radius.
 //
 // distance  of each wanted point from the nearest corner, px.
 Failed fail_lost(Vm& vm, const std::vector<int>& lost, const std::vector<double>& distance,
                  double within, int parameter);
 
-// Points that match_points takes.
+// Fails if there are more points than match_points accepts.
 Answer<PlanePoints> few_enough(Vm& vm, PlanePoints points);
 
 // R0683: "these points do not determine an answer: ...".
 Failed undetermined(Vm& vm, const Error& error);
 
-// Where a camera sees pixels, without its distortion: x = X/Z, y = Y/Z.
+// Normalised coordinates of pixels, without distortion: x = X/Z, y = Y/Z.
 Answer<PlanePoints> seen_by(Vm& vm, const CameraRef& c, const PlanePoints& pixels);
 
-// The PlanarPose of points of a plane.
+// The PlanarPose of points in a plane.
 Answer<RecordObj*> flat_pose(Vm& vm, const CameraRef& c, const PlanePoints& pixels,
                              const Points& points);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What functions of pictures by OpenCV share.
+// Helpers shared by functions of pictures that use OpenCV.
 
 #include <string_view>
 
@@ -8,13 +8,13 @@
 
 namespace armlet::bind {
 
-// R0691 unless OpenCV is there: "`edges` needs OpenCV, which is not there".
+// R0691 unless OpenCV is available: "`edges` needs OpenCV, which is not there".
 Answer<void> opencv_for(Vm& vm, std::string_view function);
 
-// R0681 unless the picture is grey, and so small that a function of OpenCV ends soon.
+// R0681 unless the picture is grey, and small enough for a function of OpenCV to end soon.
 Answer<void> grey_for_opencv(Vm& vm, const Image& image, int parameter = 0);
 
-// f() of `function`, after so many operations were counted; what it refuses is R0681.
+// Runs f() for `function` after charging this number of operations; its refusals are R0681.
 template <class F>
 auto with_opencv(Vm& vm, std::string_view function, std::uint64_t operations, F f)
     -> Answer<decltype(f())> {

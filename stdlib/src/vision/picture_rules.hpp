@@ -1,13 +1,13 @@
 #pragma once
-// What the text shows of pictures: their kind, which decides what their elements are.
+// Kinds of pictures that are known from the text; they decide the type of elements.
 
 #include "armlet/image/image.hpp"
 #include "armlet/interpreter/native.hpp"
 
 namespace armlet::bind {
 
-// The result of the call has this kind: elements of a grey picture are whole numbers, those of
-// depths lengths, all others colours.
+// Notes the kind of the result: elements of a grey picture are whole numbers, those of depths are
+// lengths, all others are colours.
 void note_kind(CheckCall& call, PixelKind kind);
 template <PixelKind kKind>
 void gives_kind(CheckCall& call) {

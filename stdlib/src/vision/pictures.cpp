@@ -18,7 +18,7 @@ void text(const void* value, std::string& out) {
   out += fmt::format("image {}, {}", size_of(image), kind_of(image.kind()));
 }
 
-// A host may keep its copy longer than the program lives, whose memory is counted.
+// A host may keep its copy longer than the program, whose memory is counted.
 void copy(const void* from, void* to) {
   auto kept = std::make_shared<KeptPicture>();
   kept->image = image_in(from);

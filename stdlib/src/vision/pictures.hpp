@@ -15,22 +15,22 @@
 
 namespace armlet::bind {
 
-// Pixels of one picture of a program at most.
+// The most pixels of one picture of a program.
 inline constexpr std::int64_t kMostPixels = std::int64_t{1} << 24U;
 
-// Pixels, and how they are counted; a copy that a host reads is not counted.
+// Pixels, and their charge against the heap limit; a copy for a host is not charged.
 struct KeptPicture {
   Image image;
   std::optional<Scratch> counted{};
 };
-// What an `image` of the language holds.
+// The value of an `image` of the language.
 struct PictureValue {
-  std::shared_ptr<KeptPicture> kept;  // shared by values that have the same pixels
+  std::shared_ptr<KeptPicture> kept;  // shared by values with the same pixels
 };
 
-// Of pixels, bytes.
+// The memory of the pixels, bytes.
 [[nodiscard]] std::uint64_t bytes_of(const Image& image);
-// A new value; null: the heap limit was reached and the failure is set.
+// A new value; null: the heap limit was reached, and the failure is set.
 [[nodiscard]] Obj* new_picture(Vm& vm, Image image);
 
 // "640 x 480", "RGB".
@@ -42,11 +42,11 @@ Failed fail_picture(Vm& vm, std::string_view clause, int parameter = -1, std::st
 // R0606 with the size of the picture.
 Failed fail_outside(Vm& vm, const Image& image, std::int64_t x, std::int64_t y);
 
-// Writes the picture into a file of the kind that its name says; else R0680 or R0681. `parameter`
-// is that of the name.
+// Writes the picture into a file in the format of its name; otherwise R0680 or R0681. `parameter`
+// is the index of the name.
 Answer<void> save_picture(Vm& vm, const Image& image, std::string_view file, int parameter);
 
-// f() of a function of pictures, after so many operations were counted; what it refuses is R0681.
+// Runs f() after charging this number of operations; its refusals are R0681.
 template <class F>
 auto with_pictures(Vm& vm, std::uint64_t operations, F f) -> Answer<decltype(f())> try {
   if (!charge_work(vm, operations)) return Failed{};

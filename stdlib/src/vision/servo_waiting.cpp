@@ -23,7 +23,7 @@
 namespace armlet::bind {
 namespace {
 
-// Kinds of failures of `features` that mean: the points are not in this picture.
+// Kinds of failures of `features` that mean that the points are not in this picture.
 constexpr std::string_view kNotFound[] = {"FeatureLost", "NoFeatures"};
 
 Eigen::MatrixXd jacobian_of_camera(const Robot& robot, const Eigen::VectorXd& q,
@@ -66,7 +66,7 @@ class ServoWaiting : public Waiting {
   ServoWaiting& operator=(const ServoWaiting&) = delete;
   ~ServoWaiting() override { release(vm_, call_.features); }
 
-  // Takes a picture, and moves on until the next one.
+  // Takes a picture, and moves the arm until the next one.
   Answer<void> step(Vm& vm) {
     auto sight = seen_now(vm);
     if (!sight || !keep_row(vm)) return Failed{};
@@ -120,7 +120,7 @@ class ServoWaiting : public Waiting {
   [[nodiscard]] Resource resource() const override { return robot_called(state().name); }
 
  private:
-  static constexpr int kFeatures = 2;  // the parameter
+  static constexpr int kFeatures = 2;  // index of the parameter
 
   [[nodiscard]] const CellRobot& state() const { return host_.cell().robot(call_.robot); }
   [[nodiscard]] const MotionReport& report() const { return host_.cell().report(motion_); }
@@ -134,7 +134,7 @@ class ServoWaiting : public Waiting {
     return {.function = "visualServo", .robot = call_.robot};
   }
 
-  // Room for one more row of the table.
+  // Charges one more row of the table.
   Answer<void> keep_row(Vm& vm) {
     constexpr std::size_t kRows = 256;
     if (servo_.rows().size() < kRows * room_.size()) return {};
@@ -146,7 +146,7 @@ class ServoWaiting : public Waiting {
     return {};
   }
 
-  // The picture of this instant, and what the program finds in it.
+  // The picture of this instant, and the points that the program finds in it.
   Answer<ServoSight> seen_now(Vm& vm) {
     const auto T_world_camera = pose_now(vm, call_.camera);
     if (!T_world_camera) return Failed{};
@@ -190,7 +190,7 @@ class ServoWaiting : public Waiting {
     return {};
   }
 
-  // Takes up joint speeds until the next picture, slower ones where the arm could not stop in time.
+  // Sets joint speeds until the next picture; lower ones if the arm could not stop in time.
   Answer<void> drive(Vm& vm, Eigen::VectorXd rates) {
     if ((rates.array() == 0.0).all() && !moves()) return {};
     const std::int64_t now = host_.now_ns();
@@ -223,7 +223,7 @@ class ServoWaiting : public Waiting {
         format_joint_value(at.kind, at.upper));
   }
 
-  // A ServoRun; null: it failed.
+  // Makes a ServoRun; null: it failed.
   RecordObj* made_run(Vm& vm) {
     servo_.finish(ServoEnd::kStopped, "the call was stopped");
     RecordObj* record = new_record(vm, vm.program().library_record("ServoRun"));
@@ -257,7 +257,7 @@ class ServoWaiting : public Waiting {
   ServoCall call_;
   VisualServo servo_;
   std::int64_t begin_ns_, next_ns_;
-  std::vector<std::unique_ptr<Scratch>> room_;  // for rows, which count against the heap limit
+  std::vector<std::unique_ptr<Scratch>> room_;  // for rows, charged against the heap limit
   int motion_ = -1;
   bool is_done_ = false;
   bool is_stopped_ = false;
@@ -290,7 +290,7 @@ ServoArm servo_arm(const Robot& robot, const Eigen::Isometry3d& T_tool_camera) {
     arm.max_accel[i] = joint.max_accel > 0.0 ? joint.max_accel : HUGE_VAL;
     arm.turns.push_back(joint.is_revolute());
   }
-  Random random(1);  // postures of which one is not singular
+  Random random(1);  // random postures, of which at least one is not singular
   constexpr int kSamples = 8;
   Eigen::VectorXd q(n);
   for (int k = 0; k < kSamples; ++k) {

@@ -9,12 +9,12 @@
 
 namespace armlet::bind {
 
-// What a call of visualServo says beside what the loop itself takes.
+// The arguments of visualServo that the control loop does not contain.
 //
 // features   fn(image) -> matrix, or with `expected` fn(image, matrix) -> matrix, whose second
-//            argument is where the points are expected.
-// start      where they are expected in the first picture.
-// period_ns  from picture to picture.
+//            argument holds the expected points.
+// start      the expected points in the first picture.
+// period_ns  time between two pictures.
 struct ServoCall {
   int robot = 0;
   CameraRef camera{};
@@ -27,10 +27,10 @@ struct ServoCall {
 // R0690: "this cannot be servoed: ...".
 Failed fail_servo(Vm& vm, std::string_view clause, int parameter = -1, std::string fix = {});
 
-// The joints of an arm as the loop takes them.
+// The joints of an arm in the form of the control loop.
 [[nodiscard]] ServoArm servo_arm(const Robot& robot, const Eigen::Isometry3d& T_tool_camera);
 
-// Takes the first picture and moves the arm until the loop ends; gives a ServoRun.
+// Takes the first picture and moves the arm until the loop ends; returns a ServoRun.
 Started start_servo(Vm& vm, const ServoCall& call, VisualServo servo);
 
 }  // namespace armlet::bind
