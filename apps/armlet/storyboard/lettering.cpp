@@ -6,7 +6,7 @@
 namespace armlet::cli {
 namespace {
 
-// How a letter is drawn, pixels from where it stands and from the top of the line.
+// A letter: its picture, and offsets in pixels from the pen position and from the top of the line.
 struct Glyph {
   int width, height, left, top;
   int advance;
@@ -25,7 +25,7 @@ const Glyph& glyph_of(unsigned code) {
   return kGlyphs['?' - kFirst];
 }
 
-// The code of a character and where the next one begins.
+// The code of a character and the position of the next one.
 std::pair<unsigned, std::size_t> character(std::string_view text, std::size_t at) {
   const auto byte = static_cast<unsigned char>(text[at]);
   if (byte < 0x80U) return {byte, at + 1};

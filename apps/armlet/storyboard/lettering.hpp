@@ -11,10 +11,10 @@ namespace armlet::cli {
 
 inline constexpr int kLetterHeight = 22;  // pixels from the top of the highest letter to the lowest
 
-// Of a text in UTF-8, pixels. What is not in Latin-1 is a question mark.
+// The width of a text in UTF-8, pixels. Characters outside Latin-1 are drawn as question marks.
 [[nodiscard]] int width_of(std::string_view text);
 
-// The longest beginning of a text that is not wider, with "..." where something is left out.
+// The longest beginning of a text that is not wider, with "..." if a part is left out.
 [[nodiscard]] std::string fitted(std::string_view text, int width);
 
 // grey  of the letters, 0 to 255. The text is cut off at the border of the picture.

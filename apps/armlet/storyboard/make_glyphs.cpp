@@ -33,7 +33,7 @@ int main(int count, char** words) {
       "top of "
       "the ink,\n// how far the next one stands, and the ink row by row in sixteenths.");
   for (int code = 0x20; code <= 0xFF; ++code) {
-    if (code >= 0x7F && code < 0xA0) continue;  // no letters
+    if (code >= 0x7F && code < 0xA0) continue;  // control characters
     int advance = 0, width = 0, height = 0, left = 0, top = 0;
     stbtt_GetCodepointHMetrics(&font, code, &advance, nullptr);
     unsigned char* ink =

@@ -17,7 +17,7 @@ constexpr int kGap = 12;                    // between pictures and around them
 constexpr int kLabel = kLetterHeight + 12;  // height of a label below a picture
 constexpr std::uint8_t kPaper = 255, kInk = 40;
 
-// About as many as rows, or one more where that leaves fewer places free.
+// About as many columns as rows, or one more if that leaves fewer cells empty.
 int columns_of(int count) {
   const int square = static_cast<int>(std::ceil(std::sqrt(count)));
   const auto left_free = [&](int columns) { return (columns - count % columns) % columns; };

@@ -15,16 +15,16 @@ inline constexpr int kPictureWidth = 480, kPictureHeight = 360;  // pixels of on
 
 class Storyboard {
  public:
-  // The exit status, after a message if this is no name of a picture; empty: none is wanted.
+  // Returns the exit status, after a message if this is no name of a picture; empty: no storyboard.
   int choose(const std::string& path);
   [[nodiscard]] bool is_wanted() const { return file_.is_wanted(); }
-  // As OutputFile does.
+  // The same as for OutputFile.
   int open(const std::vector<std::string>& texts);
-  // Keeps the cell as it is at the end of a move. Of more moves than a sheet has room for, every
-  // second, fourth ... one is kept.
+  // Stores the state of the cell at the end of a move. If there are more moves than a sheet can
+  // show, every second, fourth ... one is stored.
   void take(const MoveReport& move, const Cell& cell);
-  // Draws the sheet. The exit status, and a message if it cannot be written or shows a part of the
-  // moves.
+  // Draws the sheet. Returns the exit status, after a message if it cannot be written or shows only
+  // a part of the moves.
   int finish();
 
  private:
@@ -35,11 +35,11 @@ class Storyboard {
   [[nodiscard]] Image sheet() const;
 
   OutputFile file_{"storyboard"};
-  Cameras cameras_;  // keeps the surfaces of what is drawn
+  Cameras cameras_;  // caches the surfaces of drawn bodies
   std::vector<Frame> frames_;
-  Overview view_{kPictureWidth, kPictureHeight};  // of all that is to be seen
+  Overview view_{kPictureWidth, kPictureHeight};  // of the whole cell
   std::uint64_t moves_ = 0;
-  std::uint64_t each_ = 1;  // of so many moves one is kept
+  std::uint64_t each_ = 1;  // one of this number of moves is stored
 };
 
 }  // namespace armlet::cli
