@@ -16,8 +16,8 @@ template <class V>
   }
 }
 
-// The angle of each direction (x, y) in [-pi, pi], without branches, to about one unit in the last
-// place. Lengths are between 1e-150 and 1e150; a vector of length zero gives NaN.
+// The angle of each direction (x, y) in [-pi, pi], without branches, with an error of about one
+// unit in the last place. Lengths are between 1e-150 and 1e150; a vector of length zero gives NaN.
 //
 // The ratio of the smaller to the larger part is reduced to a number near zero by the tangent of a
 // difference, with base points 0, 1/2 and 1; the polynomial is fdlibm's (det_polynomials.hpp).

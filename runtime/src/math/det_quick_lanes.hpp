@@ -35,7 +35,7 @@ struct FourLanes {
   }
 };
 
-// Angles are counted in units of 2^7 right angles, so that one bit tells those that are too large.
+// Angles are counted in units of 2^7 right angles, so that one bit marks those that are too large.
 struct QuickNumbers {
   static constexpr double kUnit = 0x1p7;
   static constexpr double per_angle = kTwoOverPi / kUnit;     // units per radian

@@ -115,7 +115,7 @@ Result<CameraCalibration> calibrate_camera(std::span<const PlanePoints> views,
   return result;
 }
 
-// ---- hand and eye
+// ---- pose of the camera on the tool
 
 namespace {
 

@@ -23,7 +23,8 @@ enum class GraspStatus { kGrasped, kNothing, kTooWide, kFixed, kNoHand, kHolding
 // allowed   the largest allowed distance, m.
 // width     of the object along the direction in which the fingers close, and stroke of the
 //           gripper, m; for kTooWide.
-// turned    width along that direction after a rotation of the gripper by 90 deg about its
+// turned    width along that direction after the gripper is rotated by 90 deg about its approach,
+//           m.
 //           approach, m.
 struct GraspResult {
   GraspStatus status = GraspStatus::kNothing;

@@ -1,4 +1,4 @@
-// What is run along, and what limits it.
+// A path with its limits.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@ namespace armlet {
 
 // A path, its limits and those of its zones; and the arm whose motors limit it too, null: none.
 //
-// share  of what gravity and dry friction leave of the motors' limits, that motion may take; only
-//        where the jerk is limited.
+// share  part of the motors' limits that is left for the motion after gravity and dry friction;
+//        used only with limited jerk.
 struct Course {
   const Trajectory& path;
   std::span<const AxisLimits> limits;
@@ -21,8 +21,7 @@ struct Course {
   double share = 1.0;
 };
 
-// As the public function of that name, with motors too. Nothing if they cannot hold the arm
-// somewhere.
+// The public function of that name, with motors too. Nothing if they cannot hold the arm somewhere.
 std::optional<SpeedAlongPath> fastest_along(const Course& course, int intervals);
 
 }  // namespace armlet

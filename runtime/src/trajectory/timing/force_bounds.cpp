@@ -12,10 +12,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kLeastSpeed = 1e-4;  // of the highest squared speed, where tangents are taken
-constexpr double kMostTaken = 0.9;    // of the room that a limit leaves, when it is made stricter
+constexpr double kLeastSpeed = 1e-4;  // of the highest squared speed, for tangents
+// largest part of the room below a limit by which it is reduced
+constexpr double kMostTaken = 0.9;
 
-// At path parameter s: positions, and their derivatives by it.
+// At path parameter s: joint values, and their derivatives by s.
 struct Along {
   VectorXd q, first, second;
 };
@@ -98,7 +99,7 @@ void ForceBounds::lay(const std::vector<double>& s, const std::vector<double>& x
   check_holding();
 }
 
-// Of all directions in which the joint moves within an interval.
+// The bounds over all directions in which the joint moves within an interval.
 DryFriction ForceBounds::dry_within(std::size_t k, Index i) const {
   const int joint = static_cast<int>(i);
   std::array<double, 3> rates{};
@@ -132,16 +133,16 @@ void ForceBounds::linearise_at(const std::vector<double>& x, double reach) {
   }
 }
 
-// One side of the limit of a joint at a position, with the speed reached there: sign 1 the upper,
-// -1 the lower. `twice` is zero at the beginning of the interval.
+// One side of the limit of a joint at a position, with the speed there: sign 1 the upper, -1 the
+// lower. `twice` is zero at the beginning of the interval.
 void ForceBounds::add_row(SpeedStrips& strips, std::size_t position, Index i, double dry,
                           double limit, double sign, double twice) const {
   const ForceTerms& at = at_[position];
   const double d = sign * at.d[i];
   const double room = limit - sign * (at.g[i] + dry);
-  double from = 0.0, slope = 0.0;  // of d sqrt(x), from above
+  double from = 0.0, slope = 0.0;  // of the bound of d sqrt(x) from above
   if (d > 0.0) {
-    // Next to rest the tangent must leave room to stand.
+    // Near rest the tangent must still allow x = 0.
     const double v = std::min(tangent_at_[position], std::max(room, 0.0) / d);
     if (v > 0.0) {
       from = 0.5 * d * v;

@@ -1,4 +1,4 @@
-// What motors allow along a path: bounds on its acceleration that are linear in the squared speed.
+// Motor limits along a path: bounds on its acceleration that are linear in the squared speed.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,23 +13,23 @@
 
 namespace armlet {
 
-// A bound on the acceleration u along a path that changes linearly with the squared speed x there:
-// at_rest + slope x.
+// A bound on the acceleration u along a path that is linear in the squared speed x there: at_rest +
+// slope x.
 struct BoundLine {
   double at_rest = 0.0, slope = 0.0;
 };
 
 constexpr double kNoSlope = 1e-12;  // a coefficient below it does not restrict the acceleration
 
-// Between two positions along a path: u is at most all of `upper` and at least all of `lower`, and
-// x is at most x_most.
+// Between two positions along a path: u is at most each of `upper` and at least each of `lower`,
+// and x is at most x_most.
 struct SpeedStrips {
   std::vector<BoundLine> upper, lower;
   double x_most = 0.0;
 
-  // a u + b x <= c. Where a is next to zero it is a limit of x.
+  // Adds a u + b x <= c. If a is nearly zero it is a limit of x.
   void add(double a, double b, double c);
-  // |a u + b x| <= c.
+  // Adds |a u + b x| <= c.
   void add_both(double a, double b, double c) {
     const double size = std::abs(a);
     if (size < kNoSlope) {
@@ -54,8 +54,8 @@ struct ForceTerms {
 ForceTerms force_terms(const Robot& robot, const Eigen::VectorXd& q, const Eigen::VectorXd& first,
                        const Eigen::VectorXd& second);
 
-// The least and the most of the dry friction of a joint that moves with these rates; of Stribeck's
-// what is worse of standing and sliding.
+// The smallest and largest dry friction of a joint with these rates; for Stribeck friction the
+// larger of its values at rest and in motion.
 struct DryFriction {
   double low = 0.0, high = 0.0;
 };
@@ -66,11 +66,11 @@ DryFriction dry_friction(const Link& link, std::span<const double> rates);
 //
 //   a(s) u + b(s) x + d(s) sqrt(x) + g(s) + t,
 //
-// a = M q', b = M q'' + (C(q, q') q'), d = viscous friction q', g = gravity, t = dry friction by
-// the direction in which the joint moves. Viscous friction is not linear in x: where it adds to the
-// force its tangent stands for it, where it takes away its chord from rest to the highest speed
-// there. Both are on the safe side of it. Dry friction with an effect of Stribeck counts with what
-// is worse of standing and sliding.
+// a = M q', b = M q'' + (C(q, q') q'), d = viscous friction q', g = gravity, t = dry friction in
+// the direction of the joint. Viscous friction is not linear in x: if it adds to the force its
+// tangent replaces it, if it reduces the force its chord from rest to the highest speed there. Both
+// are on the safe side. Dry friction with a Stribeck effect counts with the larger of its values at
+// rest and in motion.
 //
 // source  K. G. Shin, N. D. McKay, Minimum-time control of robotic manipulators with geometric path
 //         constraints, IEEE TAC 30(6), 1985.
@@ -79,26 +79,26 @@ class ForceBounds {
   // Keeps references to both.
   ForceBounds(const Robot& robot, const Trajectory& path);
 
-  // Begins with these positions, where squared speeds of so much at most are possible. The tangents
-  // are those at half of the highest speed.
+  // Sets the positions and upper bounds of the squared speeds there. The tangents are those at half
+  // of the highest speed.
   void lay(const std::vector<double>& s, const std::vector<double>& x_most);
 
   // Whether motors can hold the arm everywhere, and move it slowly.
   [[nodiscard]] bool hold() const { return holds_; }
   [[nodiscard]] bool have_viscous_friction() const { return have_viscous_friction_; }
 
-  // Tangents to viscous friction at these squared speeds from now on, and chords up to `reach`
-  // times them, reach > 1, which then are the highest there are. What kept the bounds before keeps
-  // them.
+  // Uses tangents to viscous friction at these squared speeds from now on, and chords up to `reach`
+  // times them, reach > 1, which become the upper bounds. Squared speeds that kept the bounds
+  // before still keep them.
   void linearise_at(const std::vector<double>& x, double reach);
 
-  // What holds between position k and the next, 2 (s[k + 1] - s[k]) being `twice`.
+  // Adds the bounds between position k and the next; `twice` is 2 (s[k + 1] - s[k]).
   void add_to(SpeedStrips& strips, std::size_t k, double twice) const;
 
-  // The largest share of its limit that a joint gives at s.
+  // The largest ratio of a joint's force to its limit at s.
   [[nodiscard]] double share(double s, double x, double u) const;
-  // Takes what a joint gives beyond its limit there from what it may give in interval k; by which
-  // factor of time it is too much.
+  // Reduces the limits in interval k by the excess of a joint there; returns the excess as a factor
+  // of time.
   double tighten(std::size_t k, double s, double x, double u);
 
  private:
@@ -114,7 +114,7 @@ class ForceBounds {
   bool have_viscous_friction_ = false;
   std::vector<double> s_, x_most_, tangent_at_, chord_to_;
   std::vector<ForceTerms> at_;                 // by position
-  std::vector<Eigen::VectorXd> less_;          // by interval: taken from the limits
+  std::vector<Eigen::VectorXd> less_;          // by interval: reduction of the limits
   std::vector<std::vector<DryFriction>> dry_;  // by interval, then by joint
   bool holds_ = true;
 };

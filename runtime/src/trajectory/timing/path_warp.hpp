@@ -6,12 +6,13 @@
 
 namespace armlet {
 
-// A parameter u of a path of which s is like u^3 at both ends, so that a run that begins with a
-// jerk has a speed in u there; in between s grows like u. Twice continuously differentiable.
+// A parameter u of a path such that s grows like u^3 at both ends, so a motion that begins with a
+// jerk has a nonzero speed in u there; in between s grows like u. Twice continuously
+// differentiable.
 class PathWarp {
  public:
-  // start, end  how long the ends are in u; half as long in s. Both above 0, or 0 for a path that
-  //             begins or ends like t^3 by itself; their sum at most twice the length.
+  // start, end  lengths of the ends in u; half as long in s. Both above 0, or 0 for a path that
+  //             already begins or ends like t^3; their sum at most twice the length.
   PathWarp(double length, double start, double end)
       : length_(length), start_(start), end_(end), whole_(length + 0.5 * (start + end)) {}
 

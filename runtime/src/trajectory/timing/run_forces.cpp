@@ -10,7 +10,7 @@
 namespace armlet {
 namespace {
 
-constexpr double kMostTaken = 0.9;  // of the room that a limit leaves, when it is made stricter
+constexpr double kMostTaken = 0.9;  // largest part of the room below a limit by which it is reduced
 
 }  // namespace
 
@@ -74,7 +74,7 @@ double RunForces::tighten(std::size_t cell, const Trajectory& motion, double t) 
   double worst = 1.0;
   for (int i = 0; i < arm_.n(); ++i) {
     const double limit = arm_.joint(i).max_effort;
-    // What moves the arm may take its share: that is a limit of `limit` without one.
+    // The motion may use only its share, which is equivalent to a limit of `limit` without a share.
     const double asked = still[i] + (tau[i] - still[i]) / share_;
     const double excess = std::abs(asked) - limit;
     if (!(excess > 0.0)) continue;

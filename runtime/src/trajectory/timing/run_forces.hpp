@@ -1,4 +1,4 @@
-// What the motors of an arm give, as limits on the speed along a path.
+// Force limits of the motors of an arm as limits on the speed along a path.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,27 +14,27 @@
 namespace armlet {
 
 // The forces of the joints along a path, as rows of a SpeedSpline. Dry friction counts with both
-// its signs where a joint may turn back.
+// signs where a joint may reverse.
 class RunForces {
  public:
   // Keeps references to both.
   //
-  // share  of what gravity and dry friction leave of a limit, that motion may take: 0 to 1.
+  // share  part of a limit that is left for the motion after gravity and dry friction: 0 to 1.
   // cells  of the spline.
   RunForces(const Robot& arm, const Trajectory& path, double share, std::size_t cells);
 
-  // At the last point of the spline, which lies in a cell at position s.
+  // Adds the forces at the last point of the spline, which is in a cell at position s.
   //
   // along     of the warp there.
-  // from, to  positions around s between which the directions of the joints count.
+  // from, to  positions around s between which the directions of the joints are taken into account.
   void add_to(SpeedSpline& spline, std::size_t cell, const PathWarp::Along& along, double s,
               double from, double to);
 
   // Whether motors can hold the arm, and move it slowly, at all points that were added.
   [[nodiscard]] bool hold() const { return holds_; }
 
-  // Takes what a motion asks beyond the limits at time t from what they are in a cell; by which
-  // factor of time it is too much.
+  // Reduces the limits in a cell by the excess of a motion at time t; returns the excess as a
+  // factor of time.
   double tighten(std::size_t cell, const Trajectory& motion, double t);
 
  private:
@@ -43,10 +43,10 @@ class RunForces {
   const Robot& arm_;
   const Trajectory& path_;
   double share_;
-  bool rubs_ = false;  // any dry friction
+  bool rubs_ = false;  // whether there is dry friction
   bool holds_ = true;
-  std::vector<double> less_;  // taken from the limits, by cell, then by joint
-  std::vector<double> room_;  // the least that gravity and friction leave of them
+  std::vector<double> less_;  // reduction of the limits, by cell, then by joint
+  std::vector<double> room_;  // what gravity and friction leave of the limits at least
   Eigen::VectorXd q_, first_, second_;
 };
 

@@ -18,26 +18,27 @@
 namespace armlet {
 namespace {
 
-// How the pieces are shared out: evenly in u, evenly in time, and where the speed changes.
+// Weights in the distribution of the pieces: evenly in u, evenly in time, and where the speed
+// changes.
 constexpr double kShareOfPosition = 0.2;
 constexpr double kShareOfTime = 0.2;
 constexpr double kShareOfChange = 0.6;
-constexpr int kPiecesOfEnd = 4;          // at least, of the ramp at each end
-constexpr double kNearBorder = 0.3;      // of the space between knots: nearer ones are dropped
+constexpr int kPiecesOfEnd = 4;          // least number of pieces of the ramp at each end
+constexpr double kNearBorder = 0.3;      // of the distance between knots: nearer ones are dropped
 constexpr double kSameBorder = 1e-6;     // of the whole path
-constexpr double kShortestPiece = 0.05;  // of the motion, as a part of a piece of the speed
-constexpr int kRounds = 4;  // how often limits that are exceeded in between are tightened
-// A run may take so many times as long as without limits on jerk, and so many times the time in
-// which they let a joint come to its highest acceleration.
+constexpr double kShortestPiece = 0.05;  // of the motion, as a fraction of a piece of the speed
+constexpr int kRounds = 4;  // how often limits that are exceeded between points are reduced
+// Largest duration of a motion, as a multiple of the one without jerk limits, and of the time in
+// which a joint reaches its highest acceleration under the jerk limit.
 constexpr double kLongest = 5.0;
 constexpr double kLongestRamps = 20.0;
-// How far the time may be from the least, at first and at the end, as a part of it.
+// Allowed relative distance of the duration from the least one, at first and at the end.
 constexpr double kRoughly = 0.03;
 constexpr double kNearly = 2e-3;
-constexpr double kRests = 1e-9;     // derivatives of a path that rests at its ends: rounding
-constexpr double kWellKept = 2e-3;  // what may be exceeded before the whole is made slower
+constexpr double kRests = 1e-9;     // derivatives of a path that is at rest at its ends: rounding
+constexpr double kWellKept = 2e-3;  // excess for which the whole motion is not slowed down
 
-// One derivative after another of a cubic piece at s.
+// Derivatives of a cubic piece at s, one after another.
 struct Rates {
   double value, first, second, third;
 };
@@ -48,14 +49,14 @@ Rates rates_of(const Segment& piece, double s) {
           2.0 * c[2] + 6.0 * u * c[3], 6.0 * c[3]};
 }
 
-// The same by u, where s is a function of it.
+// The same by u, if s is a function of u.
 Rates by_u(const Rates& r, const PathWarp::Along& p) {
   return {r.value, r.first * p.first, r.second * p.first * p.first + r.first * p.second,
           r.third * p.first * p.first * p.first + 3.0 * r.second * p.first * p.second +
               r.first * p.third};
 }
 
-// The piece that holds at s, begun with one before.
+// The piece that contains s, searched from an earlier one.
 std::size_t piece_at(std::span<const Segment> pieces, std::size_t piece, double s) {
   while (piece + 1 < pieces.size() && pieces[piece + 1].start <= s) ++piece;
   return piece;
@@ -107,12 +108,13 @@ class Run {
   }
 
  private:
-  // By how much limits are divided in a cell, since they are exceeded between the points.
+  // Factors by which limits are divided in a cell, since they are exceeded between the points.
   struct Tight {
     double speed = 1.0, acceleration = 1.0, jerk = 1.0;
   };
 
-  // Borders are knots; the others lie where speeds change, and evenly in time and u.
+  // Knots: the borders of zones; the others are where speeds change, and evenly spaced in time and
+  // u.
   std::vector<double> place_knots(const SpeedAlongPath& fastest, int cells) const {
     const SpeedChanges changes = changes_of(fastest, time_of_jerk(limits_));
     double busy = 0.0;
@@ -146,8 +148,8 @@ class Run {
       add_border(borders, warp_.inverse(zone.from), kSameBorder * warp_.whole());
       add_border(borders, warp_.inverse(zone.to), kSameBorder * warp_.whole());
     }
-    // Each end has pieces of its own, however little time it takes: one piece over a whole ramp to
-    // a low speed swings beyond that speed.
+    // Each end has pieces of its own, however short it is: one piece over a whole ramp to a low
+    // speed would overshoot that speed.
     for (int k = 1; k <= kPiecesOfEnd; ++k) {
       const double part = static_cast<double>(k) / kPiecesOfEnd;
       const double start = warp_.start(), end = warp_.end();
@@ -172,8 +174,8 @@ class Run {
     if (is_apart(borders, u, near)) borders.push_back(u);
   }
 
-  // Where the motion gets pieces: at the knots of the speeds and of the path, unless a piece would
-  // be so short that rounding decides about its jerk.
+  // Sets the pieces of the motion: at the knots of the speeds and of the path, unless a piece would
+  // be so short that rounding determines its jerk.
   void lay_pieces(const std::vector<double>& knots) {
     std::vector<double> of_path;
     for (const double s : path_.knots()) of_path.push_back(warp_.inverse(s));
@@ -189,8 +191,8 @@ class Run {
     }
   }
 
-  // The third derivatives that the pieces of the motion have in the mean: those of the path itself
-  // are wild where it has knots closer together.
+  // The mean third derivatives of the pieces of the motion: those of the path itself vary strongly
+  // where its knots are closer.
   void take_thirds() {
     third_.assign((u_.size() - 1) * limits_.size(), 0.0);
     for (std::size_t i = 0; i < limits_.size(); ++i) {
@@ -209,15 +211,15 @@ class Run {
     }
   }
 
-  // Pieces of the path, of what travels and of the motion, in which a position is.
+  // Indices of the pieces of the path, of `travel` and of the motion that contain a position.
   struct Cursor {
     std::vector<std::size_t> path;
     std::size_t travel = 0;
     std::size_t motion = 0;
   };
 
-  // What holds at three points of each cell, those of Simpson's rule, and in the middle of every
-  // piece that the motion has in it.
+  // Adds the conditions at three points of each cell, those of Simpson's rule, and in the middle of
+  // every piece of the motion in it.
   void add_points() {
     Cursor cursor{.path = std::vector<std::size_t>(limits_.size(), 0)};
     spline_.clear_points();
@@ -235,7 +237,7 @@ class Run {
   }
 
   void add_point(std::size_t cell, double part, double weight, Cursor& cursor) {
-    // A hair inside of the cell, where the path has a knot at its border.
+    // Slightly inside of the cell, since the path has a knot at its border.
     const double inside = spline_.at(cell, std::clamp(part, 1e-6, 1.0 - 1e-6));
     const PathWarp::Along along = warp_.at(spline_.at(cell, part));
     const double s = warp_.at(inside).s;
@@ -291,8 +293,7 @@ class Run {
     }
   }
 
-  // The motion: between the positions the quintics with the same positions, speeds and
-  // accelerations.
+  // The motion: quintics with the positions, speeds and accelerations at the points.
   TimedRun make() {
     TimedRun run;
     std::vector<double> t = {0.0};
@@ -343,7 +344,7 @@ class Run {
     return run;
   }
 
-  // Divides limits by what they are exceeded by; how much slower the motion would have to be.
+  // Divides limits by their excess; returns the factor by which the motion would have to be slower.
   double tighten(const TimedRun& run) {
     std::vector<Tight> worst(tight_.size());
     for (std::size_t i = 0; i < limits_.size(); ++i) {
@@ -371,8 +372,8 @@ class Run {
     return std::max(most, tighten_forces(run));
   }
 
-  // Speeds exceed the limits of zones mostly next to the borders of zones. Those cells alone are
-  // tightened; to slow the whole run down for them would take longer.
+  // Speeds exceed the limits of zones mostly near the borders of zones. Only those cells are
+  // reduced; slowing the whole motion down for them would take longer.
   void look_at_zones(std::vector<Tight>& worst) const {
     if (zones_.empty()) return;
     std::size_t travels = 0;
@@ -429,9 +430,9 @@ class Run {
   SpeedSpline spline_;
   std::optional<RunForces> forces_;
   std::vector<Tight> tight_;          // by cell
-  double longest_;                    // that the run may take
-  JointPath along_{};                 // s over the time of the run
-  std::vector<double> u_;             // where pieces of the motion meet
+  double longest_;                    // largest duration of the motion
+  JointPath along_{};                 // s over the time of the motion
+  std::vector<double> u_;             // borders of the pieces of the motion
   std::vector<double> third_;         // by piece of the motion, then by joint
   std::vector<std::size_t> cell_of_;  // of the pieces
 };

@@ -7,10 +7,11 @@
 namespace armlet {
 namespace {
 
-constexpr double kChanges = 0.02;  // of the highest acceleration along the path: more is a change
+// of the highest acceleration along the path: a larger one is a change
+constexpr double kChanges = 0.02;
 
-// How far the fastest run goes until it has most of the speed that it first comes to, on one side;
-// and as far as the limits on jerk add.
+// Length of the ramp at one side of the fastest motion, in which it reaches most of its first
+// constant speed, plus the length that jerk limits add.
 double ramp_length(const SpeedAlongPath& fastest, bool from_end, double jerk_time) {
   const std::size_t last = fastest.s.size() - 1;
   const auto at = [&](std::size_t k) { return from_end ? last - k : k; };

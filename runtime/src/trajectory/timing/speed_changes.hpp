@@ -8,15 +8,15 @@
 
 namespace armlet {
 
-// How long a joint needs to come to its highest acceleration, or to its highest speed if that is
-// less; the longest of all.
+// The time in which a joint reaches its highest acceleration, or its highest speed if that is
+// sooner; the longest over all joints.
 double time_of_jerk(std::span<const AxisLimits> limits);
 
-// The parameter for a run with limited jerk, whose ends are as long as the ramps of the fastest run
-// and as what the limits on jerk add to them.
+// The path parameter for a motion of limited jerk, whose ends are as long as the ramps of the
+// fastest motion plus the length that jerk limits add.
 PathWarp warp_of(const SpeedAlongPath& fastest, double jerk_time);
 
-// The intervals of the fastest run in which its speed changes, or would change if jerk were
+// The intervals of the fastest motion in which its speed changes, or would change if jerk were
 // limited.
 struct SpeedChanges {
   std::vector<double> t;  // of the positions

@@ -143,7 +143,8 @@ const SpeedStrips& SpeedGrid::between(std::size_t k) {
 
 SpeedGrid::Range SpeedGrid::range(double x) const {
   Range r;
-  // Values are selected, not branched upon: which line counts is different at each position.
+  // Values are selected without branches: the active line differs at each position, so branches
+  // would be mispredicted.
   const BoundLine* best = &r.upper;
   for (const BoundLine& line : strips_.upper) {
     const double u = line.at_rest + line.slope * x;
@@ -161,7 +162,7 @@ SpeedGrid::Range SpeedGrid::range(double x) const {
   return r;
 }
 
-// Derivatives at all positions; of a curve without pieces they are zero.
+// Derivatives at all positions; for a curve without pieces they are zero.
 void SpeedGrid::fill(std::span<const Segment> pieces, std::size_t stride, double* first,
                      double* second) const {
   std::size_t piece = 0;
@@ -183,7 +184,7 @@ SpeedGrid::Spot SpeedGrid::spot_at(std::size_t k, double part, const std::vector
           .u = (x[k + 1] - x[k]) / (2.0 * length)};
 }
 
-// What is exceeded there.
+// Computes the excess at a spot.
 void SpeedGrid::look(const Spot& spot, std::vector<std::size_t>& piece, Over& over) const {
   const double speed = std::sqrt(spot.x);
   const auto compare = [&](const PathSlopes& slopes, double V, double A) {

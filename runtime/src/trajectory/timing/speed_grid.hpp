@@ -1,4 +1,4 @@
-// Where the speed along a path is looked for, and what limits it there.
+// The positions for the speed along a path, and the limits there.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@ namespace armlet {
 
 constexpr double kSameKnot = 1e-9;  // as in Trajectory::knots
 
-// The piece that begins at a position or goes on behind it; knots of different joints that differ
-// by rounding are one position. `piece` is one before.
+// The piece that begins at a position or contains the interval after it; knots of different joints
+// that differ by rounding count as one position. `piece` is an earlier one.
 std::size_t piece_behind(std::span<const Segment> pieces, std::size_t piece, double s);
 
-// Positions along the path: its knots, where zones begin and end, and enough in between.
+// Positions along the path: its knots, the ends of zones, and enough in between.
 std::vector<double> positions_along(const Course& course, int intervals);
 
 // First and second derivative of a path.
@@ -30,23 +30,23 @@ class SpeedGrid {
  public:
   SpeedGrid(const Course& course, std::vector<double> positions);
 
-  // Makes limits stricter where a run exceeds them between the positions; by how much the worst is
-  // exceeded, as a factor of time.
+  // Reduces limits that a motion exceeds between the positions; returns the largest excess, as a
+  // factor of time.
   double tighten(const std::vector<double>& x);
 
-  // How far a run stays below all limits in each interval, as a part of them.
+  // The relative distance of a motion from all limits in each interval.
   [[nodiscard]] std::vector<double> idle(const std::vector<double>& x) const;
 
   [[nodiscard]] const std::vector<double>& s() const { return s_; }
 
-  // The motors; null: they do not count.
+  // The motors; null: no force limits.
   [[nodiscard]] ForceBounds* motors() { return motors_.get(); }
 
-  // What holds between position k and the next: the limits at k, and those at k + 1 with the speed
-  // reached there.
+  // The limits between position k and the next: those at k, and those at k + 1 with the speed
+  // there.
   const SpeedStrips& between(std::size_t k);
 
-  // The u between all strips at x: the lowest upper and highest lower bound.
+  // The range of u within all strips at x: the lowest upper and highest lower bound.
   struct Range {
     BoundLine lower, upper;  // the lines
     double least = -kUnbounded, most = kUnbounded;
@@ -56,16 +56,17 @@ class SpeedGrid {
   static constexpr double kUnbounded = 1e100;
 
  private:
-  // By how much limits are exceeded in an interval, so that they are divided by it.
+  // The factors by which limits are exceeded in an interval, and by which they are then divided.
   struct Over {
     double speed = 1.0, acceleration = 1.0;
   };
-  // The run at a part of an interval.
+  // The motion at a fraction of an interval.
   struct Spot {
     double s, x, u;
   };
   [[nodiscard]] Spot spot_at(std::size_t k, double part, const std::vector<double>& x) const;
-  // The highest squared speed of the speed limits at a position, where zones meet that of both.
+  // The highest squared speed of the speed limits at a position; where zones meet, the lower of
+  // both.
   [[nodiscard]] double speed_bound(std::size_t k) const;
   void fill(std::span<const Segment> pieces, std::size_t stride, double* first,
             double* second) const;

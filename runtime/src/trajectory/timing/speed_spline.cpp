@@ -11,16 +11,16 @@
 namespace armlet {
 namespace {
 
-constexpr double kNarrower = 0.04;   // the barrier from stage to stage
-constexpr double kWide = 0.6;        // of the first stage, as a part of the duration,
-constexpr double kAgain = 0.024;     // and of that which begins with what was found before
-constexpr int kMostSteps = 100;      // of one stage; some 20 were needed at most
-constexpr double kCentred = 0.3;     // squared Newton decrement, as a part of the barrier
-constexpr std::size_t kRowWork = 5;  // operations to look at a row
+constexpr double kNarrower = 0.04;   // factor of the barrier from stage to stage
+constexpr double kWide = 0.6;        // barrier of the first stage, as a fraction of the duration,
+constexpr double kAgain = 0.024;     // and of the first stage that begins with an earlier result
+constexpr int kMostSteps = 100;      // of one stage; about 20 were the most that were needed
+constexpr double kCentred = 0.3;     // squared Newton decrement, as a fraction of the barrier
+constexpr std::size_t kRowWork = 5;  // operations for a row
 constexpr int kMostHalvings = 40;
-constexpr int kFewShrinks = 6;  // after which it is better to begin anew
+constexpr int kFewShrinks = 6;  // after more of them a new start is better
 constexpr int kMostShrinks = 2000;
-constexpr double kGrows = 0.2;  // a coefficient from cell to cell, at the start
+constexpr double kGrows = 0.2;  // growth of a coefficient from cell to cell, at the start
 
 double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -83,7 +83,8 @@ void SpeedSpline::add_force(const Force& force) {
   points_.back().forces_end = forces_.size();
 }
 
-// The highest b that a point allows to a spline whose coefficients change little from cell to cell.
+// The highest b that a point allows for a spline whose coefficients change little from cell to
+// cell.
 double SpeedSpline::room_of(const Point& point) const {
   const double h = knots_[point.cell + 1] - knots_[point.cell];
   double most = point.most;
@@ -109,7 +110,7 @@ double SpeedSpline::room_of(const Point& point) const {
   return most;
 }
 
-// Well within the limits everywhere: half of what they allow, and changing little.
+// Coefficients well within the limits: half of what they allow, and changing little.
 std::vector<double> SpeedSpline::slow_start() const {
   std::vector<double> c(cells() + 2, std::numeric_limits<double>::infinity());
   for (const Point& point : points_) {
@@ -123,7 +124,7 @@ std::vector<double> SpeedSpline::slow_start() const {
   return c;
 }
 
-// Shrinks the coefficients until they keep the limits; false if that takes more than so often.
+// Reduces the coefficients until they keep the limits; false if that takes more than `most` rounds.
 bool SpeedSpline::shrink(int most) {
   for (int k = 0; !keeps_limits(c_); ++k) {
     if (k == most) return false;
@@ -132,7 +133,7 @@ bool SpeedSpline::shrink(int most) {
   return true;
 }
 
-// The barriers of the forces of one point; false if one is beyond its limits.
+// Adds the barriers of the forces of one point; false if one is beyond its limits.
 bool SpeedSpline::add_force_barriers(const Point& point, double mu,
                                      const std::array<double, 3>& b) {
   const double root = std::sqrt(b[0]);
@@ -143,7 +144,7 @@ bool SpeedSpline::add_force_barriers(const Point& point, double mu,
     if (!(above > 0.0 && below > 0.0)) return false;
     const double p = 1.0 / above, q = 1.0 / below;
     const double by_b = force.yb + 0.5 * force.v / root;
-    // Of the curvature of friction only what bends a barrier upwards.
+    // Of the curvature of friction only the part that makes a barrier more convex.
     const double bent = 0.25 * std::abs(force.v) / (b[0] * root) * (force.v > 0.0 ? q : p);
     const double slope = mu * (p - q), curve = mu * (p * p + q * q);
     g_[0] += slope * by_b;
@@ -155,7 +156,7 @@ bool SpeedSpline::add_force_barriers(const Point& point, double mu,
   return true;
 }
 
-// The barriers of one point at b, b', b''; false if a limit is not kept.
+// Adds the barriers of one point at b, b', b''; false if a limit is not kept.
 bool SpeedSpline::add_barriers(const Point& point, double mu, const std::array<double, 3>& b) {
   const double slack = point.most - b[0];
   if (!(slack > 0.0)) return false;
@@ -214,7 +215,7 @@ std::array<double, 3> SpeedSpline::at(const Point& point, const std::vector<doub
 
 bool SpeedSpline::keeps_limits(const std::vector<double>& c) const {
   checkpoint(kRowWork * (rows_.size() + forces_.size()));
-  // Then the spline is above zero between the points too.
+  // This ensures that the spline is above zero between the points too.
   if (!(*std::ranges::min_element(c) > 0.0)) return false;
   for (const Point& point : points_) {
     const std::array<double, 3> b = at(point, c);
@@ -240,9 +241,9 @@ bool SpeedSpline::evaluate(const std::vector<double>& c, double mu) {
   time_ = 0.0;
   gradient_.assign(c.size(), 0.0);
   hessian_.assign(c.size(), {});
-  // Coefficients stay above zero (see keeps_limits). Without barriers of their own one of them may
-  // come so near to zero that every step ends there, wherever the others are: next to a piece that
-  // is much slower, its coefficient has to become small.
+  // Coefficients stay above zero (see keeps_limits). Without barriers of their own, one of them
+  // could come so near to zero that every step ends there: next to a much slower piece a
+  // coefficient has to become small.
   for (std::size_t i = 0; i < c.size(); ++i) {
     gradient_[i] = -mu / c[i];
     hessian_[i][0] = mu / (c[i] * c[i]);
@@ -322,7 +323,7 @@ SpeedSpline::Step SpeedSpline::step(double mu) {
   return {-before, false};
 }
 
-// Whether the lowest point was reached, near enough for the next barrier and for the gap.
+// Whether the minimum was reached, near enough for the next barrier and for the gap.
 bool SpeedSpline::centre(double mu) {
   evaluate(c_, mu);
   for (int k = 0; k < kMostSteps; ++k) {

@@ -21,7 +21,8 @@ class SpeedSpline {
  public:
   struct Point {
     std::size_t cell = 0;
-    std::array<double, 3> value{}, rate{}, curve{};  // of b, b', b'' by the coefficients
+    // derivatives of b, b', b'' by the coefficients
+    std::array<double, 3> value{}, rate{}, curve{};
     double weight = 0.0;                             // in the integral
     double most = std::numeric_limits<double>::infinity();
     std::size_t rows = 0, rows_end = 0;
@@ -44,29 +45,29 @@ class SpeedSpline {
   explicit SpeedSpline(std::vector<double> knots);
 
   [[nodiscard]] std::size_t cells() const { return knots_.size() - 1; }
-  // A part of a cell, 0 to 1.
+  // The u at a fraction of a cell, 0 to 1.
   [[nodiscard]] double at(std::size_t cell, double part) const;
-  // The cell in which u is, begun with one before.
+  // The cell that contains u, searched from an earlier one.
   [[nodiscard]] std::size_t cell_at(double u, std::size_t cell) const;
 
   void clear_points();
-  // weight  in the mean over the cell. The reference is good until the next point.
+  // weight  in the mean over the cell. The reference is valid until the next point.
   Point& add_point(std::size_t cell, double part, double weight);
-  // Of the last point.
+  // Adds a row to the last point.
   void add_row(const Row& row);
   void add_force(const Force& force);
 
-  // Begins with what was found before, if something was.
+  // Finds the fastest spline, starting from an earlier result, if there is one.
   //
-  // gap      how far the duration may be from the least at these points, as a part of it.
-  // returns  false if the search ended before it was that near; what was found keeps the limits.
+  // gap      allowed relative distance of the duration from the least at these points.
+  // returns  false if the search ended before it was that near; the result keeps the limits.
   // throws   ArgumentError if nothing limits the speed.
   bool find_fastest(double gap);
 
-  // The following after find_fastest.
+  // Results, after find_fastest.
   [[nodiscard]] double duration() const { return time_; }
   [[nodiscard]] Rate rate_at(double u, std::size_t cell) const;
-  // Between two positions of a cell, s.
+  // The time between two positions of a cell, s.
   [[nodiscard]] double time_between(double from, double to, std::size_t cell) const;
 
  private:
@@ -93,11 +94,11 @@ class SpeedSpline {
   bool centre(double mu);
 
   std::vector<double> knots_;
-  std::vector<double> c_;  // coefficients of b, one for each cell and two more
+  std::vector<double> c_;  // coefficients of b: number of cells plus two
   std::vector<Point> points_;
   std::vector<Row> rows_;
   std::vector<Force> forces_;
-  // What was evaluated last: the duration, gradient and the upper half of the second derivatives.
+  // The last evaluation: the duration, gradient and the upper half of the second derivatives.
   double time_ = 0.0;
   std::vector<double> gradient_;
   std::vector<std::array<double, 3>> hessian_;

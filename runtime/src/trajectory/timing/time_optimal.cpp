@@ -15,13 +15,14 @@
 namespace armlet {
 namespace {
 
-constexpr double kIdle = 0.02;      // of all limits, that an interval may leave without parts,
-constexpr double kMostParts = 6.0;  // of which it gets so many at most
-constexpr int kDivisions = 6;       // how often intervals are divided at most,
-constexpr double kGain = 1e-3;  // while that makes the time shorter by more than this part of it
-constexpr std::size_t kManyPositions = 20'000;  // which are not divided again
-constexpr int kRounds = 8;          // how often what is exceeded between positions is made slower
-constexpr double kWellKept = 1e-3;  // what may be exceeded before the whole is made slower
+// distance from all limits below which an interval is not divided,
+constexpr double kIdle = 0.02;
+constexpr double kMostParts = 6.0;  // and the largest number of parts of one
+constexpr int kDivisions = 6;       // largest number of divisions of the grid,
+constexpr double kGain = 1e-3;  // which end when the time decreases by less than this fraction
+constexpr std::size_t kManyPositions = 20'000;  // a grid with more positions is not divided again
+constexpr int kRounds = 8;          // how often the motion is slowed down between positions
+constexpr double kWellKept = 1e-3;  // excess for which the whole motion is not slowed down
 
 void check_limits(const Course& course) {
   check_size("limits", static_cast<Eigen::Index>(course.limits.size()), course.path.n());
@@ -48,8 +49,8 @@ void check_path(const Trajectory& path, int intervals) {
   }
 }
 
-// How much room the bounds leave for u at the start of an interval, so that the squared speed at
-// its end lies between 0 and `next`: a concave function of x, and how it changes.
+// The room that the bounds leave for u at the start of an interval, so that the squared speed at
+// its end is between 0 and `next`: a concave function of x, and its derivative.
 struct Room {
   double room, slope, scale;
 
@@ -71,7 +72,8 @@ Room room_at(const SpeedGrid& grid, double x, double next, double twice) {
   return {upper - lower, upper_slope - lower_slope, std::abs(upper) + std::abs(lower)};
 }
 
-// The same by halving, for bounds so far apart in size that Newton's method steps past the zero.
+// The same by bisection, for bounds of very different size, for which Newton's method steps past
+// the zero.
 double highest_by_halving(const SpeedGrid& grid, const SpeedStrips& strips, double next,
                           double twice) {
   double low = 0.0, high = std::max(next, 1e-12);
@@ -89,7 +91,7 @@ double highest_by_halving(const SpeedGrid& grid, const SpeedStrips& strips, doub
 
 // The highest squared speed at the start of an interval from which a squared speed of at most
 // `next` can be reached at its end. The room is not negative at 0, so Newton's method from the
-// right meets its zero in a few steps.
+// right converges to its zero in a few steps.
 double highest_before(const SpeedGrid& grid, const SpeedStrips& strips, double next, double twice) {
   double x = std::min(strips.x_most, SpeedGrid::kUnbounded);
   for (std::size_t step = 0; step <= strips.upper.size() + strips.lower.size() && x > 0.0; ++step) {
@@ -115,13 +117,13 @@ void check_course(const Course& course, int intervals) {
 SpeedAlongPath fastest_on(SpeedGrid& grid) {
   const std::vector<double>& s = grid.s();
   const std::size_t last = s.size() - 1;
-  // Backwards: from which speeds can the arm still stop at the end?
+  // Backward pass: the highest speeds from which the arm can still stop at the end.
   std::vector<double> most(s.size(), 0.0);
   for (std::size_t k = last; k-- > 0;) {
     const SpeedStrips& strips = grid.between(k);
     most[k] = highest_before(grid, strips, most[k + 1], 2.0 * (s[k + 1] - s[k]));
   }
-  // Forwards: as fast as possible within those.
+  // Forward pass: as fast as possible below those.
   std::vector<double> x(s.size(), 0.0);
   for (std::size_t k = 0; k < last; ++k) {
     grid.between(k);
@@ -137,8 +139,8 @@ SpeedAlongPath fastest_on(SpeedGrid& grid) {
   return {.s = s, .squared = std::move(x)};
 }
 
-// Where the grid is too coarse for limits to be reached everywhere, as the fastest run does, it
-// gets more positions.
+// Adds positions where the grid is too coarse for limits to be reached, as the fastest motion does
+// everywhere.
 std::vector<double> finer(const SpeedGrid& grid, const SpeedAlongPath& run) {
   const std::vector<double> idle = grid.idle(run.squared);
   std::vector<double> s = {0.0};
@@ -151,8 +153,8 @@ std::vector<double> finer(const SpeedGrid& grid, const SpeedAlongPath& run) {
   return s;
 }
 
-// Viscous friction is taken for what it is at the speeds of the run before, which then is allowed
-// still: no run is slower than the one before it.
+// Viscous friction is linearised at the speeds of the motion before, which stays allowed: no motion
+// is slower than the one before it.
 SpeedAlongPath fastest_with_friction(SpeedGrid& grid) {
   SpeedAlongPath run = fastest_on(grid);
   if (grid.motors() == nullptr || !grid.motors()->have_viscous_friction()) return run;
@@ -165,16 +167,16 @@ SpeedAlongPath fastest_with_friction(SpeedGrid& grid) {
 
 bool motors_hold(SpeedGrid& grid) { return grid.motors() == nullptr || grid.motors()->hold(); }
 
-// The fastest run on a grid, and that grid.
+// The fastest motion on a grid, and that grid.
 struct GridRun {
   std::unique_ptr<SpeedGrid> grid{};
   SpeedAlongPath speed{};
 };
 
-// With positions so close that the time hardly gets shorter with more of them: half of what is lost
-// is lost with twice the positions, but nine tenths of it where all joints all but turn back at
-// once. There the squared speed along the path has a narrow peak, and what is too slow next to it
-// is too slow far before and behind it. Nothing if motors cannot hold the arm somewhere.
+// The fastest motion on a grid so fine that more positions hardly reduce the time. Doubling the
+// positions halves the loss of time, but only to nine tenths where all joints nearly reverse at
+// once. There the squared speed along the path has a narrow peak, and a speed that is too low next
+// to it reduces the speed far before and after it. Nothing if motors cannot hold the arm somewhere.
 std::optional<GridRun> run_on_fine_grid(const Course& course, int intervals) {
   GridRun run{std::make_unique<SpeedGrid>(course, positions_along(course, intervals))};
   if (!motors_hold(*run.grid)) return {};
@@ -190,7 +192,7 @@ std::optional<GridRun> run_on_fine_grid(const Course& course, int intervals) {
   return run;
 }
 
-// How much slower a motion has to be for the limits on speeds and accelerations.
+// Factor by which a motion has to be slower for the limits on speeds and accelerations.
 double slower_for_rates(const Trajectory& motion, std::span<const AxisLimits> limits) {
   double slower = 1.0;
   for (int i = 0; i < motion.n(); ++i) {
@@ -250,7 +252,7 @@ Trajectory run_along(const Trajectory& path, const SpeedAlongPath& speed) {
       const Segment& p = pieces[piece];
       const double at = speed.s[k] - p.start;
       const double p0 = p.value(at), p1 = p.value(at, 1), p2 = 0.5 * p.value(at, 2), p3 = p.c[3];
-      // s - s_k = v t + w t^2, put into the cubic.
+      // s - s_k = v t + w t^2, inserted into the cubic.
       const double v = std::sqrt(speed.squared[k]);
       const double w =
           (speed.squared[k + 1] - speed.squared[k]) / (4.0 * (speed.s[k + 1] - speed.s[k]));

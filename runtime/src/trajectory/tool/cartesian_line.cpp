@@ -15,8 +15,8 @@
 namespace armlet {
 namespace {
 
-constexpr double kQuinticPeak = 1.875;  // highest speed of the quintic law, times T / length
-// The same of its acceleration, times T^2 / length: 10 / sqrt(3).
+constexpr double kQuinticPeak = 1.875;  // peak speed of the quintic law, times T / length
+// Its peak acceleration, times T^2 / length: 10 / sqrt(3).
 constexpr double kQuinticAccelPeak = 5.773502691896258;
 constexpr double kShortest = 1e-9;        // s, resolution of the clock
 constexpr double kGoalTolerance = 1e-10;  // m and rad, tried before the solver's usual ones
@@ -55,8 +55,8 @@ IkResult solve_goal(const Robot& robot, const LineMove& move) {
   return solve_ik(robot, move.T_world_goal, {.seed = move.q0, .task = move.task});
 }
 
-// The pose at the end of the line. Where the orientation follows from what the arm can do, it is
-// that of the solution; a position alone needs none.
+// The pose at the end of the line. If the task leaves the orientation free, it is that of the
+// solution; for a position alone no solution is needed.
 Eigen::Isometry3d line_end(const Robot& robot, const LineMove& move, const IkResult& goal) {
   if (move.task == IkTask::kPositionFirst || move.task == IkTask::kPosition)
     return move.T_world_goal;
@@ -70,7 +70,7 @@ bool nothing_to_do(const Robot& robot, const LineMove& move, const Eigen::Isomet
          (!oriented || angle_between(T_world_start, T_world_end) < 1e-9);
 }
 
-// The duration asked for, or the shortest that the limits of the tool and of the joints allow.
+// The requested duration, or the shortest within the limits of the tool and of the joints.
 double duration(const LineMove& move, double by_joints, double length) {
   if (move.time) return *move.time;
   double by_tool = 0.0;
@@ -115,7 +115,8 @@ LinePlan plan_curve(const Robot& robot, const LineMove& move, const CurveMaker& 
     plan.motion = verify(robot, Trajectory::at_rest(move.q0, move.time.value_or(0.0)));
     return plan;
   }
-  // Where the goal keeps an orientation, the samples have it in full, also for a rotation about z.
+  // If the goal determines the whole orientation, samples have to match it, also for a rotation
+  // about z.
   const IkTask task = move.task == IkTask::kHeading ? IkTask::kPose : move.task;
   PoseCurve curve;
   curve.add(*piece);

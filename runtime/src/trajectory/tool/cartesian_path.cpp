@@ -19,9 +19,9 @@
 namespace armlet {
 namespace {
 
-constexpr int kIntervals = 200;          // of the grid on which the speeds are found
-constexpr int kCells = 64;               // the pieces of a speed that is limited in jerk,
-constexpr int kCellsPerCorner = 32;      // and what each corner adds
+constexpr int kIntervals = 200;          // of the grid for the speeds
+constexpr int kCells = 64;               // number of pieces of a jerk-limited speed,
+constexpr int kCellsPerCorner = 32;      // and additional ones for each corner
 constexpr int kCornerChords = 64;        // for the length of a corner
 // factor for the number of samples where joint directions change sharply
 constexpr int kFiner = 4;
@@ -57,8 +57,8 @@ void check_move(const Robot& robot, const PathMove& move) {
   }
 }
 
-// What leads to a point, with what its corners take away: a piece of a curve of the tool, or a
-// straight line of the joints to q_goal.
+// The segment that leads to a point, shortened by its corners: a piece of a tool curve, or a
+// straight line in joint space to q_goal.
 struct Leg {
   CurvePiece piece{};
   const Eigen::VectorXd* q_goal = nullptr;
@@ -67,8 +67,8 @@ struct Leg {
   double accel = INFINITY;  // m/s^2
 };
 
-// Legs of one kind: pieces of one curve of the tool, or one line of the joints. `zones` are its
-// speeds, `ends` where each leg ends or its corner is halfway.
+// Consecutive segments of one kind: pieces of one tool curve, or one line in joint space. `zones`
+// are their speeds, `ends` the positions where each segment ends or its corner has its middle.
 struct Part {
   PoseCurve curve{};
   std::vector<SpeedZone> zones{};
@@ -79,22 +79,22 @@ struct Part {
   [[nodiscard]] bool is_joint_line() const { return legs.back().q_goal != nullptr; }
 };
 
-// From one stop to the next, as one path of the joints with the speeds and ends of its parts.
+// The path from one stop to the next, as one joint path with the speeds and ends of its parts.
 struct Stretch {
   Trajectory path{};
   std::vector<SpeedZone> zones{};
   std::vector<double> ends{};  // of each leg
   int corners = 0;
   double travel = 0.0;
-  TimedRun smooth{};  // within all limits; empty where the joints all but jump
+  TimedRun smooth{};  // within all limits; empty where joints nearly jump
 };
 
 void add_zone(std::vector<SpeedZone>& zones, double from, double to, double speed, double accel) {
   if (std::isfinite(speed) || std::isfinite(accel)) zones.push_back({from, to, speed, accel});
 }
 
-// Each half of a corner is run at the speed of its own leg. With the lower speed all over the
-// corner a wider corner, which is shorter, would take longer.
+// The speed limit of each half of a corner is that of its own segment. With the lower limit on the
+// whole corner, a wider corner would take longer although its path is shorter.
 void add_corner_zones(std::vector<SpeedZone>& zones, double from, double to, const Leg& before,
                       const Leg& behind) {
   const double middle = 0.5 * (from + to);
@@ -143,7 +143,7 @@ class PathPlanner {
     return false;
   }
 
-  // Full pieces from pose to pose; poses where nothing moves are left out.
+  // Makes full segments from pose to pose; a pose equal to the one before is left out.
   bool lay_legs() {
     Eigen::Isometry3d T = forward(robot_, move_.q0);
     for (std::size_t k = 0; k < move_.points.size(); ++k) {
@@ -178,7 +178,7 @@ class PathPlanner {
     return move_.points[static_cast<std::size_t>(leg.point)].blend;
   }
 
-  // From the leg on up to the next pose where the tool stops.
+  // The parts from this segment on up to the next pose at which the tool stops.
   std::vector<Part> parts_from(std::size_t first) {
     std::vector<Part> parts;
     for (std::size_t k = first;; ++k) {
@@ -215,7 +215,7 @@ class PathPlanner {
         (corner.middle().translation() - corner.T_corner.translation()).norm();
   }
 
-  // The joints along a part, over its length, m.
+  // The joint path of a part, as a function of its length, m.
   std::optional<Trajectory> follow(const Part& part, const Eigen::VectorXd& q0) {
     if (part.is_joint_line()) return joint_line(robot_, q0, *part.legs.back().q_goal);
     LineSamples samples(robot_, q0, part.curve, move_.task, CurveLaw::kEven);
@@ -227,7 +227,7 @@ class PathPlanner {
     return samples.motion().stretched(part.curve.length());
   }
 
-  // What a corner of the joints may take away at one side of it.
+  // The length by which a corner in joint space may shorten one side of it.
   double joint_blend(const Part& part, const Trajectory& path, double blend, bool at_end) const {
     const Leg& leg = at_end ? part.legs.back() : part.legs.front();
     if (!leg.q_goal) {
@@ -258,10 +258,10 @@ class PathPlanner {
     return first;
   }
 
-  // Empty where the curve cannot be followed; the fault is set.
+  // The joint path of the parts; empty if the curve cannot be followed, and the fault is set.
   std::optional<Stretch> lay(const std::vector<Part>& parts, const Eigen::VectorXd& q0) {
     std::vector<Trajectory> paths;
-    std::vector<const Part*> moving;  // those along which something moves
+    std::vector<const Part*> moving;  // parts along which joints move
     for (const Part& part : parts) {
       auto path = follow(part, paths.empty() ? q0 : paths.back().end());
       if (!path) return std::nullopt;
@@ -321,7 +321,7 @@ class PathPlanner {
     stretch.ends.push_back(whole.to[k]);
   }
 
-  // The corner behind a part, which is rounded by the joints.
+  // Sets the position of the corner after a part that is rounded in joint space.
   void place_corner(Stretch& stretch, const Part& part, const Part& next, const JoinedPath& whole,
                     std::size_t k) {
     const Leg &before = part.legs.back(), &behind = next.legs.front();
@@ -336,7 +336,7 @@ class PathPlanner {
         (forward(robot_, q).translation() - T.translation()).norm();
   }
 
-  // The stretch begins with a leg, at a time.
+  // Executes the stretch, which begins with segment `first`, from the time `start`.
   Trajectory run(const Stretch& stretch, std::size_t first, double start) {
     TimedRun run{.motion = stretch.path, .s = {0.0}, .t = {0.0}};
     if (stretch.path.duration() > 0.0) {
@@ -350,7 +350,7 @@ class PathPlanner {
     return std::move(run.motion);
   }
 
-  // The shorter of what limits on accelerations and what motors allow, if they count.
+  // The shorter of the motions with acceleration limits and with force limits, if the latter apply.
   TimedRun smooth_run_on(const Stretch& stretch) const {
     const std::vector<Segment> travel = travel_of(stretch);
     const Course course{stretch.path, limits_, stretch.zones, travel};
@@ -377,7 +377,7 @@ class PathPlanner {
     return shorter ? finer : run;
   }
 
-  // Until motors can do it, if they can.
+  // Slows the motion down until the motors suffice, if they can.
   [[nodiscard]] TimedRun slowed(TimedRun run) const {
     if (run.s.empty()) return run;
     const double slower = motion_forces(*move_.motors, run.motion).slower;
@@ -396,7 +396,7 @@ class PathPlanner {
     return stretch.zones.empty() ? std::vector<Segment>() : tool_travel(robot_, stretch.path);
   }
 
-  // A corner takes from both legs as much as it is long.
+  // A corner shortens both segments by its length.
   void fail_on(const Part& part, LineFault fault) {
     double s = fault.fraction * part.curve.length();
     std::size_t k = 0;
@@ -424,7 +424,7 @@ class PathPlanner {
         verify(robot_, fastest.stretched(*move_.time / least), true, jerk_, move_.motors);
   }
 
-  // Positions at which nothing moves are reached with those before them.
+  // Positions equal to the one before have its time.
   void fill_times() {
     double before = 0.0;
     for (double& t : plan_.times) before = t = std::max(t, before);
@@ -433,9 +433,9 @@ class PathPlanner {
   const Robot& robot_;
   const PathMove& move_;
   std::vector<AxisLimits> limits_;
-  std::vector<AxisLimits> driven_;  // accelerations only where no motor is known
-  int way_ = 0, ways_ = 1;          // of arms with a joint to spare, see LineSamples
-  Jerk jerk_;  // of what is done: where limiting it would take very long, it is not
+  std::vector<AxisLimits> driven_;  // acceleration limits only of joints without a known motor
+  int way_ = 0, ways_ = 1;          // of redundant arms, see LineSamples
+  Jerk jerk_;  // of the present motion: where limited jerk would take very long, it is not limited
   std::vector<Leg> legs_;
   PathPlan plan_;
 };

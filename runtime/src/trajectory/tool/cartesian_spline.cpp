@@ -18,7 +18,7 @@ namespace {
 constexpr double kNoLength = 1e-9;     // m
 constexpr int kLengthIntervals = 256;  // for the length of the curve
 
-// The rotation vector that stands for the same rotation as w and is nearest to `before`.
+// The rotation vector with the same rotation as w that is nearest to `before`.
 Eigen::Vector3d without_jump(const Eigen::Vector3d& w, const Eigen::Vector3d& before) {
   constexpr double kRevolution = 2.0 * std::numbers::pi;
   const double angle = w.norm();
@@ -43,10 +43,10 @@ std::vector<Segment> pieces_of(SplineKind kind, const std::vector<double>& t,
   }
 }
 
-// The poses that are passed, the first being where the tool is, each with its share of the time.
+// The poses of the curve, the present tool pose first, each with its time.
 struct Knots {
   std::vector<Eigen::Isometry3d> poses{};
-  std::vector<int> indices{};   // of the move that they are
+  std::vector<int> indices{};   // of the poses in the move
   std::vector<double> times{};  // from 0 to 1
 };
 
@@ -91,7 +91,7 @@ void check_move(const Robot& robot, const SplineMove& move) {
       {.q0 = move.q0, .T_world_goal = move.poses.back(), .time = move.time, .speed = move.speed});
 }
 
-// The leg in which the curve cannot be followed, and how far.
+// Sets the fault: the leg in which the curve cannot be followed, and the fraction of it.
 void blame(PathPlan& plan, const Knots& knots, LineFault fault) {
   std::size_t k = 1;
   while (k + 1 < knots.times.size() && knots.times[k] <= fault.fraction) ++k;

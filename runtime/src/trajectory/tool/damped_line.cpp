@@ -18,16 +18,18 @@ namespace armlet {
 namespace {
 
 constexpr int kSteps = 512;
-constexpr int kCells = 96;                        // the pieces of a speed that is limited in jerk
-constexpr double kRotationLengthOfDamping = 0.2;  // m, what a rotation by one radian counts for
+constexpr int kCells = 96;                        // number of pieces of a jerk-limited speed
+// m, equivalent length of a rotation by one radian
+constexpr double kRotationLengthOfDamping = 0.2;
 constexpr double kCatchUp = 2.0;                  // largest step, as a multiple of the usual one
 constexpr double kShortest = 1e-9;                // s, resolution of the clock
-constexpr double kGain = 0.05;                    // of what was left behind, per step
-constexpr double kSettled = 0.01;                 // of a usual step: what a correction is made for
-constexpr double kStill = 1e-7;                   // rad or m, per step: it comes no closer
-constexpr int kPerInterval = 4;  // samples between two steps at which the deviation is looked at
+constexpr double kGain = 0.05;                    // of the remaining error, per step
+constexpr double kSettled = 0.01;                 // of a usual step: larger errors are corrected
+// rad or m, per step: the error no longer decreases
+constexpr double kStill = 1e-7;
+constexpr int kPerInterval = 4;  // samples between two steps for the deviation
 
-// The error of the tool, and the Jacobian of what of it counts: all, or the position.
+// The error of the tool, and the rows of the Jacobian that the task uses: all, or the position.
 struct Offset {
   Eigen::VectorXd error;
   Eigen::MatrixXd J;
@@ -41,15 +43,15 @@ Offset offset_from(const Robot& robot, const Eigen::Isometry3d& T_world_tool, Ik
   return {error, J};
 }
 
-// Metres that an offset counts for.
+// An error as an equivalent length, m.
 double size_of(const Eigen::VectorXd& error) {
   return error.head<3>().norm() +
          (error.size() > 3 ? kRotationLengthOfDamping * error.tail<3>().norm() : 0.0);
 }
 
 // One damped step of the joints towards a pose. The damping grows from 0 as the smallest singular
-// value falls below its limit, so the step is exact where the arm is not near a singularity. What
-// was left behind there, beyond a usual step, is caught up with little by little.
+// value falls below its threshold, so the step is exact if the arm is not near a singularity. An
+// error left from there, larger than a usual step, is reduced gradually.
 void step_towards(const Robot& robot, const Eigen::Isometry3d& T_world_tool, IkTask task,
                   double damping, double usual, Eigen::VectorXd& q) {
   auto [error, J] = offset_from(robot, T_world_tool, task, q);
@@ -69,7 +71,7 @@ void step_towards(const Robot& robot, const Eigen::Isometry3d& T_world_tool, IkT
   }
 }
 
-// `path`: the joints, its parameter in metres of the line and further.
+// Measures the deviation. `path`: the joint path, its parameter in metres of the line and beyond.
 void measure(const Robot& robot, const Trajectory& path, const CurvePiece& line, IkTask task,
              DampedLine& plan) {
   Eigen::VectorXd q(robot.n());
@@ -95,7 +97,7 @@ void check(const Robot& robot, const LineMove& move, double damping) {
     throw ArgumentError("A damped line needs a goal with a place, or a place and an orientation.");
 }
 
-// Where the tool may be how fast: where it catches up it goes further than the line does.
+// Speed limits of the tool along the path: where it catches up, it travels farther than the line.
 std::vector<SpeedZone> zones_of(const Robot& robot, const LineMove& move,
                                 const std::vector<Eigen::VectorXd>& joints,
                                 const std::vector<double>& s) {
@@ -114,8 +116,8 @@ std::vector<SpeedZone> zones_of(const Robot& robot, const LineMove& move,
   return zones;
 }
 
-// The least time along the joints' path, its parameter in metres. Where joints all but jump,
-// limited jerk would take many times as long; then accelerations do.
+// The shortest duration of the joint path, its parameter in metres. Where joints nearly jump,
+// limited jerk would take many times as long; accelerations jump there instead.
 struct LeastTime {
   Trajectory motion{};
   Jerk jerk = Jerk::kLimited;
@@ -136,7 +138,7 @@ LeastTime fastest_on(const Robot& robot, const LineMove& move, const Trajectory&
   return {time_optimal(path, limits, kSteps, zones), Jerk::kFree};
 }
 
-// The motion along the joints' path in the least time or in the one that is asked for.
+// The motion along the joint path in the shortest or in the requested time.
 MotionPlan run(const Robot& robot, const LineMove& move, const Trajectory& path,
                std::span<const SpeedZone> zones) {
   const auto [fastest, jerk] = fastest_on(robot, move, path, zones);
@@ -152,8 +154,8 @@ MotionPlan run(const Robot& robot, const LineMove& move, const Trajectory& path,
   return verify(robot, fastest.stretched(*move.time / least), move.enforce_limits, jerk);
 }
 
-// The joints step by step along the line; behind its end, until the tool has caught up with it or
-// comes no closer. `s` are metres of the line, and behind it those that were caught up with.
+// Steps of the joints along the line, and after its end until the tool has reached it or comes no
+// closer. `s` is the length along the line, m, and after its end the length that was caught up.
 struct Walk {
   std::vector<double> s{};
   std::vector<Eigen::VectorXd> joints{};
@@ -171,7 +173,7 @@ Walk walk(const Robot& robot, const LineMove& move, const CurvePiece& line, doub
     const double behind = left(q, x);
     if (k > kSteps && behind < kSettled * usual) break;
     step_towards(robot, line.at(x), move.task, damping, usual, q);
-    // Where nothing was left behind, what the Jacobian did not foresee.
+    // If no error is left from a singularity, corrects what the linear step leaves.
     if (left(q, x) < kSettled * usual)
       step_towards(robot, line.at(x), move.task, damping, usual, q);
     if (k > kSteps && (q - out.joints.back()).cwiseAbs().maxCoeff() < kStill) break;

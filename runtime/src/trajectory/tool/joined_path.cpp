@@ -12,14 +12,14 @@
 namespace armlet {
 namespace {
 
-constexpr double kRotationLength = 0.2;  // m, what the rotation of a joint by one radian counts for
+constexpr double kRotationLength = 0.2;  // m, equivalent length of a joint rotation by one radian
 constexpr double kRotationPerPiece = 2.0 * std::numbers::pi / 180.0;
 constexpr double kSlidePerPiece = 0.02;  // m
 constexpr int kFewestPieces = 16;
 constexpr int kCornerPieces = 18;
 constexpr double kNothing = 1e-9;  // m
 
-// The straight line over a length, in pieces short enough for what is measured along it.
+// The straight line in joint space, in pieces short enough for measuring the tool travel.
 Trajectory line_in_pieces(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, double length,
                           int pieces) {
   std::vector<JointPath> joints;
@@ -39,7 +39,7 @@ Trajectory line_in_pieces(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1, 
 }
 
 // Three cubic pieces of equal length with the given value, slope and curvature at both ends and
-// continuous curvature in between: what is left to choose are the curvatures at the two knots.
+// continuous curvature in between: the unknowns are the curvatures at the two knots.
 std::vector<Segment> corner_pieces(const AxisState& from, const AxisState& to, double length) {
   const double h = length / 3.0;
   const double rise = (to.q - from.q - length * from.v) / (h * h) - 4.0 / 3.0 * from.a - to.a / 6.0;
@@ -59,7 +59,7 @@ std::vector<Segment> corner_pieces(const AxisState& from, const AxisState& to, d
   return pieces;
 }
 
-// From the end of what is left of one part to the start of what is left of the next, in pieces.
+// The corner from the end of one shortened part to the start of the next, in pieces.
 Trajectory corner_between(const Trajectory& before, const Trajectory& behind, double r) {
   const double s0 = before.duration() - r, length = 2.0 * r;
   std::vector<JointPath> joints;

@@ -1,4 +1,4 @@
-// Paths of the joints one after another, with rounded corners between them.
+// Consecutive joint paths with rounded corners between them.
 #pragma once
 
 #include <span>
@@ -9,34 +9,34 @@
 
 namespace armlet {
 
-// All joints from q0 to q1 in one proportion, as a function of the length s of the path: what the
-// tool point travels, m, or what the angles of the joints count for if that is more. No duration if
-// q0 is q1.
+// The straight line in joint space from q0 to q1, as a function of the length s of the path: the
+// travel of the tool point, m, or the equivalent length of the joint rotations if that is larger.
+// Duration 0 if q0 is q1.
 Trajectory joint_line(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::VectorXd& q1);
 
-// Parts of a path as one, each a function of its own length s from 0 on.
+// Joined parts of a path, each a function of its own length s from 0 on.
 //
-// q       of the whole.
-// from    where on the whole each part begins behind its corner, m, and
-// to      where it ends before the next.
-// corner  what the corner behind each part takes away of it and of the next, m; 0 for the last.
+// q       the joint path of the whole.
+// from    position on the whole at which each part begins after its corner, m, and
+// to      at which it ends before the next.
+// corner  length by which the corner after each part shortens it and the next, m; 0 for the last.
 struct JoinedPath {
   Trajectory q{};
   std::vector<double> from{}, to{}, corner{};
 
-  // Where on the whole a position on a part is; within the part's own stretch.
+  // Position on the whole of a position on a part, within the shortened part.
   [[nodiscard]] double position(std::size_t part, double s) const;
 };
 
-// Joins the parts; each starts where the one before it ends. A corner is a cubic
-// spline of three pieces that takes over values, slopes and curvatures of both sides.
+// Joins the parts; each starts where the one before it ends. A corner is a cubic spline of three
+// pieces with the values, slopes and curvatures of both sides at its ends.
 //
-// blends  how far from its end the corner behind each part may begin, m, above 0; one fewer than
-//         there are parts.
+// blends  largest distance of the corner after each part from the end of the part, m, above 0; one
+//         fewer than there are parts.
 JoinedPath join_rounded(std::span<const Trajectory> parts, std::span<const double> blends);
 
-// The position on a path from which on the tool point travels no more than `blend` metres until its
-// end; or from its start.
+// The first position on a path from which the tool point travels at most `blend` metres to its end;
+// the same at its start.
 double blend_at_end(const Robot& robot, const Trajectory& path, double blend);
 double blend_at_start(const Robot& robot, const Trajectory& path, double blend);
 

@@ -1,4 +1,4 @@
-// The step of the joints that follows the tool and costs least, within bounds.
+// The step of the joints that follows the tool with the least cost, within bounds.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,8 +6,7 @@
 
 namespace armlet {
 
-// What a step of n joints has to do: A x = b, and of such steps the one for which
-// x^T W x - 2 g^T x is least.
+// The conditions on a step of n joints: A x = b, and among such steps x^T W x - 2 g^T x is least.
 //
 // W  n x n, positive definite.
 // A  m x n, m <= n.

@@ -32,9 +32,9 @@ constexpr int kSlideSteps = 8;
 constexpr int kSettleSteps = 12;         // where what is left to choose is to settle too,
 constexpr double kSettled = 1e-9;        // rad or m
 constexpr double kRotationShare = 1e-4;  // of a joint's own motion in what rotates the tool
-constexpr double kLargestSlide = 10.0;   // allowed changes between samples; more is no slide
+constexpr double kLargestSlide = 10.0;   // allowed changes between samples; a larger one is a jump
 
-// Joint change between neighbouring samples, as a multiple of what is allowed.
+// Joint change between neighbouring samples, as a multiple of the allowed one.
 double change(const Robot& robot, const Eigen::VectorXd& q0, const Eigen::VectorXd& q1,
               int* joint = nullptr) {
   double largest = 0.0;
@@ -55,8 +55,8 @@ constexpr std::array<double, LineSamples::kWays> kAway = {12.0, 48.0, 24.0, 6.0}
 constexpr std::array<double, 3> kApproach = {50.0, 200.0, 800.0};
 constexpr double kRotationLengthOfDamping = 0.2;  // m, what a rotation by one radian counts for
 
-// Where the joints of an arm with more of them than it needs had better go: away from their limits,
-// the more the closer they are, per metre of the curve.
+// Preferred direction of the joints of a redundant arm: away from their limits, more strongly the
+// closer they are, per metre of the curve.
 Eigen::VectorXd away_from_limits(const Robot& robot, const Eigen::VectorXd& q, double most) {
   Eigen::VectorXd away = Eigen::VectorXd::Zero(robot.n());
   for (int i = 0; i < robot.n(); ++i) {
@@ -81,7 +81,7 @@ Eigen::VectorXd joints_of(const Trajectory& motion, double x) {
   return q;
 }
 
-// The slope at the first of four points of a curve: that of the cubic through them.
+// The slope at the first of four points: that of the cubic through them.
 double slope_at_first(const double* x, const double* q) {
   double slope = 0.0;
   for (int k = 1; k < 4; ++k) {
@@ -116,13 +116,13 @@ struct StepRoom {
         upper(share * (robot.upper() - seed) + seed - q) {}
 };
 
-// What a pose differs by, as a distance.
+// The difference of two poses as a distance.
 double distance_of(const Vector6d& error) {
   return error.head<3>().norm() + kRotationLengthOfDamping * error.tail<3>().norm();
 }
 
-// Newton's method from the solution before, which is near: the solution that the arm slides into.
-// Nothing where it does not settle at once, or only outside the limits.
+// Newton's method from the solution before: the solution that the arm reaches continuously. Nothing
+// if it does not converge at once, or only outside the limits.
 std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_world_tool,
                                                   const Eigen::VectorXd& seed, Slide how) const {
   Eigen::VectorXd q = seed;
@@ -134,7 +134,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
       if (limit_violations(robot_, q).empty()) return q;
       return std::nullopt;
     }
-    // The shortest step, or for arms of fewer joints the one that comes nearest.
+    // The shortest step; for arms with fewer joints the one with the smallest error.
     if (robot_.n() > 6) {
       if (k == 0) share = how.share_of(distance_of(error));
       Eigen::VectorXd wished = Eigen::VectorXd::Zero(robot_.n());
@@ -220,7 +220,7 @@ IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_
     if (!q && has_choice()) q = slide_into(T_world_tool, seed, {.away = true});
     if (q) return found(*std::move(q));
   }
-  // Only the solution that the arm can slide into counts, so there is one start.
+  // Only the solution that the arm reaches continuously counts, so there is one start.
   return solve_ik(robot_, T_world_tool,
                   {.seed = seed,
                    .task = task_,
@@ -232,7 +232,7 @@ IkResult LineSamples::solve(double x, const Eigen::VectorXd& seed, bool respect_
                    .diagnose = false});
 }
 
-// Remembers why the line ends after the last sample; `ik` is what the solver said about x.
+// Stores why the line ends after the last sample; `ik` is the solver's answer for x.
 bool LineSamples::fail(const Sample& last, double x, IkResult ik) {
   fault_ = {.kind = LineFaultKind::kJump,
             .fraction = covered(last.x),
@@ -250,7 +250,7 @@ bool LineSamples::fail(const Sample& last, double x, IkResult ik) {
   return false;
 }
 
-// Whether the joints go on to x about as they came to the last sample.
+// Whether the joint direction up to x is about the same as before the last sample.
 bool LineSamples::goes_on(double x, const Eigen::VectorXd& q) const {
   if (samples_.size() < 2) return true;
   const Sample &last = samples_.back(), &before = samples_[samples_.size() - 2];
@@ -258,7 +258,7 @@ bool LineSamples::goes_on(double x, const Eigen::VectorXd& q) const {
   return change(robot_, last.q + share * (last.q - before.q), q) <= kBend;
 }
 
-// Whether the curve goes on behind x about as it comes to x from the last sample.
+// Whether the direction of the curve after x is about the same as from the last sample to x.
 bool LineSamples::is_straight(double x) const {
   const double h = x - samples_.back().x;
   if (x + h > 1.0) return true;
@@ -269,8 +269,8 @@ bool LineSamples::is_straight(double x) const {
   return (out.normalized() - in.normalized()).norm() <= kTurn;
 }
 
-// A step of joints that have a choice, taken only if neither they nor the curve turn off and no
-// joint comes to its limit at once, which shorter steps avoid.
+// Takes a step of a redundant arm only if neither the joints nor the curve change direction and no
+// joint reaches its limit at once; shorter steps avoid these.
 bool LineSamples::extend_easily(double x) {
   const Sample& last = samples_.back();
   if (!is_straight(x)) return false;
@@ -314,7 +314,7 @@ bool LineSamples::follow_once() {
   return refine();
 }
 
-// Whether a joint curve swings beyond a limit between two samples that keep it.
+// Whether a joint curve exceeds a limit between two samples that keep it.
 bool LineSamples::swings_out(const Trajectory& motion, const Sample& before,
                              const Sample& behind) const {
   for (const double part : {0.25, 0.5, 0.75}) {
@@ -350,8 +350,8 @@ bool LineSamples::refine() {
       const Sample& before = samples_[k - 1];
       const double x = 0.5 * (before.x + samples_[k].x);
       if (strays(curve, x) || swings_out(curve, before, samples_[k])) {
-        // Next to the curve of the joints, so that what the arm has to spare goes on as it went:
-        // solved from the sample before, the joints would turn off between two that stay.
+        // Solved near the joint curve, so that redundant joints continue in their direction: solved
+        // from the sample before, they would deviate between two fixed samples.
         auto q = slide_into(pose_at(x), joints_of(curve, x), {});
         if (!q) {
           IkResult ik = solve(x, before.q);
@@ -378,7 +378,7 @@ Trajectory LineSamples::motion() const {
     std::vector<double> q;
     for (const Sample& sample : samples_) q.push_back(sample.q[i]);
     if (law_ == CurveLaw::kQuintic) {
-      // Beginning and ending without acceleration, and jerk has no jumps.
+      // Zero acceleration at both ends, and continuous jerk.
       joints.push_back({.segments = quintic_spline(x, q), .q_end = q.back()});
       continue;
     }

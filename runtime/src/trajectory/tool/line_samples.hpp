@@ -1,4 +1,4 @@
-// Positions on a curve solved to joints, as finely as the joints need it.
+// Inverse kinematics at positions on a curve, as closely spaced as the joints need it.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,11 @@
 
 namespace armlet {
 
-// How distance runs along the curve. kQuintic: in unit time, at time x the tool has covered
-// 10 x^3 - 15 x^4 + 6 x^5 of it. kEven: x is the part that is covered, for a law of time to come.
-// kGiven: x is the time of the curve, which begins and ends at rest.
+// How the parameter x determines the position on the curve.
+//
+// kQuintic  x is time from 0 to 1; the fraction 10 x^3 - 15 x^4 + 6 x^5 of the length is travelled.
+// kEven     x is the fraction of the length, for a time law to be found later.
+// kGiven    x is the time of the curve, which begins and ends at rest.
 enum class CurveLaw { kQuintic, kEven, kGiven };
 
 class LineSamples {
@@ -21,7 +23,7 @@ class LineSamples {
   LineSamples(const Robot& robot, const Eigen::VectorXd& q0, PoseCurve curve, IkTask task,
               CurveLaw law = CurveLaw::kQuintic);
 
-  // Of arms with a joint to spare: how strongly joints keep away from their limits.
+  // For redundant arms: number of strengths with which joints keep away from their limits.
   static constexpr int kWays = 4;
   [[nodiscard]] int ways() const;
 
@@ -30,8 +32,8 @@ class LineSamples {
   bool follow(int way = 0);
   [[nodiscard]] const LineFault& fault() const { return fault_; }
 
-  // The joints as functions of x, through all samples: from rest to rest, or with the
-  // slopes that the samples have at the ends for the even law. Only after follow() succeeded.
+  // The joints as functions of x, through all samples: from rest to rest, or for kEven with the
+  // slopes of the samples at the ends. Only after follow() succeeded.
   [[nodiscard]] Trajectory motion() const;
 
  private:
@@ -85,7 +87,7 @@ class LineSamples {
   IkTask task_;
   CurveLaw law_;
   std::vector<Sample> samples_;
-  double away_ = 0.0;  // how strongly joints keep away from their limits, if there is one to spare
+  double away_ = 0.0;  // how strongly joints of a redundant arm keep away from their limits
   LineFault fault_;
 };
 

@@ -14,8 +14,10 @@
 namespace armlet {
 namespace {
 
-constexpr double kRotationLength = 0.2;   // m, what a rotation in place by one radian counts for
-constexpr double kRotatesInPlace = 1e-3;  // m: what travels less rotates in place
+// m, equivalent length of a rotation by one radian without translation
+constexpr double kRotationLength = 0.2;
+// m: with a shorter travel it counts as a rotation without translation
+constexpr double kRotatesInPlace = 1e-3;
 
 }  // namespace
 
@@ -40,7 +42,7 @@ std::optional<Arc> arc_through(const Eigen::Vector3d& p1, const Eigen::Vector3d&
   arc.f = (normal / size).cross(arc.e);
   const Eigen::Vector3d last = p3 - arc.centre;
   arc.sweep = det::atan2(last.dot(arc.f), last.dot(arc.e));
-  // In this sense the second point lies before the third.
+  // In this direction of rotation the second point comes before the third.
   if (arc.sweep <= 0.0) arc.sweep += 2.0 * std::numbers::pi;
   return arc;
 }
@@ -67,7 +69,7 @@ CurveState state_at(const CurvePiece& piece, double fraction, double anchor) {
   CurveState state{Vector6d::Zero(), Vector6d::Zero(), Vector6d::Zero()};
   const Eigen::Vector3d position = piece.at(fraction).translation();
   state.x.head<3>() = position - piece.at(anchor).translation();
-  // The axis of the rotation is the same seen from all orientations of the arc.
+  // The axis of the rotation is the same in the axes of all orientations of the arc.
   const Eigen::Vector3d rotation =
       rotation_log(piece.T_start.linear().transpose() * piece.T_end.linear());
   state.x.tail<3>() = (fraction - anchor) * rotation;
@@ -120,7 +122,7 @@ std::optional<CurvePiece> piece_over(const Eigen::Isometry3d& T_start, const Eig
 
 namespace {
 
-// By travel instead of length.
+// Converts derivatives by length to derivatives by travel.
 CurveState by_measure(CurveState state, const CurvePiece& piece) {
   const double rate = piece.length / piece.measure();
   state.slope *= rate;
@@ -146,8 +148,8 @@ CurveCorner cut_corner(CurvePiece& before, CurvePiece& behind, double blend) {
   return corner;
 }
 
-// The share grows with a rate that goes from `enters` to `leaves` and is level at both ends, so
-// that speeds and accelerations along the curve are continuous.
+// The share grows at a rate that changes from `enters` to `leaves` and is constant to first order
+// at both ends, so that speeds and accelerations along the curve are continuous.
 Eigen::Isometry3d CurveCorner::at(double fraction) const {
   const double x = fraction;
   return at_share(enters * x + (leaves - enters) * x * x * x * (1.0 - 0.5 * x));

@@ -45,9 +45,10 @@ struct CurvePiece {
   double to = 1.0;
 
   [[nodiscard]] bool is_round() const { return arc.radius > 0.0; }
-  // What the tool point travels, m, other than what rotations count for.
+  // Travel of the tool point, m, without the equivalent length of rotations.
   [[nodiscard]] double travel() const;
-  // What of it a blend is measured by, m: travel, and the length of a rotation (nearly) in place.
+  // The length by which a blend is measured, m: travel, or the equivalent length of a rotation
+  // (nearly) without translation.
   [[nodiscard]] double measure() const;
   [[nodiscard]] Eigen::Isometry3d at(double fraction) const;
   // Relative to the pose at the start (fraction 0) or at the end (1): positions in the world's
@@ -60,20 +61,20 @@ CurvePiece straight_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometr
 CurvePiece arc_piece(const Eigen::Isometry3d& T_start, const Eigen::Isometry3d& T_end,
                      const Arc& arc);
 
-// The arc over p_via; nothing where no_circle_over says why.
+// The arc through p_via; nothing for the reasons of no_circle_over.
 std::optional<CurvePiece> piece_over(const Eigen::Isometry3d& T_start, const Eigen::Vector3d& p_via,
                                      const Eigen::Isometry3d& T_end);
 
 // The path round a corner: quintics from one state to another, both relative to the corner. Between
-// straight pieces these are P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)), where r is what the
-// tool point travels in either piece.
+// straight pieces these are P - r d1 + 2 r (d1 u + (d2 - d1)(u^3 - u^4 / 2)), where r is the travel
+// of the tool point in either piece.
 //
-// before, after  derivatives by what the tool point travels.
+// before, after  derivatives by the travel of the tool point.
 // reach          2 r, m.
-// length         of the corner as a part of a curve, m. Pieces whose rotation counts for more than
-//                their travel have a length per metre of travel above 1; the corner leads smoothly
-//                from that of one piece to that of the other.
-// enters, leaves the derivative of u by the fraction of the length at both ends; their sum is 2.
+// length         of the corner as a part of a curve, m. In pieces whose rotation has a larger
+//                equivalent length than their travel, a metre of travel has a length above 1; the
+//                corner changes smoothly from that of one piece to that of the other.
+// enters, leaves  the derivative of u by the fraction of the length at both ends; their sum is 2.
 struct CurveCorner {
   Eigen::Isometry3d T_corner = Eigen::Isometry3d::Identity();
   CurveState before, after;
@@ -90,11 +91,11 @@ struct CurveCorner {
 };
 
 // The corner between two pieces, each of which it shortens by `blend` of its travel, or by half of
-// it if that is less. A rotation in place has no travel: there what its angle counts for is meant.
+// it if that is less. For a rotation without translation the equivalent length replaces travel.
 CurveCorner cut_corner(CurvePiece& before, CurvePiece& behind, double blend);
 
-// A curve that runs through poses in a time from 0 to 1: position and rotation vector, both seen
-// from the first pose with the world's axes for the position, are polynomials in pieces.
+// A curve through poses in a time from 0 to 1: piecewise polynomials of the position (relative to
+// the first pose, in the world's axes) and of the rotation vector (relative to the first pose).
 struct CurveSpline {
   Eigen::Isometry3d T_start = Eigen::Isometry3d::Identity();
   std::array<std::vector<Segment>, 6> x{};
@@ -102,7 +103,7 @@ struct CurveSpline {
   [[nodiscard]] Eigen::Isometry3d at(double time) const;
 };
 
-// What the tool point travels on a curve, m, as the sum of so many chords; `at` gives its poses
+// Travel of the tool point on a curve, m, as the sum of a number of chords; `at` gives its poses
 // from 0 to 1.
 template <class Curve>
 double chord_length(const Curve& curve, int chords) {
@@ -116,12 +117,12 @@ double chord_length(const Curve& curve, int chords) {
   return length;
 }
 
-// Pieces one after another.
+// A curve of consecutive pieces.
 class PoseCurve {
  public:
   void add(const CurvePiece& piece);
   void add(const CurveCorner& corner);
-  // The only part; its fractions are times.
+  // Adds the only part of a curve; its fractions are times.
   void add(CurveSpline spline);
 
   [[nodiscard]] double length() const { return starts_.back(); }

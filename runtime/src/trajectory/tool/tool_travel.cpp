@@ -9,7 +9,7 @@
 namespace armlet {
 namespace {
 
-// The speed of the tool point at a time, m/s; or per unit of whatever the motion is a function of.
+// The speed of the tool point at a time, m/s; or per unit of the motion's parameter.
 class ToolSpeed {
  public:
   ToolSpeed(const Robot& robot, const Trajectory& motion)
@@ -52,7 +52,7 @@ std::vector<Segment> tool_travel(const Robot& robot, const Trajectory& path) {
 
 namespace {
 
-// The highest value of a function on an interval: of the parabolas through neighbouring samples.
+// The maximum of a function on an interval: of the parabolas through neighbouring samples.
 template <class Function>
 double highest(Function f, double from, double to) {
   constexpr int kSamples = 8;

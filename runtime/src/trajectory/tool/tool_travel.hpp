@@ -1,4 +1,4 @@
-// How far the tool point travels along a path of the joints.
+// Travel of the tool point along a joint path.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace armlet {
 
-// Metres as a function of the parameter of the path, as cubic pieces between its knots whose slope
-// is that of the tool at the ends and the middle of each.
+// Metres as a function of the parameter of the path, as cubic pieces between its knots with the
+// slope of the tool at the ends and in the middle of each.
 std::vector<Segment> tool_travel(const Robot& robot, const Trajectory& path);
 
-// The highest speed of the tool point in zones, as a part of what each allows; looked at finely.
+// The largest ratio of the tool speed to the limit of its zone; sampled finely.
 double tool_excess(const Robot& robot, const TimedRun& run, std::span<const SpeedZone> zones);
 
 }  // namespace armlet

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kShortestStep = 1e-12;  // s; what is shorter changes nothing that can be seen
+constexpr double kShortestStep = 1e-12;  // s; shorter steps have no visible effect
 
 // A rotation changes the direction of the acceleration with constant jerk. With N(u) = max |u_i| /
 // J_i for its jerks J, the time in which jerks can produce the accelerations u, a rotation of
@@ -34,7 +34,7 @@ class AccelerationChange {
   [[nodiscard]] VectorXd lacking() const {
     return ((1.0 - y_ * time_) / (2.0 - y_ * time_)) * ahead(time_);
   }
-  // The acceleration as a multiple of what is lacking.
+  // The acceleration as a multiple of the missing speeds.
   [[nodiscard]] double rate() const { return y_ / (1.0 - y_ * time_); }
 
  private:
@@ -47,9 +47,9 @@ class AccelerationChange {
   }
   [[nodiscard]] double time_of(double y) const { return root(y, change_time(a_ - y * e_)); }
 
-  // N(a - y e) is the largest of lines p + q y, two for every joint. Along one line the time only
-  // rises or only falls with y, and from one to the next it changes from falling to rising once:
-  // the shortest time is where two lines meet.
+  // N(a - y e) is the maximum of lines p + q y, two for every joint. Along one line the time is
+  // monotone in y, and from one line to the next it changes from falling to rising once: the
+  // shortest time is at the intersection of two lines.
   struct Line {
     double p, q;
   };
@@ -135,7 +135,7 @@ TakeUp plan_take_up(const VectorXd& x, const VectorXd& a, const TakeUpLimits& li
   };
   if (change.time() >= kShortestStep)
     add(change.time(), (change.acceleration() - a) / change.time());
-  // Along the straight line the error is a multiple of what is lacking, from 1 to 0.
+  // Along the straight line the error is a multiple of the missing speeds, from 1 to 0.
   const VectorXd lacking = change.lacking();
   const double most = (lacking.array().abs() / limits.acceleration.array()).maxCoeff();
   const double quickest = (lacking.array().abs() / limits.jerk.array()).maxCoeff();

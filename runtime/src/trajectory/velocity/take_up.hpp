@@ -1,4 +1,4 @@
-// How joints take up new speeds: all together, from any speeds and accelerations.
+// Take-up of new joint speeds: all joints together, from any speeds and accelerations.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,14 +20,14 @@ struct TakeUpLimits {
   }
 };
 
-// Constant jerks of all joints for a while.
+// An interval of constant jerks of all joints.
 struct TakeUpPiece {
   double duration = 0.0;  // s, > 0
   Eigen::VectorXd jerk;
 };
 
-// Speeds that are wrong by x0, with the accelerations a0, become right: the error is 0 after the
-// last piece.
+// Brings speeds with the error x0 and the accelerations a0 to their targets: the error is 0 after
+// the last piece.
 struct TakeUp {
   Eigen::VectorXd x0;
   Eigen::VectorXd a0;
@@ -56,7 +56,7 @@ struct TakeUp {
 //   or of a tool that moves with the joints, exceeds the largest at the corners.
 TakeUp plan_take_up(const Eigen::VectorXd& x, const Eigen::VectorXd& a, const TakeUpLimits& limits);
 
-// Both at once: errors, accelerations and jerks are the sums.
+// The superposition: errors, accelerations and jerks are the sums.
 TakeUp sum_of(const TakeUp& first, const TakeUp& second);
 
 }  // namespace armlet

@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 
 constexpr double kSlack = 1e-9;  // relative
 
-// The largest |speed| of joint i while the error of its speed, from a target, dies out.
+// The largest |speed| of joint i while the error of its speed, relative to a target, decays.
 double fastest_of(const TakeUp& take_up, Eigen::Index i, double target) {
   AxisState s{.v = take_up.x0[i] + target, .a = take_up.a0[i]};
   double fastest = std::abs(s.v);
@@ -42,8 +42,8 @@ bool keeps_speed_limits(const Robot& robot, const TakeUp& take_up, const VectorX
   return true;
 }
 
-// Every joint takes up its speed as fast as it can, whatever the others do. So a joint that can be
-// stopped within its speed limit is.
+// Every joint reaches its speed as fast as it can, independently of the others. So every joint that
+// can be stopped within its speed limit is.
 void take_up_alone(const Robot& robot, VelocityPieces& pieces, const VectorXd& rates,
                    double longest) {
   for (Eigen::Index i = 0; i < rates.size(); ++i) {
@@ -57,7 +57,7 @@ void take_up_alone(const Robot& robot, VelocityPieces& pieces, const VectorXd& r
   }
 }
 
-// Takes up new speeds within `longest` seconds as far as they are reached by then.
+// Takes up new speeds for at most `longest` seconds, as far as they are reached by then.
 void take_up(const Robot& robot, VelocityPieces& pieces, const VectorXd& rates, double longest) {
   const TakeUpLimits limits{
       .acceleration = robot.max_accel(), .jerk = robot.max_jerk(), .change = robot.max_jerk()};
@@ -111,7 +111,7 @@ std::optional<RateTooHigh> too_fast(const Robot& robot, const VectorXd& rates) {
   return std::nullopt;
 }
 
-// The plan for a motion that ends at rest, if it keeps to the limits.
+// The plan for a motion that ends at rest, if it keeps the limits.
 VelocityPlan checked(const Robot& robot, Trajectory motion) {
   MotionPlan plan = verify(robot, std::move(motion));
   if (!plan.outside.empty()) return {.outside = plan.outside.front()};

@@ -11,24 +11,24 @@ using Eigen::VectorXd;
 
 constexpr double kShortestQuintic = 1e-4;  // s
 constexpr double kShortestQuartic = 1e-6;  // s
-// Between solved joint speeds: s while they change, and rad or m while they are held.
+// Largest interval between joint speeds that are solved: s while they change, and rad or m while
+// they are constant.
 constexpr double kLongestStep = 5e-3;
 constexpr double kFarthestStep = 2e-3;
-// Steps are halved, but for the smallest, while speeds are more uncertain than this, rad/s or m/s.
+// Steps are halved, down to the smallest, while speeds are more uncertain than this, rad/s or m/s.
 constexpr double kSmallestStep = 1e-5;
 constexpr double kDoubt = 1e-8;
 constexpr double kShareOfIdle = 0.7;       // of the limits, where a singular position is crossed
-constexpr double kLacking = 1e-6;          // of the velocity asked for
-constexpr double kLackingRounding = 1e-9;  // m/s and rad/s: as exact as laws are
+constexpr double kLacking = 1e-6;          // of the commanded velocity
+constexpr double kLackingRounding = 1e-9;  // m/s and rad/s: as exact as the laws
 constexpr double kRankThreshold = 1e-9;    // of the largest pivot
 
-// Joint positions one step later and the speeds there. The first slope is known: qd.
+// Joint values one step later and the speeds there. The first slope is known: qd.
 //
 // source  J. C. Butcher, Numerical Methods for Ordinary Differential Equations (2016), method of
 //         order 6 in seven stages.
 //
-// doubt  how much the speeds would change if the joints were where Simpson's rule has them, rad/s
-//        or m/s.
+// doubt  change of the speeds if the joints were at the values of Simpson's rule, rad/s or m/s.
 struct Step {
   VectorXd q;
   ToolRates rates;
@@ -56,7 +56,7 @@ Step step_on(const ToolCommand& command, double t, const VectorXd& q, const Vect
   return next;
 }
 
-// The times between two at which the motion of a command changes its kind, and the second.
+// The times between two at which the motion of a command changes its form, and the second time.
 std::vector<double> knots_of(const ToolCommand& command, double begin, double end) {
   std::vector<double> knots;
   double t = 0.0;
@@ -69,8 +69,8 @@ std::vector<double> knots_of(const ToolCommand& command, double begin, double en
 }
 
 // One step of the motion; a joint gets a polynomial of degree 5 with the states at both ends. In a
-// shorter step that makes a large jerk of the rounding errors of positions, and in the shortest one
-// of those of speeds too: then what the joint gains by the step decides.
+// shorter step this would make a large jerk of the rounding errors of positions, and in the
+// shortest one of those of speeds too: then a polynomial of lower degree is used.
 void add_step(VelocityPieces& pieces, const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
               double h) {
   for (Eigen::Index i = 0; i < qdd.size(); ++i) {
@@ -131,8 +131,8 @@ double excess_of(const Vector6d& twist, const ToolSpeeds& most) {
                   excess(kLever * twist.tail<3>().norm(), w, std::max(w, kSmall * v)));
 }
 
-// What the joint speeds have to do: move the tool, but for the direction that is crossed, in which
-// they keep what the error says.
+// The rows of the task of the joint speeds: the motion of the tool, without the direction that is
+// crossed, in which the joint speeds follow the error.
 Jacobian ToolCommand::rows(const Jacobian& J) const {
   Jacobian rows = J;
   for (Eigen::Index i = 0; law_.crosses && i < J.cols(); ++i)
@@ -167,8 +167,9 @@ ToolRates ToolCommand::at(double t, const VectorXd& q) const {
   return rates;
 }
 
-// The rate of change of the speeds when the joints move with qd and the error stays: differences of
-// order 4, so far apart that rounding, which the next law would begin with, is small.
+// The rate of change of the speeds when the joints move with qd and the error is constant:
+// differences of order 4, with an interval for which rounding errors, with which the next law would
+// begin, are small.
 VectorXd ToolCommand::bend(const VectorXd& q, const VectorXd& qd, const VectorXd& x) const {
   constexpr double kApart = 2e-5;  // s
   const auto change = [&](double s) {
@@ -214,7 +215,7 @@ ToolCommand::ToolCommand(const Robot& robot, const VelocityStart& from, const Ve
     take_up_ = plan_take_up(x, a, limits);
     return;
   }
-  // What joints do fast must not hold up what the tool does.
+  // A fast motion of the joints must not delay the motion of the tool.
   const VectorXd x_idle = idle_.dot(x) * idle_, a_idle = idle_.dot(a) * idle_;
   take_up_ = sum_of(plan_take_up(x_idle, a_idle, limits.part(kShareOfIdle)),
                     plan_take_up(x - x_idle, a - a_idle, limits.part(1.0 - kShareOfIdle)));

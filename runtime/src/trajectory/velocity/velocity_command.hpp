@@ -1,4 +1,4 @@
-// The law by which a command for the tool takes up its velocity, and the motion that follows it.
+// The law by which a command for the tool reaches its velocity, and the motion that follows it.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,24 @@
 
 namespace armlet {
 
-// Joint speeds for a velocity of the tool, and what is lacking of it.
+// Joint speeds for a velocity of the tool, and the missing part of that velocity.
 struct ToolRates {
   Eigen::VectorXd qd;
   double lacking = 0.0;
 };
 
-// Where a command is no longer followed.
+// Limits at which following a command ends.
 //
 // qdd   largest accelerations, rad/s^2 or m/s^2.
 // most  largest speeds of the tool.
-// calm  by which fraction the tool may exceed them.
+// calm  fraction by which the tool may exceed them.
 struct FollowLimits {
   Eigen::VectorXd qdd;
   ToolSpeeds most;
   double calm = 0.0;
 };
 
-// By which fraction a velocity of the tool exceeds the largest speeds.
+// The fraction by which a velocity of the tool exceeds the largest speeds.
 double excess_of(const Vector6d& twist, const ToolSpeeds& most);
 
 // A command for the tool. Its joint speeds are the sum of those that give the tool its velocity at
@@ -43,7 +43,7 @@ double excess_of(const Vector6d& twist, const ToolSpeeds& most);
 // speed is that of x, so that it need not be brought to rest before the singular position.
 class ToolCommand {
  public:
-  // Begins in the state of `from`, with its acceleration; the error dies out along `law`.
+  // Begins in the state of `from`, with its acceleration; the error decays along `law`.
   ToolCommand(const Robot& robot, const VelocityStart& from, const Vector6d& twist,
               const ToolLaw& law);
 
@@ -57,9 +57,9 @@ class ToolCommand {
                                       const Eigen::VectorXd& qd) const;
 
   // Follows the command from a time after its beginning, at which `pieces` ends, to a later one.
-  // Nothing, or why the joints cannot.
+  // The result has no motion, or the reason why the joints cannot.
   //
-  // limits  beyond which it is followed no farther; null: none.
+  // limits  at which following ends; null: none.
   VelocityPlan follow(double begin, double end, VelocityPieces& pieces,
                       const FollowLimits* limits = nullptr) const;
 
@@ -76,7 +76,7 @@ class ToolCommand {
   ToolLaw law_;
   Eigen::VectorXd q_start_;
   Vector6d lost_ = Vector6d::Zero();  // direction of the tool
-  Eigen::VectorXd idle_{};            // and the one of the joints that moves it there
+  Eigen::VectorXd idle_{};            // and the joint direction that moves it there
   Jacobian J_ref_{};
   std::optional<OrthogonalFactors> at_ref_{};
   TakeUp take_up_{};

@@ -1,4 +1,4 @@
-// What the plans of velocity commands for joints and for the tool have in common.
+// Common parts of the plans of velocity commands for joints and for the tool.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void check_start(const Robot& robot, const VelocityStart& start);
 
 Eigen::VectorXd accelerations_of(const VelocityStart& start);
 
-// A motion written piece by piece, joint by joint.
+// A motion that is built piece by piece for each joint.
 class VelocityPieces {
  public:
   explicit VelocityPieces(const VelocityStart& start)
@@ -36,33 +36,33 @@ class VelocityPieces {
 
   // Constant jerk of joint i.
   void push(Eigen::Index i, double jerk, double T) {
-    constexpr double kShortestStep = 1e-14;  // s; what is shorter changes nothing that can be seen
+    constexpr double kShortestStep = 1e-14;  // s; shorter steps have no visible effect
     if (T < kShortestStep) return;
     add(i, {.duration = T, .degree = 3, .c = {q_[i], qd_[i], 0.5 * qdd_[i], jerk / 6.0}});
     const AxisState next = after({.q = q_[i], .v = qd_[i], .a = qdd_[i]}, jerk, T);
     set(i, next);
   }
 
-  // A ramp of joint i, broken off after `longest` seconds.
+  // Adds a ramp of joint i, cut off after `longest` seconds.
   void ramp(Eigen::Index i, const Ramp& ramp, double longest) {
     push(i, ramp.jerk, std::min(ramp.rise, longest));
     push(i, 0.0, std::min(ramp.hold, longest - ramp.rise));
     push(i, -ramp.jerk, std::min(ramp.fall, longest - ramp.rise - ramp.hold));
   }
 
-  // Joint i has exactly this speed, and keeps it.
+  // Sets the speed of joint i exactly; it is constant from now on.
   void settle(Eigen::Index i, double v) {
     qd_[i] = v;
     qdd_[i] = 0.0;
   }
 
-  // Joint i goes to a given state.
+  // Moves joint i to a given state.
   void join(Eigen::Index i, const AxisState& to, double T) {
     add(i, quintic_segment({.q = q_[i], .v = qd_[i], .a = qdd_[i]}, to, T));
     set(i, to);
   }
 
-  // Joint i goes to a given speed and acceleration.
+  // Brings joint i to a given speed and acceleration.
   void gain(Eigen::Index i, double v, double a, double T) {
     const double dv = v - qd_[i] - T * qdd_[i], da = T * (a - qdd_[i]);
     const double c3 = (dv - da / 3.0) / (T * T), c4 = (da - 2.0 * dv) / (4.0 * T * T * T);
@@ -97,10 +97,10 @@ class VelocityPieces {
 // Ends a motion: all joints come to rest together.
 void come_to_rest(const Robot& robot, VelocityPieces& pieces);
 
-// The first joint that would be faster than it may be.
+// The first joint that would exceed its speed limit.
 std::optional<RateTooHigh> too_fast(const Robot& robot, const Eigen::VectorXd& rates);
 
-// The plan for a motion that ends at rest, if it keeps to the limits.
+// The plan for a motion that ends at rest, if it keeps the limits.
 VelocityPlan checked(const Robot& robot, Trajectory motion);
 
 }  // namespace armlet

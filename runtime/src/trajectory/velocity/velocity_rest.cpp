@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 constexpr double kRestShares[] = {1.0, 0.8,  0.64, 0.5, 0.4,  0.32, 0.25,
                                   0.2, 0.16, 0.12, 0.1, 0.07, 0.05};
 constexpr int kDescents = 6;
-constexpr double kCalmer = 1e-4;  // as a fraction; less is not worth another round
+constexpr double kCalmer = 1e-4;  // as a fraction; smaller gains end the search
 
 bool keeps_limits(const Robot& robot, const VelocityStart& start, const Trajectory& motion) {
   for (int i = 0; i < robot.n(); ++i) {

@@ -1,4 +1,4 @@
-// How joints come to rest so that the tool is calm, each in its own time.
+// Deceleration of each joint in its own time, such that the tool exceeds its speeds least.
 #pragma once
 
 #include "armlet/trajectory/velocity.hpp"
@@ -6,26 +6,26 @@
 
 namespace armlet {
 
-// By which fraction the tool exceeds the largest speeds between two times of a motion.
+// The fraction by which the tool exceeds the largest speeds between two times of a motion.
 double excess_of(const Robot& robot, const Trajectory& motion, double begin, double end,
                  const ToolSpeeds& most);
 
-// By which shares of their limits on acceleration and jerk the joints come to rest, each by itself,
-// and by which fraction the tool exceeds the largest speeds then; infinite where a joint leaves its
-// limits.
+// The shares of their limits on acceleration and jerk with which the joints come to rest
+// independently, and the fraction by which the tool then exceeds the largest speeds; infinite if a
+// joint leaves its limits.
 struct Rest {
   Eigen::VectorXd shares;
   double excess = 0.0;
 };
 
-// The calmest one, by coordinate descent: no other share of a single joint makes the tool calmer.
-// Ends early when it is calm.
+// The deceleration with the least excess, by coordinate descent: changing the share of a single
+// joint does not improve it. Ends early when the excess is allowed.
 //
 // source  S. J. Wright, Coordinate descent algorithms, Mathematical Programming 151, 2015.
 Rest calmest_rest(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most,
                   double calm);
 
-// Ends a motion so.
+// Ends a motion with such a deceleration.
 void come_to_rest_apart(const Robot& robot, VelocityPieces& pieces, const Eigen::VectorXd& shares);
 
 }  // namespace armlet

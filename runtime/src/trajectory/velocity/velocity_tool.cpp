@@ -17,20 +17,21 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kLackingAtStart = 1e-6;  // of the velocity asked for
+constexpr double kLackingAtStart = 1e-6;  // of the commanded velocity
 // Parts of the limits on acceleration and jerk with which the tool reaches a velocity; the rest is
 // for the change of joint directions during it. The first that suffices is used.
 constexpr double kShares[] = {0.9, 0.75, 0.6, 0.45, 0.3, 0.2, 0.12, 0.07};
 constexpr double kLeastShare = kShares[std::size(kShares) - 1];
 // The same if the joint directions do not change, because all joints only come to rest.
 constexpr double kAllButAll = 0.99;
-// Of the limits, while it is decided how to take up a velocity: planned again in the middle, the
-// polynomials differ a little.
+// Part of the limits that is used in choosing a law: when the command is planned again in the
+// middle, the polynomials differ a little.
 constexpr double kWithin = 0.995;
-// How much faster the tool may become than the fastest velocity still being taken up, as a
-// fraction: while one is taken up, while the joints come to rest after it, while they slow down
-// because another velocity cannot be taken up otherwise; more means that another velocity is being
-// taken up than was said. So the slowing down that was possible after one command mostly is
+// Fractions by which the tool may exceed the fastest velocity still being reached: during the
+// take-up, while the joints come to rest after it, and while they decelerate because another
+// velocity cannot be reached otherwise; a larger one means that the velocity being reached is not
+// the one given. So a deceleration that was possible after one command is mostly possible for the
+// next.
 // possible for the next.
 constexpr double kCalm = 0.002;
 constexpr double kCalmStop = 0.005;
@@ -56,7 +57,8 @@ ToolSpeeds with_drift(const ToolSpeeds& most, double drift = kDrift) {
   return larger(most, {.v = drift * kLever * most.w, .w = drift / kLever * most.v});
 }
 
-// What the tool does at the start, and would do if the joints stopped gaining speed.
+// The speeds of the tool at the start, and those that it would have if the joint accelerations
+// ended.
 ToolSpeeds speeds_at(const Robot& robot, const VelocityStart& start) {
   const VectorXd qdd = accelerations_of(start);
   const double fading = (qdd.array().abs() / robot.max_jerk().array()).maxCoeff();
@@ -65,7 +67,7 @@ ToolSpeeds speeds_at(const Robot& robot, const VelocityStart& start) {
   return larger(speeds_of(now), speeds_of(now + J * qdd * (0.5 * fading)));
 }
 
-// The largest speeds still being taken up at the start; infinite if they are not known.
+// The largest speeds still being reached at the start; infinite if they are not known.
 ToolSpeeds known_speeds(const Robot& robot, const VelocityStart& start) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   const bool rests = start.qd.isZero(0.0) && accelerations_of(start).isZero(0.0);
@@ -99,7 +101,7 @@ bool stops_calmly(const Robot& robot, const VelocityStart& start, const ToolSpee
 
 enum class Trial { kGood, kWithLess, kBad };  // with a smaller share it may be good
 
-// Whether the joints can come to rest calmly from the quarters of a motion.
+// Whether the joints can come to rest smoothly from the quarter points of a motion.
 bool stops_on(const Robot& robot, const Trajectory& motion, const ToolSpeeds& most) {
   constexpr int kParts = 4;
   VelocityStart state{.q = VectorXd(robot.n()),
@@ -177,8 +179,8 @@ std::optional<ToolLaw> largest_share(const Robot& robot, const VelocityStart& st
   return std::nullopt;
 }
 
-// The laws, in joint speeds or in those of the tool. Where nothing is known to keep the tool calm,
-// the speeds of the tool come first.
+// The candidate laws, in joint speeds or in tool speeds. If nothing is known that keeps the tool
+// speed within bounds, those in tool speeds come first.
 std::vector<ToolLaw> laws_for(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
                               bool calm) {
   const ToolLaw of_joints, of_tool{.ref = start.q}, crossing{.ref = start.q, .crosses = true};
@@ -187,7 +189,7 @@ std::vector<ToolLaw> laws_for(const Robot& robot, const VelocityStart& start, co
   return laws;
 }
 
-// The first of them that does what is wanted.
+// The first of them that meets the requirements.
 std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
                                 const Vector6d& twist, const Wanted& wanted) {
   const bool turns = !accelerations_of(start).isZero(1e-9);
@@ -199,8 +201,8 @@ std::optional<ToolLaw> find_law(const Robot& robot, const VelocityStart& start,
   return std::nullopt;
 }
 
-// The law that makes the tool the least too fast, of all by which the joints keep to their limits,
-// and by which fraction it does.
+// The law with the least excess of tool speed, of all with which the joints keep their limits; and
+// that excess as a fraction.
 struct LeastExcess {
   ToolLaw law{.share = kLeastShare, .turning = kLeastShare};
   double excess = std::numeric_limits<double>::infinity();
@@ -226,14 +228,14 @@ LeastExcess least_excess(const Robot& robot, const VelocityStart& start, const V
   return least;
 }
 
-// A law by which the tool comes to rest calmly.
+// A law by which the tool comes to rest without exceeding its speeds.
 std::optional<ToolLaw> calm_stop(const Robot& robot, const VelocityStart& start,
                                  const ToolSpeeds& most, bool quickly = false) {
   const Wanted calm{.most = most, .calm = kCalmBrake, .ends = true, .quickly = quickly};
   return find_law(robot, start, Vector6d::Zero(), calm);
 }
 
-// By which fraction the tool becomes too fast if each joint comes to rest as it can.
+// The fraction by which the tool exceeds its speeds if each joint comes to rest independently.
 double excess_of_rest(const Robot& robot, const VelocityStart& start, const ToolSpeeds& most) {
   VelocityPieces alone(start);
   come_to_rest(robot, alone);
@@ -246,7 +248,7 @@ bool stops_calmly(const Robot& robot, const VelocityStart& start, const ToolSpee
   return excess_of_rest(robot, start, drifting) <= kCalmStop || calm_stop(robot, start, drifting);
 }
 
-// Slows down first, for as long as it takes until the velocity can be taken up.
+// Decelerates first, until the velocity can be reached.
 std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& start,
                                       const Vector6d& twist, const ToolSpeeds& most, bool stops,
                                       bool quickly = false) {
@@ -269,8 +271,8 @@ std::optional<ToolTakeUp> brake_first(const Robot& robot, const VelocityStart& s
   return ToolTakeUp{.law = least, .brake_for = rest, .brake = *brake};
 }
 
-// Where no law is calm: the one by which the tool becomes the least too fast, of those that take
-// the velocity up at once and those that bring the tool to rest first.
+// If every law exceeds the speeds: the one with the least excess, of those that reach the velocity
+// at once and those that bring the tool to rest first.
 ToolTakeUp least_fast(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
                       const ToolSpeeds& most) {
   const LeastExcess at_once = least_excess(robot, start, twist, most, false);
@@ -282,7 +284,7 @@ ToolTakeUp least_fast(const Robot& robot, const VelocityStart& start, const Vect
           .brake = brake.law};
 }
 
-// Decides how the velocity is taken up.
+// Chooses the law by which the velocity is reached.
 ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d& twist,
                   const ToolSpeeds& most) {
   const ToolSpeeds drifting = with_drift(most);
@@ -302,7 +304,7 @@ ToolTakeUp choose(const Robot& robot, const VelocityStart& start, const Vector6d
   return least_fast(robot, start, twist, drifting);
 }
 
-// Comes to rest by a law.
+// Brings the tool to rest with a law.
 void stop_by(const Robot& robot, const VelocityStart& start, const ToolLaw& law,
              VelocityPieces& pieces) {
   const ToolCommand command(robot, start, Vector6d::Zero(), law);
@@ -310,8 +312,9 @@ void stop_by(const Robot& robot, const VelocityStart& start, const ToolLaw& law,
   for (Eigen::Index i = 0; i < robot.n(); ++i) pieces.settle(i, 0.0);
 }
 
-// Comes to rest with all joints together if the tool is calm then, else by the law that keeps it
-// calm, else with each joint by itself; if none does, by the one that keeps it calmest.
+// Brings all joints to rest together if the tool speed stays within bounds then, else with the law
+// that keeps it there, else each joint independently; if none does, in the manner with the least
+// excess.
 void stop(const Robot& robot, VelocityPieces& pieces, const ToolSpeeds& most) {
   const VelocityStart start = state_of(pieces);
   const ToolSpeeds drifting = with_drift(most);
@@ -373,7 +376,7 @@ bool leads_to(const Robot& robot, const ToolTakeUp& take_up, const Vector6d& twi
          near(qdd, accelerations_of(state), robot.max_accel());
 }
 
-// Follows a command for `time` seconds, from where its take-up is.
+// Follows a command for `time` seconds, from the present state of its take-up.
 VelocityPlan go_on(const ToolCommand& command, double time, ToolTakeUp& take_up,
                    VelocityPieces& pieces) {
   VelocityPlan plan = command.follow(take_up.elapsed, take_up.elapsed + time, pieces);
@@ -424,7 +427,8 @@ VelocityPlan plan_tool_velocity(const Robot& robot, const VelocityStart& start,
     check_take_up(robot, *start.same);
     if (leads_to(robot, *start.same, twist, start)) {
       VelocityPlan plan = run_command(robot, start, twist, *start.same);
-      // Another law may ask less of the joints; the speeds at the end are the same by all of them.
+      // Another law may need less of the joints; the speeds at the end are the same with all of
+      // them.
       const bool by_the_law = plan.too_high && plan.too_high->kind != LimitKind::kSpeed;
       if (!by_the_law) return plan;
     }
