@@ -17,14 +17,14 @@ const BatchKernels& kernels_for(InstructionSet set, std::size_t count) {
   return kernels_for(set, count, kAvx512Batch, kAvx2Batch, kBaselineBatch);
 }
 
-// One configuration, with nothing to complain of.
+// Whether the batch is one configuration whose sizes are right.
 bool is_single(const Robot& robot, std::span<const double> q, std::size_t entries,
                std::span<double> out, InstructionSet set) {
   return q.size() == static_cast<std::size_t>(robot.n()) && out.size() == entries &&
          set <= best_instruction_set();
 }
 
-// The number of configurations, after everything has been checked.
+// The number of configurations; checks all arguments.
 std::size_t checked_count(const Robot& robot, std::span<const double> q, std::size_t entries,
                           std::span<double> out, std::string_view out_name, InstructionSet set) {
   check_supported(set);
@@ -44,7 +44,7 @@ BatchLines columns_of_rows(const JointCoupling& coupling, std::span<const double
   return rows.colwise() + coupling.offset;
 }
 
-// Columns of rows that go together are added up.
+// Adds up the columns of rows that the same joint moves.
 void coupled_jacobians(const Robot& robot, std::span<const double> q, std::span<double> jacobians,
                        InstructionSet set) {
   const JointCoupling& coupling = *robot.coupling();

@@ -4,7 +4,7 @@
 #include "chain/batch_walk.hpp"
 
 // Tool poses and Jacobians of many configurations, one per lane. Compiled once per instruction set,
-// in sources that include nothing else; the bits are the same.
+// in sources that include nothing else; all give the same bits.
 namespace armlet {
 
 template <class V>
@@ -12,7 +12,7 @@ template <class V>
   return {all_lanes<V>(T[c]), all_lanes<V>(T[4 + c]), all_lanes<V>(T[8 + c])};
 }
 
-// Three columns of a pose; y follows from them at the end.
+// Three columns of a pose; y is computed from them at the end.
 template <class V>
 struct BatchColumns {
   Parts<V> x, z, p;

@@ -5,8 +5,7 @@
 // The kernels for batches of each instruction set; plain data, like batch_arm.hpp.
 namespace armlet {
 
-// What is written: the entries of axes x, y, z and origin of the tool, or the columns of the
-// Jacobian.
+// Outputs: the entries of axes x, y, z and origin of the tool, or the columns of the Jacobian.
 struct BatchKernels {
   std::size_t lanes;
   BatchKernel* poses;
@@ -14,7 +13,7 @@ struct BatchKernels {
 };
 #if defined(__x86_64__)
 extern const BatchKernels kBaselineBatch, kAvx2Batch, kAvx512Batch;
-#else  // other processors are never asked for the wider ones (is_supported)
+#else  // other processors never use the wider ones (is_supported)
 extern const BatchKernels kBaselineBatch;
 inline const BatchKernels& kAvx2Batch = kBaselineBatch;
 inline const BatchKernels& kAvx512Batch = kBaselineBatch;

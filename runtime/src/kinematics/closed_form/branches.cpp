@@ -70,7 +70,7 @@ Euler solve_euler(const Eigen::Matrix3d& M, const Angle& alpha, const Angle& bet
   if (std::abs(c) > 1.0 + kClosedSlack) return out;
   double s = 0.0;
   if (alpha.c == 0.0 && beta.c == 0.0) {
-    // sin x2 itself is in the matrix: no digits are lost next to the singularity.
+    // sin x2 is computed from entries of the matrix: no digits are lost near the singularity.
     s = 0.5 * (std::sqrt(M(0, 2) * M(0, 2) + M(1, 2) * M(1, 2)) +
                std::sqrt(M(2, 0) * M(2, 0) + M(2, 1) * M(2, 1)));
     const double r = std::sqrt(c * c + s * s);
@@ -96,7 +96,7 @@ Euler solve_euler(const Eigen::Matrix3d& M, const Angle& alpha, const Angle& bet
       out.count = 1;
       out.open = true;
       out.x1[i] = x1_if_free;
-      // Rz(x3) = (Rz(x1) Rx(alpha) Rz(x2) Rx(beta))^T M; its first column says it.
+      // Rz(x3) = (Rz(x1) Rx(alpha) Rz(x2) Rx(beta))^T M; its first column gives x3.
       const Eigen::Vector3d m =
           rotated_back(out.x2[i], beta, rotated_back(out.x1[i], alpha, Eigen::Vector3d(M.col(0))));
       out.x3[i] = angle_from_to(1.0, 0.0, m.x(), m.y(), whole3);

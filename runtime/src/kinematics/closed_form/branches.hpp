@@ -9,15 +9,15 @@
 
 namespace armlet {
 
-// The parts that the closed forms are put together from. Angles are kept as sine and cosine; no
+// The parts from which the closed forms are composed. Angles are kept as sine and cosine; no
 // inverse function is called before a branch is complete.
 
-// Which of the two solutions each part of the arm takes (ClosedSolution::branch).
+// Bits for the solution that each part of the arm uses (ClosedSolution::branch).
 inline constexpr int kShoulderBit = 4;
 inline constexpr int kElbowBit = 2;
 inline constexpr int kWristBit = 1;
 
-// One configuration: an angle or a height per joint, in the terms of CanonicalRows.
+// One configuration: an angle or a height per joint, in the notation of CanonicalRows.
 struct Branch {
   std::array<Angle, kMaxJoints> phi{};
   std::array<double, kMaxJoints> height{};
@@ -27,8 +27,9 @@ struct Branch {
 struct Branches {
   std::array<Branch, kMaxBranches> at;
   int count = 0;
-  bool free = false;  // a joint may take any value, or nearly so
-  unsigned open = 0;  // bits of the joints that keep their value because nothing else says it
+  bool free = false;  // a joint may have any value, or nearly so
+  // bits of the joints that keep their value because the goal does not determine it
+  unsigned open = 0;
   double arm_angle_change = 0.0;  // of an arm of seven joints, added to its arm angle
 
   Branch& add(const Branch& b) {
@@ -39,12 +40,12 @@ struct Branches {
   }
 };
 
-// A value that a sine or a length may exceed by rounding alone. Branches are verified afterwards,
-// so it may be generous.
+// Amount by which a sine or a length may exceed its bound by rounding. Branches are verified
+// afterwards, so it may be generous.
 inline constexpr double kClosedSlack = 1e-6;
 
-// Angles x with A cos x + B sin x = C: two, one (twice the same), or none. count is -1 if
-// every angle will do.
+// Angles x with A cos x + B sin x = C: two, one (twice the same), or none. count is -1 if every
+// angle satisfies it.
 //
 // source  J. J. Craig, Introduction to Robotics, 2005, appendix C.
 struct AnglePair {
@@ -73,8 +74,8 @@ inline AnglePair circle_meets_plane(double A, double B, double C) {
   return out;
 }
 
-// The rotation that takes the direction (x, y) to the direction (u, v); whole is false where either
-// has no length.
+// The rotation that maps the direction (x, y) to the direction (u, v); whole is false if one of
+// them has length zero.
 inline Angle angle_from_to(double x, double y, double u, double v, bool& whole) {
   const double c = x * u + y * v;
   const double s = x * v - y * u;
@@ -83,18 +84,18 @@ inline Angle angle_from_to(double x, double y, double u, double v, bool& whole) 
   return whole ? Angle{c / r, s / r} : Angle{};
 }
 
-// The angles as they are, or the present one where every angle will do; free becomes true then.
+// The angles, or the present one if every angle is a solution; then free becomes true.
 inline AnglePair or_present(const AnglePair& turns, const Angle& present, bool& free) {
   if (turns.count >= 0) return turns;
   free = true;
   return {1, {present, present}};
 }
 
-// Shorter than this, m, a line has no direction and a point lies on an axis.
+// A shorter line, m, has no direction; a point nearer to an axis counts as on it.
 inline constexpr double kNoLength = 1e-9;
 
-// Nearer than this, m, to where an angle does not matter, it is known so badly that a formula which
-// finds nothing has not shown that there is nothing.
+// Nearer than this, m, to a position where an angle is free, the angle is known so inexactly that a
+// closed form without a result does not prove that there is no solution.
 inline constexpr double kNearAxis = 1e-6;
 
 // Two links in a plane: Rz(x1) [ l + Rz(x2) m ] = (X, Y). Returns both elbows. An arm that is
@@ -106,7 +107,7 @@ inline constexpr double kNearAxis = 1e-6;
 struct Elbow {
   int count = 0;
   bool free = false;
-  bool open1 = false, open2 = false;  // x1 or x2 is taken as given
+  bool open1 = false, open2 = false;  // x1 or x2 is the given value
   std::array<Angle, 2> x1{}, x2{};
 };
 struct Links {
@@ -116,19 +117,19 @@ Elbow solve_elbow(const Links& links, double X, double Y, const Angle& x1_if_fre
                   const Angle& x2_if_free);
 
 // Rz(x1) Rx(alpha) Rz(x2) Rx(beta) Rz(x3) = M: both solutions. Where x1 and x3 rotate about one
-// line, x1 is taken as given.
+// line, x1 is the given value.
 //
 // source  Siciliano et al. 2009, section 2.12.5 (spherical wrist), here with any link twists.
 struct Euler {
   int count = 0;
   bool singular = false;
-  bool open = false;  // x1 is taken as given
+  bool open = false;  // x1 is the given value
   std::array<Angle, 2> x1{}, x2{}, x3{};
 };
 Euler solve_euler(const Eigen::Matrix3d& M, const Angle& alpha, const Angle& beta,
                   const Angle& x1_if_free);
 
-// Rx(-alpha) Rz(-x) M
+// Returns Rx(-alpha) Rz(-x) M.
 Eigen::Matrix3d rotated_back(const Angle& x, const Angle& alpha, const Eigen::Matrix3d& M);
 Eigen::Vector3d rotated_back(const Angle& x, const Angle& alpha, const Eigen::Vector3d& v);
 

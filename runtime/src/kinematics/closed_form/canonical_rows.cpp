@@ -42,8 +42,7 @@ CanonicalRows canonical_rows(const Chain& chain, bool reversed) {
     if (i > 0) {
       const std::size_t k = reversed ? n - i : i;
       Angle alpha{chain.cos_alpha[k], direction * chain.sin_alpha[k]};
-      if (sign != direction)
-        alpha = {-alpha.c, -alpha.s};  // what is left of half a revolution about x
+      if (sign != direction) alpha = {-alpha.c, -alpha.s};  // the remaining half revolution about x
       if (std::abs(alpha.s) < kSame) {
         sign = alpha.c > 0.0 ? direction : -direction;
         alpha = Angle{};

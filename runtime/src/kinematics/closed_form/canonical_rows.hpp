@@ -34,22 +34,22 @@ struct CanonicalRows {
   std::array<double, kMaxJoints> h{};       // constant height along z of a revolute joint
   std::array<Angle, kMaxJoints> phi{};      // constant rotation of a prismatic joint
   std::array<double, kMaxJoints>
-      a{};  // a[i] and alpha[i] stand before joint i; those of 0 are taken off
+      a{};  // a[i] and alpha[i] are before joint i; those of 0 are removed
   std::array<Angle, kMaxJoints> alpha{};
   bool reversed = false;  // joint i is joint n-1-i of the arm
-  bool flipped = false;   // half a revolution about x is left at the end
+  bool flipped = false;   // half a revolution about x remains at the end
   Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d after = Eigen::Isometry3d::Identity();
 
   Eigen::Vector3d tool_point = Eigen::Vector3d::Zero();  // in the frame of G
 
-  // G of a goal, in the world or as seen from `before`.
+  // G of a goal, in the world or in the frame `before`.
   Eigen::Isometry3d goal(const Eigen::Isometry3d& T_world_tool) const {
     return goal_from_base(before * T_world_tool);
   }
   Eigen::Isometry3d goal_from_base(const Eigen::Isometry3d& T_base_tool) const;
 
-  // Axes i-1 and i: parallel; meeting in a point.
+  // Whether axes i-1 and i are parallel; whether they meet in a point.
   bool parallel(int i) const { return alpha[static_cast<std::size_t>(i)].s == 0.0; }
   bool meet(int i) const {
     return a[static_cast<std::size_t>(i)] == 0.0 && alpha[static_cast<std::size_t>(i)].s != 0.0;
@@ -72,7 +72,7 @@ CanonicalRows canonical_rows(const Chain& chain, bool reversed);
 // X_i of a chain.
 Eigen::Isometry3d twist_and_length(const Chain& chain, std::size_t i);
 
-// The arm with its first or its last joint held still at q.
+// The arm with its first or its last joint fixed at q.
 Chain with_held_joint(const Chain& chain, bool first, double q);
 
 }  // namespace armlet

@@ -2,8 +2,8 @@
 
 #include "chain/batch_arm.hpp"
 
-// What passes between a closed form and its kernels; nothing but plain data, because sources for
-// larger instruction sets include it.
+// Arguments and results of the kernels of closed forms; plain data only, because sources for larger
+// instruction sets include it.
 namespace armlet {
 
 inline constexpr unsigned kSolutions = 8;  // of an arm of six joints to reach a pose
@@ -30,48 +30,48 @@ struct MeetingAxes {
   double A, B, fixed;
 };
 
-// An arm of six revolute joints as its kernel reads it: the numbers of CanonicalRows and what
-// follows from them alone.
+// An arm of six revolute joints, prepared for its kernel: the numbers of CanonicalRows and
+// constants computed from them.
 struct ClosedArm {
   LaneFamily family;
   PlainAngle alpha[kSixJoints];  // before each joint
   double a[kSixJoints], h[kSixJoints];
-  double point[3];  // where the last axes meet, behind joint 3 or 4
+  double point[3];  // intersection of the last axes, after joint 3 or 4
   double height;    // of that point along the parallel axes
   PlanarLinks links;
   MeetingAxes meeting;
-  double slack;       // how much below zero a squared sine may be by rounding
+  double slack;       // amount by which a squared sine may be below zero by rounding
   double inverse_ss;  // of the sines of the wrist's link twists
   bool right_wrist;   // they are right angles
   bool reversed;      // joint i is joint 5 - i of the arm
   double sign[kSixJoints], offset[kSixJoints];
-  double walk_sign[kSixJoints];  // from angles of the rows to those of the walk
+  double walk_sign[kSixJoints];  // from angles of the rows to those of the recursion
   BatchArm walk;                 // for forward kinematics
 };
 
-// Where a pose lies, by columns: axes x, y, z and origin.
+// A pose by columns: axes x, y, z and origin.
 struct ClosedGoal {
-  double rows[12];  // as the rows see it
-  double base[12];  // from the arm's base
+  double rows[12];  // in the frame of the rows
+  double base[12];  // in the frame of the arm's base
 };
 
 // All solutions in lanes; solution k is the sum of kShoulderBit, kElbowBit and kWristBit.
 //
 // miss2  the square of the error of each solution, m^2 + rad^2, found by forward kinematics; NaN
-//        where there is no such solution.
+//        for a solution that does not exist.
 struct alignas(64) ClosedLanes {
   double q[kSixJoints][kSolutions];  // in the order of the arm, within half a revolution of 0
   double miss2[kSolutions];
 };
 
-// returns  false if the pose is so close to a border (arm stretched, wrist straight, on the first
-//          axis) that it needs the functions with branches.
+// returns  false if the pose is so near to a boundary (arm stretched, wrist straight, on the first
+//          axis) that the functions with branches are needed.
 using ClosedKernel = bool(const ClosedArm& arm, const ClosedGoal& goal, ClosedLanes& out);
 extern ClosedKernel* const kBaselineClosed;
 #if defined(__x86_64__)
 extern ClosedKernel* const kAvx2Closed;
 extern ClosedKernel* const kAvx512Closed;
-#else  // other processors are never asked for these (is_supported)
+#else  // other processors never use these (is_supported)
 inline ClosedKernel* const& kAvx2Closed = kBaselineClosed;
 inline ClosedKernel* const& kAvx512Closed = kBaselineClosed;
 #endif

@@ -11,7 +11,7 @@
 namespace armlet {
 namespace {
 
-// All joints are revolute, but for joint `except`.
+// Whether all joints are revolute, except joint `except`.
 bool all_revolute(const CanonicalRows& rows, std::size_t except = kMaxJoints) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
     if (!rows.revolute[i] && i != except) return false;
@@ -19,8 +19,8 @@ bool all_revolute(const CanonicalRows& rows, std::size_t except = kMaxJoints) {
   return true;
 }
 
-// Joints 1 to 3 reach a position by formula; the third may slide where axes 1 and 2 meet. Two
-// joints about one line are one too many.
+// Whether a closed form gives joints 1 to 3 for a position; the third may be prismatic if axes 1
+// and 2 meet. Two joints about one line are not possible.
 bool has_shoulder(const CanonicalRows& rows) {
   if (rows.parallel(1) || !all_revolute(rows, 2)) return false;
   if (rows.parallel(2) && rows.revolute[2]) return rows.a[2] != 0.0;
@@ -88,9 +88,9 @@ PartNames part_names(ClosedFormKind kind) {
   }
 }
 
-// How the first axis stands in the world: +1 up, -1 down, 0 neither.
+// Direction of the first axis in the world: +1 up, -1 down, 0 neither.
 double uprightness(const CanonicalRows& rows) {
-  const double z = rows.before.linear()(2, 2);  // of the inverse, the same
+  const double z = rows.before.linear()(2, 2);  // the same for the inverse
   return z > 0.9 ? 1.0 : z < -0.9 ? -1.0 : 0.0;
 }
 
@@ -150,11 +150,11 @@ bool ClosedForm::hold_still(Hold hold) {
 }
 
 void ClosedForm::recognise(const Chain& chain) {
-  // The families come first, read either way: their formulas are shorter.
+  // The families come first, in both directions of reading: their formulas are shorter.
   for (const auto find : {recognised, recognised_wrist}) {
     for (const bool reversed : {false, true}) {
       auto rows = std::make_unique<CanonicalRows>(canonical_rows(chain, reversed));
-      // Formulas give each row a value of its own.
+      // Closed forms need an independent value for each row.
       kind_ = chain.coupled ? ClosedFormKind::kNone : find(*rows);
       reversed_ = reversed;
       rows_ = std::move(rows);
@@ -182,13 +182,13 @@ std::string ClosedForm::branch_name(int branch) const {
     if (!text.empty()) text += ", ";
     text.append(part).append(" ").append(value);
   };
-  // Read backwards, the shoulder is solved last.
+  // Read from the tool to the base, the shoulder is solved last.
   const std::string_view shoulder = reversed_ ? names.wrist : names.shoulder;
   const std::string_view wrist = reversed_ ? names.shoulder : names.wrist;
   add(shoulder, in_plane ? (back ? "back" : "front") : (back ? "-" : "+"));
   if (in_plane) {
-    // The arm's plane has its x axis outwards and its y axis along the first one, or against it;
-    // bending to the left leaves the elbow on the right of the line to the wrist.
+    // The arm's plane has its x axis outwards and its y axis along the first axis, or against it;
+    // an elbow that bends to the left is on the right of the line to the wrist.
     const bool y_up = up * rows_->alpha[1].s > 0.0;
     add(names.elbow, (second != back) == y_up ? "up" : "down");
   } else if (kind_ == ClosedFormKind::kScara && up != 0.0) {

@@ -9,8 +9,8 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Three joints with parallel axes from `first` on: an elbow, and what is left of the sum of their
-// angles.
+// Three joints with parallel axes from `first` on: an elbow, and a third angle that completes the
+// sum of their angles.
 void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, const Angle& sum) {
   const std::size_t i = static_cast<std::size_t>(which);
   branch.phi[first] = elbow.x1[i];
@@ -18,8 +18,8 @@ void bend(Branch& branch, std::size_t first, const Elbow& elbow, int which, cons
   branch.phi[first + 2] = inverse(elbow.x1[i] * elbow.x2[i]) * sum;
 }
 
-// Joint 3 where axes 1 and 2 meet: its angle, or its height, from the distance of the position to
-// their common point.
+// Joint 3 of an arm whose axes 1 and 2 meet: its angle, or its height, from the distance of the
+// position to their common point.
 struct Third {
   int count = 0;
   bool open = false;
@@ -27,11 +27,11 @@ struct Third {
   std::array<double, 2> z{};
 };
 
-// The rotations of joint i, counted from 0, for which the point w of the frame behind it has the
-// squared distance distance2 from the origin that joint i - 1 rotates about: the squared length of
-// h e_z + a e_x + Rx(alpha) (Rz(x) w + h_i e_z) is linear in cos x and sin x. This is subproblem 3
-// of Paden and Kahan (R. Murray, Z. Li, S. Sastry, A Mathematical Introduction to Robotic
-// Manipulation, 1994, chapter 3, Paden-Kahan subproblems), written as circle and plane.
+// The rotations of joint i, from 0, for which the point w of the frame after it has the squared
+// distance distance2 from the origin about which joint i - 1 rotates: the squared length of h e_z +
+// a e_x + Rx(alpha) (Rz(x) w + h_i e_z) is linear in cos x and sin x. This is subproblem 3 of Paden
+// and Kahan (R. Murray, Z. Li, S. Sastry, A Mathematical Introduction to Robotic Manipulation,
+// 1994, chapter 3, Paden-Kahan subproblems), written as circle and plane.
 AnglePair angles_for_distance(const CanonicalRows& rows, std::size_t i, double distance2,
                               const Vector3d& w) {
   const Angle& alpha = rows.alpha[i];
@@ -57,7 +57,7 @@ Third third_slide(const CanonicalRows& rows, double distance2, const Vector3d& w
   const Vector3d v = rotated(rows.phi[2], w);
   const double h = rows.h[1];
   const double x = rows.a[2] + v.x();
-  // (z + h cos alpha)^2 = distance^2 - what does not change with z
+  // (z + h cos alpha)^2 = distance^2 - the terms without z
   const double rest = x * x + v.y() * v.y() + 2.0 * h * alpha.s * v.y() + h * h * alpha.s * alpha.s;
   const double square = distance2 - rest;
   if (square < -kClosedSlack * (distance2 + rest)) return {};
@@ -188,8 +188,8 @@ void solve_wrist(const CanonicalRows& rows, const Matrix3d& M, const Branch& nea
   }
 }
 
-// The point where the last three axes meet depends on the first three joints only; what is left of
-// the orientation is the rotation of the wrist.
+// The point where the last three axes meet depends on the first three joints only; the wrist makes
+// the remaining rotation.
 void solve_spherical_wrist(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                            Branches& out) {
   const Vector3d centre = G.translation() - rows.h[5] * G.linear().col(2);
@@ -344,13 +344,12 @@ bool frame_about(const Vector3d& k, const Vector3d& v, Matrix3d& out) {
   return true;
 }
 
-// What the reference of the arm angle is measured from: the x axis of the base, or its y axis next
-// to it.
+// The reference direction of the arm angle: the x axis of the base, or its y axis if k is near x.
 bool reference_frame(const Vector3d& k, Matrix3d& out) {
   return frame_about(k, std::abs(k.x()) < 0.9999 ? Vector3d::UnitX() : Vector3d::UnitY(), out);
 }
 
-// From the shoulder to the wrist, in the frame of joint 3, for an angle of the elbow.
+// The vector from the shoulder to the wrist, in the frame of joint 3, for an angle of the elbow.
 Vector3d shoulder_to_wrist(const CanonicalRows& rows, const Angle& x4) {
   Vector3d t = rotated(x4, placed(rows, 4, Vector3d(0, 0, rows.h[4])));
   t.z() += rows.h[3];

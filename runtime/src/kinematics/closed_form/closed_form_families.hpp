@@ -5,7 +5,7 @@
 
 namespace armlet {
 
-// One function per family; `near` holds an angle or height per joint for what the goal leaves free.
+// One function per family; `near` has an angle or height per joint for what the goal leaves free.
 using FamilySolver = void (*)(const CanonicalRows& rows, const Eigen::Isometry3d& G,
                               const Branch& near, Branches& out);
 
@@ -28,16 +28,16 @@ void solve_shoulder_elbow_wrist(const CanonicalRows& rows, const Eigen::Isometry
 // added to `out` with the rest of `near`. Axes 2 and 3 are parallel, or axes 1 and 2 meet.
 void reach_position(const CanonicalRows& rows, const Eigen::Vector3d& u, const Eigen::Vector3d& w,
                     const Branch& near, Branches& out);
-// The orientation M of a goal as joint 4 sees it behind the first three angles of a branch.
+// The orientation of a goal in the frame before joint 4, after the first three angles of a branch.
 Eigen::Matrix3d left_for_wrist(const CanonicalRows& rows, const Branch& branch, Eigen::Matrix3d M);
-// The branch with both solutions in which joints 4, 5 and 6, whose axes meet in a point, make what
-// is left of the orientation.
+// Adds both solutions of the wrist to the branch: joints 4, 5 and 6, whose axes meet in a point,
+// make the remaining rotation.
 void solve_wrist(const CanonicalRows& rows, const Eigen::Matrix3d& M, const Branch& near,
                  Branch branch, Branches& out);
 
-// The first joint angle of an arm whose axes 2, 3 (and 4) are parallel: the position u lies at
-// `height` along them. For each angle the position in the plane of these axes, (X, Y); the branches
-// become free, and joint 1 open, where every angle will do.
+// The first joint angle of an arm whose axes 2, 3 (and 4) are parallel: it brings the position u to
+// the distance `height` along them. For each angle there is the position in the plane across these
+// axes, (X, Y); if every angle does so, the branches become free, and joint 1 open.
 struct PlaneView {
   Angle theta;  // of joint 1
   double X = 0.0;

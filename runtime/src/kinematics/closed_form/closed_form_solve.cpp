@@ -18,8 +18,8 @@ namespace armlet {
 namespace {
 
 constexpr double kVerified = 1e-9;  // m and rad
-constexpr double kImproved = 1e-2;  // an error that rounding next to a singularity can make
-constexpr int kRounds = 6;          // of improving it
+constexpr double kImproved = 1e-2;  // largest error that rounding near a singularity can cause
+constexpr int kRounds = 6;          // of the refinement
 constexpr double kSameAngle = 1e-6;
 
 FamilySolver solver_of(ClosedFormKind kind) {
@@ -52,7 +52,7 @@ FamilySolver solver_of(ClosedFormKind kind) {
   return nullptr;
 }
 
-// Into (-pi, pi], for angles within two revolutions of 0.
+// An angle within two revolutions of 0, moved into (-pi, pi].
 double wrapped(double angle) {
   if (angle > kPi) return angle - 2.0 * kPi;
   return angle <= -kPi ? angle + 2.0 * kPi : angle;
@@ -94,7 +94,8 @@ bool is_same(const Chain& chain, const ClosedSolution& a, const ClosedSolution& 
   return true;
 }
 
-// The rotation vector from one orientation to another, for small angles; long for large ones.
+// The rotation vector from one orientation to another, for small angles; a long vector for large
+// ones.
 Eigen::Vector3d small_angle(const Eigen::Matrix3d& R, const Eigen::Matrix3d& R_goal) {
   if (R.cwiseProduct(R_goal).sum() < 1.0) return {kPi, 0.0, 0.0};
   Eigen::Vector3d sum = R.col(0).cross(R_goal.col(0));
@@ -105,8 +106,8 @@ Eigen::Vector3d small_angle(const Eigen::Matrix3d& R, const Eigen::Matrix3d& R_g
 
 }  // namespace
 
-// Whether a solution is right; one that is nearly right, next to a singularity, is improved first
-// as long as that helps.
+// Whether a solution is correct; one that is nearly so, near a singularity, is refined first as
+// long as that helps.
 bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
                         ClosedSolution& solution) const {
   Eigen::Map<Eigen::VectorXd> q(solution.q.data(), chain_.n);
@@ -137,7 +138,7 @@ bool ClosedForm::accept(const Eigen::Isometry3d& goal, double tolerance,
   return least <= tolerance;
 }
 
-// The solutions that the lanes found; each was checked by forward kinematics.
+// Adds the solutions of the lanes; each was checked by forward kinematics.
 int ClosedForm::take_lanes(const Eigen::Isometry3d& goal, double tolerance,
                            const ClosedSolution& start, const ClosedLanes& lanes, unsigned wanted,
                            ClosedSolutions& solutions) const {

@@ -4,12 +4,12 @@
 #include "math/det_atan2_lanes.hpp"
 #include "solution_lanes.hpp"
 
-// The kernel of the closed forms: all solutions at once, each checked by forward kinematics, and
-// all angles made at the end. Compiled once per instruction set, in sources that include nothing
-// else; the bits are the same.
+// The kernel of the closed forms: all solutions at once, each checked by forward kinematics; angles
+// are computed at the end. Compiled once per instruction set, in sources that include nothing else;
+// all give the same bits.
 namespace armlet::closed {
 
-// Sines and cosines in the order of the arm's walk.
+// Sines and cosines in the order of the arm's recursion.
 template <class V>
 struct WalkAngles {
   V sine[kSixJoints], cosine[kSixJoints];
@@ -23,7 +23,7 @@ struct WalkAngles {
   }
 };
 
-// Three columns of the pose, walked from the tool back to the base: axes x, y and the origin.
+// Three columns of the pose, computed from the tool to the base: axes x, y and the origin.
 template <class V>
 struct ThreeColumns {
   Parts<V> of[3];
@@ -45,8 +45,8 @@ template <class V>
   return x * x + y * y + z * z;
 }
 
-// The square of the error of forward kinematics. Where the x and y axes are off by w x X and w x Y,
-// the sum of their squares is at least that of w.
+// The square of the error of forward kinematics. If the errors of the x and y axes are w x X and w
+// x Y, the sum of their squares is at least that of w.
 template <class V>
 [[gnu::always_inline]] inline V miss2_of(const ClosedArm& arm, const double* goal,
                                          const WalkAngles<V>& turns) {

@@ -8,7 +8,8 @@
 namespace armlet {
 namespace {
 
-// A link between two revolute joints, and a squared sine that rounding may take below zero.
+// Bounds for the length of a link between two revolute joints, and for a squared sine that rounding
+// may make negative.
 constexpr double kNoLink = 1e-12;  // m
 constexpr double kRounding = 1e-5;
 
@@ -18,7 +19,7 @@ void to_columns(const Eigen::Isometry3d& T, double* columns) {
   }
 }
 
-// X_i of the point (0, 0, h_i): where the next axes meet, behind joint i - 1.
+// X_i of the point (0, 0, h_i): the intersection of the next axes, after joint i - 1.
 std::array<double, 3> behind(const CanonicalRows& rows, std::size_t i) {
   return {rows.a[i], -rows.alpha[i].s * rows.h[i], rows.alpha[i].c * rows.h[i]};
 }

@@ -19,7 +19,7 @@ class LaneForm {
   static std::unique_ptr<LaneForm> make(ClosedFormKind kind, const CanonicalRows& rows,
                                         const Chain& chain);
 
-  // All solutions to reach a pose. False where it needs the functions with branches (ClosedKernel).
+  // All solutions for a pose. False if the functions with branches are needed (ClosedKernel).
   bool solve(const Eigen::Isometry3d& T_world_tool, ClosedLanes& out) const {
     return solve(T_world_tool, out, *closed_kernel_for(best_instruction_set()));
   }

@@ -13,7 +13,7 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Of the size of an equation: rounding may have parted two roots; it says nothing.
+// Relative to the size of an equation: rounding may have removed a double root.
 constexpr double kNearTouching = 1e-7;
 constexpr double kVanishes = 1e-12;
 
@@ -23,7 +23,7 @@ Vector3d lifted(const Vector3d& v, double h) { return {v.x(), v.y(), v.z() + h};
 bool on_axis(const Vector3d& w) { return w.head<2>().norm() < kNoLength; }
 bool near_axis(const Vector3d& w) { return w.head<2>().norm() < kNearAxis; }
 
-// Axes 1, 2 and 3 meet in a point.
+// Whether axes 1, 2 and 3 meet in a point.
 bool meet_in_a_point(const CanonicalRows& rows) {
   return rows.meet(1) && rows.meet(2) && rows.h[1] == 0.0;
 }
@@ -40,7 +40,7 @@ Branch& add(Branches& out, const Branch& branch) {
   return added;
 }
 
-// Both solutions of an elbow about parallel axes 1 and 2, each with the angles of the rest.
+// Adds both solutions of an elbow about parallel axes 1 and 2, each with the angles of the rest.
 void add_elbow(const Elbow& elbow, Branch branch, Branches& out, const Angle* sum = nullptr) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(elbow.count); ++i) {
     branch.phi[0] = elbow.x1[i];
@@ -53,7 +53,7 @@ void add_elbow(const Elbow& elbow, Branch branch, Branches& out, const Angle* su
   out.leave_open(1, elbow.open2);
 }
 
-// Rz(x1) v = u seen along the axis.
+// Solves Rz(x1) v = u in the plane across the axis.
 void position_by_one(const Vector3d& u, const Vector3d& v, Branch branch, Branches& out) {
   bool whole = true;
   const Angle first = angle_from_to(v.x(), v.y(), u.x(), u.y(), whole);
@@ -65,8 +65,8 @@ void position_by_one(const Vector3d& u, const Vector3d& v, Branch branch, Branch
   add(out, branch);
 }
 
-// Z_0 X_1 Rz(x2) t = u. The equations are Pieper's: the distance from the first axis' origin and
-// the height along it do not depend on x1.
+// Solves Z_0 X_1 Rz(x2) t = u. The equations are Pieper's: the distance from the first axis' origin
+// and the height along it do not depend on x1.
 void position_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3d& t, Branch branch,
                      Branches& out) {
   const Angle& alpha = rows.alpha[1];
@@ -100,8 +100,8 @@ void position_by_two(const CanonicalRows& rows, const Vector3d& u, const Vector3
 // A value that depends on the angle of joint 3: v0 + v1 cos x3 + v2 sin x3.
 using Wave = Vector3d;
 
-// The point w after joint 3, seen from joint 2 with its height: the square of its distance from
-// there, and how far it lies along axis 2.
+// The point w after joint 3 in the frame of joint 2 with its height: the square of its distance
+// from the origin, and its coordinate along axis 2.
 struct Circle {
   Wave square, along;
 };
@@ -123,11 +123,11 @@ double value_at(const Matrix3d& Q, const Angle& x) {
 }
 
 // The angles at which v^T Q v = 0, v = (1, cos x, sin x): the zeros of a quartic in tan(x/2), which
-// is measured from where it is far from infinite. Where two of them nearly meet the position
-// between them is listed too, in case rounding has taken them away.
+// is measured from a direction where it is far from infinite. Where two zeros nearly coincide the
+// angle between them is listed too, in case rounding has removed both.
 //
-// Q  of the size of 1 unless its terms cancel: then every angle will do, and the present one is
-// kept.
+// Q  of the size of 1 unless its terms cancel: then every angle is a zero, and the present one is
+//    used.
 std::vector<Angle> zeros_of(const Matrix3d& Q, const Angle& present, bool& free) {
   constexpr double kHalfRight = 0.70710678118654752;
   const Angle eighths[] = {{1, 0},  {kHalfRight, kHalfRight},   {0, 1},  {-kHalfRight, kHalfRight},
@@ -168,9 +168,9 @@ std::vector<Angle> zeros_of(const Matrix3d& Q, const Angle& present, bool& free)
 }
 
 // Z_0 X_1 Z_1 X_2 Z_2 w = u for axes 1 and 2 that neither meet nor are parallel. With k1 and k2 the
-// coordinates of Rz(x2) t across axis 2, distance and height give both, and k1^2 + k2^2 is what t
-// says: an equation in x3 alone (Pieper 1968; subproblem 5 of Elias and Wen), divided by the size
-// of its terms.
+// coordinates of Rz(x2) t across axis 2, distance and height give both, and k1^2 + k2^2 is
+// determined by t: an equation in x3 alone (Pieper 1968; subproblem 5 of Elias and Wen), divided by
+// the size of its terms.
 Matrix3d position_equation(const CanonicalRows& rows, const Vector3d& u, const Circle& circle) {
   const Angle& alpha = rows.alpha[1];
   const double a = rows.a[1];
@@ -218,7 +218,7 @@ void position_by_three(const CanonicalRows& rows, const Vector3d& u, const Vecto
   }
 }
 
-// The first n joints bring the point w, fixed after the last of them, to the position u.
+// The first n joint values that bring the point w, fixed after the last of them, to the position u.
 void solve_position(const CanonicalRows& rows, int n, const Vector3d& u, const Vector3d& w,
                     const Branch& near, Branches& out) {
   if (n == 1) return position_by_one(u, w, near, out);
@@ -256,8 +256,8 @@ void rotation_about_a_point(const CanonicalRows& rows, const Isometry3d& G, cons
   }
 }
 
-// Axes 1, 2 and 3 parallel, the fourth not: its direction gives the sum of their angles, the rest
-// is an elbow.
+// Axes 1, 2 and 3 parallel, the fourth not: its direction gives the sum of their angles; what
+// remains is an elbow.
 void bend_in_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch& near,
                    Branches& out) {
   const Vector3d z = G.linear().col(2);
@@ -271,7 +271,7 @@ void bend_in_plane(const CanonicalRows& rows, const Isometry3d& G, const Branch&
 
 bool three_parallel(const CanonicalRows& rows) { return rows.parallel(1) && rows.parallel(2); }
 
-// A point on the last axis, away from the axis before it.
+// Height of a point on the last axis that is not on the axis before it.
 double height_on_axis(const CanonicalRows& rows) {
   const std::size_t last = static_cast<std::size_t>(rows.n) - 1;
   if (rows.parallel(rows.n - 1) || std::abs(rows.a[last]) > 0.01) return 0.0;
@@ -280,7 +280,7 @@ double height_on_axis(const CanonicalRows& rows) {
   return size;
 }
 
-// Two neighbouring joints about one line.
+// Whether two neighbouring joints have one axis.
 bool has_double_axis(const CanonicalRows& rows, int n) {
   for (int i = 1; i < n; ++i) {
     if (rows.parallel(i) && rows.a[static_cast<std::size_t>(i)] == 0.0) return true;
@@ -288,7 +288,7 @@ bool has_double_axis(const CanonicalRows& rows, int n) {
   return false;
 }
 
-// The angle of one joint that is left.
+// The angle of the last remaining joint.
 Angle last_angle(const Matrix3d& M) {
   bool whole = true;
   return angle_from_to(1.0, 0.0, M(0, 0), M(1, 0), whole);

@@ -6,8 +6,8 @@ namespace armlet {
 
 // Arms of one to four revolute joints, whatever their twists and lengths.
 
-// kNone where two neighbouring axes are one line, or where joints are left over: four parallel
-// axes, four that meet in a point.
+// The family; kNone if two neighbouring axes are one line, or if there are more joints than the
+// task needs: four parallel axes, four that meet in a point.
 ClosedFormKind recognised_few(const CanonicalRows& rows);
 
 // The joint angles that bring the tool point to the position of a goal: one to three joints.

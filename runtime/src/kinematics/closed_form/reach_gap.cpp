@@ -16,9 +16,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kTouching = 1e-9;  // m: as near to the boundary as rounding
+constexpr double kTouching = 1e-9;  // m: distance from the boundary that is only rounding
 
-// Rows are numbered as they are read; joints as the arm has them.
+// An arm as the closed form reads it: rows are numbered in that order; joints as in the arm.
 struct Reading {
   const CanonicalRows& rows;
 
@@ -27,7 +27,7 @@ struct Reading {
   int link(int row) const { return rows.reversed ? joint(row + 1) : joint(row); }
 };
 
-// Of several solutions, the gap of the one that misses least; nothing if one does not miss.
+// Of several solutions, the smallest gap; nothing if one solution has none.
 class LeastGap {
  public:
   void add(const ReachGap& gap) {
@@ -64,8 +64,8 @@ ReachGap elbow_gap(const Reading& arm, int row, double l, double m, double dista
   return between(distance, std::abs(l - m), l + m, gap);
 }
 
-// The plane across the parallel axes from the second on, in which a position at `height` along them
-// lies: how far the position passes axis 1, and where it is in the plane, on either side.
+// The plane across the parallel axes from the second on that contains a position at `height` along
+// them: its distance from axis 1, and the position in the plane, for either side.
 struct Passing {
   double m = 0.0;  // signed distance of the plane from axis 1
   double from_axis = 0.0;
@@ -99,7 +99,8 @@ bool misses_axis(const Reading& arm, const Passing& pass, ReachGap& gap) {
   return true;
 }
 
-// Joints 1 to 3 bring the point w, fixed after joint 3, to the position u: axes 2 and 3 parallel.
+// The gap for joints 1 to 3, axes 2 and 3 parallel, that bring the point w, fixed after joint 3, to
+// the position u.
 ReachGap gap_of_parallel(const Reading& arm, const Vector3d& u, const Vector3d& w, ReachGap gap) {
   const CanonicalRows& rows = arm.rows;
   const Passing pass = passing(rows, u, rows.h[1] + rows.h[2] + w.z());
@@ -110,8 +111,8 @@ ReachGap gap_of_parallel(const Reading& arm, const Vector3d& u, const Vector3d& 
   return least.least();
 }
 
-// Joint 3 of an arm whose axes 1 and 2 meet: the distances of w from the point where they meet,
-// whatever it does, and how far along axis 2 it may bring w at a given distance.
+// Joint 3 of an arm whose axes 1 and 2 meet: the range of distances of w from their intersection,
+// and of its coordinate along axis 2 at a given distance.
 struct Spread {
   double low = 0.0;
   double high = INFINITY;
@@ -158,8 +159,8 @@ Spread spread_of_rotation(const CanonicalRows& rows, const Vector3d& w, double d
   return out;
 }
 
-// The same with axes 1 and 2 that meet. With the right distance, the position may still lie too far
-// along axis 1: axis 2 carries a circle of points, which gets to some heights only.
+// The same for axes 1 and 2 that meet. At the right distance, the position may still be too far
+// along axis 1: axis 2 moves the point on a circle, which has a limited range of heights.
 ReachGap gap_of_meeting(const Reading& arm, const Vector3d& position, const Vector3d& w,
                         ReachGap gap) {
   const CanonicalRows& rows = arm.rows;
@@ -200,7 +201,7 @@ ReachGap centre_gap(const CanonicalRows& rows) {
   return gap;
 }
 
-// Axes 2, 3 and 4 parallel: the plane first, then the position of axis 4 in it.
+// Axes 2, 3 and 4 parallel: first the plane, then the position of axis 4 in it.
 ReachGap gap_of_three_parallel(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
   const Vector3d centre = G.translation() - rows.h[5] * G.linear().col(2);
@@ -231,8 +232,8 @@ ReachGap gap_of_three_parallel(const Reading& arm, const Isometry3d& G) {
   return least.least();
 }
 
-// Five joints, axes 2, 3 and 4 parallel; where the wrist stands in their plane depends on how the
-// tool's axis points.
+// Five joints, axes 2, 3 and 4 parallel; the position of the wrist in their plane depends on the
+// direction of the tool's axis.
 ReachGap gap_of_planar_arm(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
   const Vector3d z = G.linear().col(2);
@@ -309,7 +310,7 @@ ReachGap gap_of_scara(const Reading& arm, const Isometry3d& G, bool heading_coun
   return between(p.norm(), std::abs(gap.links[0] - gap.links[1]), gap.links[0] + gap.links[1], gap);
 }
 
-// Spherical shoulder and wrist: the elbow alone decides how far they are apart.
+// Spherical shoulder and wrist: the elbow alone determines the distance between them.
 ReachGap gap_of_seven(const Reading& arm, const Isometry3d& G) {
   const CanonicalRows& rows = arm.rows;
   const Vector3d D = G.translation() - rows.h[6] * G.linear().col(2) - Vector3d(0, 0, rows.h[0]);

@@ -8,8 +8,8 @@
 // signs. Solutions that do not exist become NaN. Angles stay sines and cosines.
 namespace armlet::closed {
 
-// Squared sines of half the angle between two solutions: where they touch, and how far below zero
-// rounding may take it.
+// Bounds on squared sines of half the angle between two solutions: where the solutions coincide,
+// and how far below zero rounding may take it.
 constexpr double kAlike = 1e-10;
 constexpr double kBeyond = 1e-5;
 
@@ -32,8 +32,8 @@ template <class V>
   return {x.c * v.x + x.s * v.y, alpha.c * vy + alpha.s * v.z, alpha.c * v.z - alpha.s * vy};
 }
 
-// What a kernel keeps while it works on one vector of solutions. The formulas are those of
-// branches.hpp and closed_form_families.cpp.
+// The state of a kernel for one vector of solutions. The formulas are those of branches.hpp and
+// closed_form_families.cpp.
 template <class V>
 struct SolutionLanes {
   using Bits = det::LaneBits<V>;
@@ -44,7 +44,7 @@ struct SolutionLanes {
   Angles<V> x[kSixJoints] = {};  // in the order of the rows
   Bits touching = {};            // solutions that nearly coincide with others
 
-  // Notes where a square, on the scale of 1, is neither clearly positive nor clearly negative.
+  // Records whether a square, on the scale of 1, is neither clearly positive nor clearly negative.
   [[gnu::always_inline]] void note(V square, double below) {
     touching |= (square >= -below) & (square < kAlike);
   }
@@ -70,8 +70,8 @@ struct SolutionLanes {
                     s * arm.links.m_back.c + c * arm.links.m_back.s};
   }
 
-  // What is left of a wrist's orientation M: its first angle is returned, the others belong to the
-  // last two joints. M by columns.
+  // The remaining orientation M of a wrist, by columns: returns its first angle and stores those of
+  // the last two joints.
   [[gnu::always_inline]] Angles<V> solve_wrist(const Parts<V>* M) {
     const PlainAngle& alpha = arm.alpha[4];
     const PlainAngle& beta = arm.alpha[5];
@@ -93,11 +93,11 @@ struct SolutionLanes {
   }
 };
 
-// The first choice, which all solutions share but for its sign: one joint's angle is middle +-
+// The first part, which all solutions share except for its sign: one joint's angle is middle +-
 // half.
 struct FirstChoice {
   PlainAngle middle, half;
-  double x, y, z;      // the position to reach, from where it rotates about axis 1
+  double x, y, z;      // position to reach, in the frame of its rotation about axis 1
   double one;          // 1 / its squared distance from axis 1
   double along, X, Y;  // (sign * along + X, Y) is the position in the plane of parallel axes
   double sine2;        // squared sine of half the angle between both, negative if there is none
@@ -112,10 +112,10 @@ struct FirstChoice {
       from_distance(arm, rho2 + z * z);
     else
       from_height(arm, rho2);
-    if (rho2 < 1e-12) sine2 = 0.0;  // on the axis every angle will do
+    if (rho2 < 1e-12) sine2 = 0.0;  // on the axis every angle is a solution
   }
 
-  // Clearly one or the other.
+  // Whether there clearly are two solutions or clearly none.
   [[gnu::always_inline]] bool exists() const { return sine2 >= kAlike; }
   [[gnu::always_inline]] bool is_missing() const { return sine2 < -kBeyond; }
 
@@ -124,7 +124,7 @@ struct FirstChoice {
     return root(det::Lanes{square, square})[0];
   }
 
-  // Axes 2 and 3 are parallel: joint 1 brings the position to its height along them.
+  // Axes 2 and 3 are parallel: joint 1 brings the position to the right height along them.
   [[gnu::always_inline]] void from_height(const ClosedArm& arm, double rho2) {
     const PlainAngle& alpha = arm.alpha[1];
     const double m = (alpha.c * z - arm.height) / alpha.s;
@@ -137,7 +137,7 @@ struct FirstChoice {
     sine2 = h2 * one;
   }
 
-  // Axes 1 and 2 meet: joint 3 brings the position to its distance from their common point.
+  // Axes 1 and 2 meet: joint 3 brings the position to the right distance from their common point.
   [[gnu::always_inline]] void from_distance(const ClosedArm& arm, double distance2) {
     const double C = distance2 - arm.meeting.fixed;
     const double r2 = arm.meeting.A * arm.meeting.A + arm.meeting.B * arm.meeting.B;

@@ -7,7 +7,7 @@
 namespace armlet {
 namespace {
 
-// The same columns in other axes.
+// Rotates all columns.
 void rotate_twists(const Eigen::Matrix3d& R, Jacobian& J) {
   for (Eigen::Index i = 0; i < J.cols(); ++i) J.col(i) = rotate_twist(R, J.col(i));
 }

@@ -9,7 +9,8 @@ namespace {
 
 Eigen::Vector3d to_eigen(const WalkAxis& v) { return {v.xy[0], v.xy[1], v.z}; }
 
-// What the walk passes: the axis of each joint, its true sense included, and a point on it.
+// The axis of each joint, with its positive direction, and a point on it, collected by the
+// recursion.
 struct Axes {
   std::array<Eigen::Vector3d, kMaxJoints> z, p;
   Eigen::Vector3d p_tool;

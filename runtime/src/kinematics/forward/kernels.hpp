@@ -4,8 +4,8 @@
 
 namespace armlet {
 
-// The kernels of kinematics. The caller sees functions of plain arrays; behind each stands one
-// instance per number of joints. Sizes are not checked.
+// The kernels of kinematics: functions of plain arrays, with one instance per number of joints.
+// Sizes are not checked.
 //
 // q        n joint values.
 // T, J     4x4 and 6xn matrices by columns.

@@ -15,7 +15,7 @@ std::vector<LimitViolation> limit_violations(const Robot& robot, JointsIn q, dou
   std::vector<LimitViolation> violations;
   for (int i = 0; i < robot.n(); ++i) {
     const Joint& joint = robot.joint(i);
-    // Written so that a value that is not a number counts as outside.
+    // Written so that NaN counts as outside.
     if (!(q[i] <= joint.upper + tolerance)) {
       violations.push_back({i, q[i], joint.upper});
     } else if (q[i] < joint.lower - tolerance) {
@@ -40,10 +40,10 @@ Eigen::VectorXd clamp_to_limits(const Robot& robot, JointsIn q) {
 double wrapped_within(double angle, double near, double lower, double upper) {
   constexpr double kRevolution = 2.0 * kPi;
   if (!(std::abs(angle - near) <= kPi)) angle = nearest_copy_of_angle(angle, near);
-  // Whole revolutions back into the range, from whichever side it lies.
+  // Moves the angle by whole revolutions into the range, from either side.
   if (angle > upper) angle -= kRevolution * std::ceil((angle - upper) / kRevolution);
   if (angle < lower) angle += kRevolution * std::ceil((lower - angle) / kRevolution);
-  if (angle > upper) {  // no copy lies within: the one just above or the one just below
+  if (angle > upper) {  // no copy is inside: choose the one just above or the one just below
     const double below = angle - kRevolution;
     if (lower - below < angle - upper) angle = below;
   }

@@ -9,9 +9,9 @@
 namespace armlet {
 namespace {
 
-// Directions of motion that count for this arm, as orthonormal columns, with rotations scaled by
-// the arm's length: all those that it has in a few configurations without symmetry. A planar arm
-// never leaves its plane, so that direction is not one that it can lose.
+// Directions in which this arm can move, as orthonormal columns, with rotations scaled by the arm's
+// length: all those that it has in a few configurations without symmetry. A planar arm never leaves
+// its plane, so it cannot lose that direction.
 Eigen::MatrixXd possible_motions(const Robot& robot, bool position_only) {
   const Eigen::Index n = robot.n();
   Eigen::MatrixXd samples(6, 3 * n);
@@ -30,7 +30,7 @@ Eigen::MatrixXd possible_motions(const Robot& robot, bool position_only) {
   return svd.U.leftCols(std::max<Eigen::Index>(rank, 1));
 }
 
-// What takes the Jacobian to the rows that count.
+// The matrix that selects the relevant rows of the Jacobian.
 Eigen::MatrixXd counting_rows(const Robot& robot) {
   if (robot.n() >= 6) return Eigen::MatrixXd::Identity(6, 6);
   Eigen::MatrixXd rows = possible_motions(robot, true).transpose();

@@ -18,7 +18,7 @@ constexpr double kRank = 1e-9;        // of the largest singular value
 constexpr double kLeast = 1e-300;     // of a largest singular value
 constexpr double kLargestStep = 0.1;  // rad or m, of one step towards a better posture
 constexpr double kSmallestStep = 1e-7;
-constexpr double kDrift = 1e-9;  // m and rad that a posture may move the tool by
+constexpr double kDrift = 1e-9;  // m and rad by which a posture may move the tool
 
 MatrixXd selected(const MatrixXd& all, const TaskRows& rows) {
   MatrixXd out(std::count(rows.counts.begin(), rows.counts.end(), true), all.cols());
@@ -33,7 +33,7 @@ MatrixXd task_jacobian(const Robot& robot, JointsIn q, const TaskRows& rows) {
   return selected(jacobian(robot, q, rows.axes), rows);
 }
 
-// What the tool has drifted from the pose, in the rows that count.
+// Drift of the tool from the pose, in the rows of the task.
 VectorXd task_error(const Robot& robot, const Eigen::Isometry3d& T_world_tool, JointsIn q,
                     const TaskRows& rows) {
   const Eigen::Isometry3d T = forward(robot, q);
@@ -46,7 +46,7 @@ VectorXd task_error(const Robot& robot, const Eigen::Isometry3d& T_world_tool, J
   return selected(e, rows);
 }
 
-// The part of J = U diag(s) V^T with the singular values that count.
+// The part of J = U diag(s) V^T with singular values that are not zero within rounding.
 SvdParts decompose(const MatrixXd& J) {
   SvdParts svd = singular_values(J);
   const Eigen::Index rank =
@@ -54,7 +54,7 @@ SvdParts decompose(const MatrixXd& J) {
   return {svd.U.leftCols(rank), svd.s.head(rank), svd.V.leftCols(rank)};
 }
 
-// The smallest x with J x as near to e as can be.
+// The smallest x that minimises |J x - e|.
 VectorXd solve_least(const MatrixXd& J, const VectorXd& e) {
   const SvdParts svd = decompose(J);
   return svd.V * (svd.U.transpose() * e).cwiseQuotient(svd.s);
@@ -66,8 +66,8 @@ MatrixXd projector(const MatrixXd& J) {
   return MatrixXd::Identity(J.cols(), J.cols()) - V * V.transpose();
 }
 
-// The step with the tool brought back to where it was. Empty if it does not get there, or ends
-// beyond a limit.
+// The step, corrected so that the tool does not move. Empty if the correction fails, or ends beyond
+// a limit.
 VectorXd kept_in_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool, VectorXd q,
                        const std::vector<bool>& held, const TaskRows& rows) {
   for (int round = 0; round < 5; ++round) {
@@ -84,7 +84,7 @@ VectorXd kept_in_place(const Robot& robot, const Eigen::Isometry3d& T_world_tool
   return moved || !within_limits(robot, q, 0.0) ? VectorXd() : q;
 }
 
-// The step as far as the first limit; the joint that reaches it is held there.
+// The step up to the first limit; the joint that reaches it is held there.
 VectorXd stepped(const Robot& robot, const VectorXd& q, const VectorXd& step,
                  std::vector<bool>& held) {
   double share = 1.0;

@@ -9,7 +9,7 @@ namespace {
 struct PoseColumns {
   Parts<Lanes> xy, zp;
 
-  // The usual tool is a distance along the last axis, which leaves nothing to compute.
+  // The usual tool is a distance along the last axis, for which nothing is computed.
   [[gnu::always_inline]] void start(const WalkPlan& plan, Lanes sine, Lanes cosine) {
     const double* T = plan.tool.data();
     if (plan.tool_on_axis) {
@@ -60,8 +60,8 @@ struct PoseColumns {
   store_pair(T + 6, Lanes{columns.z[1], last});
 }
 
-// From the tool back to the base: four columns fill two pairs of lanes, whereas a walk out has
-// three rows.
+// From the tool to the base: four columns fill two pairs of lanes, whereas the outward recursion
+// has three rows.
 template <int N>
 void pose_kernel(const WalkPlan& plan, const double* q, double* T_world_tool) {
   const JointSines<N> angles(plan, q);

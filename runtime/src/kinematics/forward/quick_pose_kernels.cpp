@@ -5,8 +5,8 @@
 namespace armlet {
 namespace {
 
-// Axes x and z of the tool side by side, and its origin: their parts along the axes of the frame
-// reached so far. Axis y follows from them at the end.
+// Axes x and z of the tool side by side, and its origin, in the axes of the current frame. Axis y
+// is computed from them at the end.
 struct QuickColumns {
   Parts<Lanes> xz;
   Parts<double> p;
@@ -59,7 +59,7 @@ struct QuickColumns {
   }
 };
 
-// The operations of the batch's kernel, each rounded like there.
+// The operations of the batch's kernel, with the same rounding.
 template <int N>
 void quick_pose_kernel(const WalkPlan& plan, const double* q, double* columns) {
   const QuickJointSines<N, true> angles(plan, q);

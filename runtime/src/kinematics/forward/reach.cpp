@@ -13,7 +13,7 @@ constexpr int kSamples = 24;     // of one joint's range
 constexpr int kNarrowings = 40;  // of the interval around the best sample; each leaves 0.62 of it
 constexpr int kSweeps = 30;
 
-// The fraction number k of the sequence of van der Corput to a base.
+// Element k of the van der Corput sequence to a base.
 double spread(int k, int base) {
   double result = 0.0, weight = 1.0;
   for (; k > 0; k /= base) {
@@ -36,10 +36,10 @@ Eigen::VectorXd start(const Robot& robot, int k) {
   return q;
 }
 
-// Leaves in q[i] the value that makes the function largest while the other joints stand still.
+// Sets q[i] to the value that maximises the function while the other joints do not move.
 double maximise_one(const Robot& robot, const std::function<double(JointsIn)>& function, int i,
                     Eigen::VectorXd& q) {
-  // One revolution of a joint without limits is as good as all.
+  // For a joint without limits one revolution is enough.
   const bool is_free = robot.joint(i).is_continuous();
   const double lower = is_free ? -kPi : robot.lower()[i], upper = is_free ? kPi : robot.upper()[i];
   const auto at = [&](double value) {

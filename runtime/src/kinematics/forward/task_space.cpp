@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kSamples = 8;
-constexpr double kSame = 1e-8;  // m and rad: what rounding may change
+constexpr double kSame = 1e-8;  // m and rad: difference by rounding
 constexpr double kRank = 1e-6;  // of the largest pivot
 
 struct Sample {
@@ -32,7 +32,7 @@ struct Sample {
   Jacobian J;
 };
 
-// Positions without a pattern that a mechanism could have: multiples of roots of primes.
+// Joint values without a pattern that a mechanism could have: multiples of roots of primes.
 std::vector<Sample> samples_of(const Robot& robot) {
   constexpr std::array<double, kMaxJoints> kSteps = {1.4142135, 1.7320508, 2.2360680, 2.6457513,
                                                      3.3166248, 3.6055513, 4.1231056, 4.3588989,
@@ -124,14 +124,15 @@ std::optional<TurningPlane> turning_plane(const Robot& robot, const std::vector<
     is_first = false;
     if ((at_zero - plane.side).norm() > kSame || std::abs(offset - plane.offset) > kSame)
       return std::nullopt;
-    // Half a revolution apart where the tool points backwards over its axis is the same roll.
+    // Half a revolution of difference, where the tool points backwards over its axis, is the same
+    // roll.
     const double change = wrap_angle(roll - plane.roll);
     plane.keeps_roll = plane.keeps_roll && std::abs(change) < kSame;
   }
   return plane;
 }
 
-// The direction in which the arm reaches at home is forwards.
+// The direction of the arm at home is forwards.
 void turn_forwards(const Robot& robot, TurningPlane& plane) {
   Jacobian J;
   const Isometry3d T = forward_and_jacobian(robot, robot.home(), J);
@@ -165,7 +166,7 @@ TaskSpace space_of(const Robot& robot, const std::vector<Sample>& samples) {
   return plane->keeps_roll ? TaskSpace::kPitch : TaskSpace::kOther;
 }
 
-// What an arm controls, worked out once for each.
+// The task space of an arm, computed once for each.
 class ArmTask {
  public:
   struct FromShape {};
@@ -177,7 +178,7 @@ class ArmTask {
     turn_forwards(robot, plane_);
   }
   [[nodiscard]] TaskSpace space() const { return space_; }
-  // Of an arm with a pitch.
+  // For an arm with a pitch.
   [[nodiscard]] const TurningPlane& plane() const { return plane_; }
 
  private:

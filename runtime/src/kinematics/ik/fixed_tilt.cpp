@@ -12,8 +12,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// An axis that leans by less, rad, tilts the tool by less than what is seen of an orientation,
-// however many of them there are.
+// An axis whose tilt is smaller, rad, changes the tilt of the tool by less than the tolerance of
+// orientations, however many such axes there are.
 constexpr double kVertical = 1e-8;
 constexpr double kSameTilt = 1e-6;  // rad, as exact as every other orientation
 
@@ -25,7 +25,7 @@ Matrix3d about_x(double c, double s) {
 
 double lean(const Vector3d& axis) { return axis.head<2>().norm(); }
 
-// Between directions, also where the cosine says nothing.
+// The angle between directions, exact also where the cosine is not.
 double angle_of(const Vector3d& a, const Vector3d& b) {
   return det::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -36,8 +36,8 @@ double rotation_about_z(const Matrix3d& R) {
   return det::atan2(-R(0, 1), R(1, 1));
 }
 
-// Rows that copy others may keep the tool upright on axes that lie: a parallel linkage does. Seen
-// at positions without symmetry.
+// Mimic joints may keep the tool upright on horizontal axes, as in a parallel linkage. Tested at
+// joint values without symmetry.
 std::optional<Vector3d> fixed_tilt_seen(const Robot& robot) {
   constexpr int kPositions = 8;
   constexpr double kGolden = 0.6180339887498949;
@@ -69,7 +69,7 @@ std::optional<Vector3d> find_fixed_tilt(const Robot& robot) {
   return R.row(2).transpose().normalized();
 }
 
-// Every goal asks for the tilt of its arm; it is worked out once.
+// Every goal needs the tilt of its arm; it is computed once.
 struct FixedTilt {
   using FromShape = void;
   explicit FixedTilt(const Robot& robot) : up(find_fixed_tilt(robot)) {}

@@ -23,21 +23,21 @@ constexpr int kNearestStarts = 32;       // after the first solution
 constexpr int kNearStarts = 12;          // around the seed
 constexpr int kRedundantStarts = 4;      // of an arm of seven joints with a closed form
 constexpr std::size_t kFollowed = 3;     // branches of such an arm
-constexpr int kNearestWanted = 16;       // distinct solutions
+constexpr int kNearestWanted = 16;       // number of distinct solutions
 constexpr double kSameChoice = 1e-6;     // rad or m
-constexpr double kThere = 1e-9;          // m and rad: as exact as solutions are
+constexpr double kThere = 1e-9;          // m and rad: as exact as solutions
 constexpr double kFar = 1e-3;            // rad or m
-constexpr int kKeepStarts = 20;          // to find out whether an orientation can be kept
+constexpr int kKeepStarts = 20;          // to test whether an orientation can be kept
 constexpr double kLargestValue = 1e6;    // m or rad, of a goal or a seed
 constexpr double kSameRotation = 1e-6;   // rad
 constexpr double kPositionWeight = 100;  // weight of position while orientation changes least
 
-// Finite, and of a size whose rounding lies far below the tolerances.
+// Whether all values are finite, and so small that their rounding is far below the tolerances.
 bool is_moderate(const Eigen::Ref<const Eigen::VectorXd>& values) {
   return (values.cwiseAbs().array() <= kLargestValue).all();
 }
 
-// The status of a question that cannot be asked, or kOk.
+// The status of an invalid goal or seed, or kOk.
 IkStatus check_question(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                         const IkOptions& options) {
   const bool given = options.posture && options.posture->posture == Posture::kNearGiven;
@@ -70,7 +70,7 @@ void take_branch(const Robot& robot, const IkGoal& goal, const FormulaSolution& 
   result.branch = solution.branch;
 }
 
-// The nearest branch of the closed form.
+// Sets the result to the nearest branch of the closed form.
 FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                            IkResult& result) {
   if (options.choice != IkChoice::kNearest || robot.n() > 6 ||
@@ -83,7 +83,7 @@ FormulaAnswer formula_into(const Robot& robot, const IkGoal& goal, const IkOptio
   return answer;
 }
 
-// An arm of seven joints: of all branches at all arm angles the nearest one.
+// For an arm of seven joints: the nearest solution of all branches at all arm angles.
 bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                     IkResult& result) {
   if (options.choice != IkChoice::kNearest || robot.n() != 7 ||
@@ -95,7 +95,8 @@ bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& opt
     take_branch(robot, goal, found.front(), result);
     change = change_of(found.front().q, options.seed);
   }
-  // Where the arm angle says little, next to a singularity, the joints are followed themselves.
+  // Near a singularity the arm angle is not a good parameter, so solutions are followed in joint
+  // space.
   std::vector<JointArray> starts;
   for (const FormulaSolution& solution : found) {
     if (starts.size() < kFollowed) starts.push_back(solution.q);
@@ -115,7 +116,7 @@ bool redundant_into(const Robot& robot, const IkGoal& goal, const IkOptions& opt
   return change < INFINITY;
 }
 
-// An arm that stands at the goal, or as good as there while the solution is far: it stays.
+// An arm at the goal does not move; the same holds within kThere of it if the solution is far.
 void stay_if_there(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                    IkResult& result) {
   if (options.choice != IkChoice::kNearest || options.posture) return;
@@ -134,7 +135,7 @@ void stay_if_there(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   result.solver = kStands;
 }
 
-// By formula or by search: takes the first or the nearest solution. False if there is none.
+// By closed form or by search: sets the first or the nearest solution. False if there is none.
 bool find_into(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
   switch (formula_into(robot, goal, options, result)) {
     case FormulaAnswer::kSome:
@@ -194,7 +195,7 @@ Eigen::VectorXd rotate_least(const Robot& robot, const IkGoal& keep, const Eigen
 }
 
 // kPositionFirst when the orientation cannot be kept: of the configurations at that position, the
-// one that changes it least. Starting at the seed comes first because it changes the joints least.
+// one that changes it least. The start at the seed comes first because it changes the joints least.
 bool position_into(const Robot& robot, const IkGoal& keep, const IkOptions& options,
                    IkResult& result) {
   const IkGoal position_goal = keep.without_orientation();
@@ -222,7 +223,7 @@ bool position_into(const Robot& robot, const IkGoal& keep, const IkOptions& opti
   return smallest < INFINITY;
 }
 
-// The same for an arm whose formula gives the few solutions for a position.
+// The same for an arm whose closed form gives the few solutions for a position.
 FormulaAnswer position_by_formula(const Robot& robot, const IkGoal& keep, const IkOptions& options,
                                   IkResult& result) {
   const IkGoal position_goal = keep.without_orientation();
@@ -318,7 +319,7 @@ std::string_view to_text(IkStatus status) {
 
 namespace {
 
-// The seed is given.
+// Solves with a given seed.
 IkResult solve_from_seed(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                          const IkOptions& options) {
   IkResult result;

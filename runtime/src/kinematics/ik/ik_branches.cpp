@@ -12,18 +12,18 @@
 namespace armlet {
 namespace {
 
-constexpr int kCurveStarts = 6;   // of each row that is left out
+constexpr int kCurveStarts = 6;   // for each row that is left out
 constexpr double kExact = 1e-12;  // m and rad
 constexpr int kExactly = 100;     // iterations
 constexpr double kApart = 1e-6;   // rad or m; solutions that are closer are one
 constexpr double kBeside = 3e-3;  // rad or m from a curve
-// Of single solutions there are no more (D. Manocha, J. F. Canny, Efficient inverse kinematics for
-// general 6R manipulators, 1994).
+// The largest number of isolated solutions (D. Manocha, J. F. Canny, Efficient inverse kinematics
+// for general 6R manipulators, 1994).
 constexpr std::size_t kMostSingle = 16;
 constexpr double kAside = 0.02;  // rad or m
 constexpr int kRowSamples = 5;
 constexpr double kConstant = 1e-12;  // m or rad per rad or m
-constexpr double kSafeShare = 0.5;   // of the least singular value, that a change may be
+constexpr double kSafeShare = 0.5;   // of the smallest singular value; bound on a change
 
 class BranchSearch {
  public:
@@ -38,7 +38,7 @@ class BranchSearch {
 
   void run() {
     const std::size_t given = solutions_.size();
-    std::vector<Eigen::VectorXd> others;  // those of whole curves, and what only nearly is one
+    std::vector<Eigen::VectorXd> others;  // solutions on whole curves, and approximate ones
     for (const Eigen::VectorXd& solution : std::exchange(solutions_, {})) {
       if (!take(to_array(solution))) others.push_back(solution);
     }
@@ -54,21 +54,20 @@ class BranchSearch {
   }
 
  private:
-  // A curve next to singularities, and whether one of its solutions, or what is nearly one, is
-  // listed.
+  // A curve near singularities, and whether one of its solutions, or an approximate one, is listed.
   struct Reduced {
     ReducedCurve curve;
     bool is_listed;
   };
 
-  // Next to a singularity many configurations meet the usual tolerances.
+  // The goal with tight tolerances: near a singularity many configurations meet the usual ones.
   static IkGoal exactly(IkGoal goal) {
     goal.position_tolerance = goal.rotation_tolerance = kExact;
     return goal;
   }
 
-  // Whether the goal is met all along a direction. Two solutions all but one are idle there too,
-  // but the iterations lead back to them.
+  // Whether the goal is met along a whole direction. This is also true near two solutions that
+  // nearly coincide, but there the iterations lead back to them.
   bool is_on_curve(const JointArray& q) {
     const JointDirections idle = idle_directions(robot_, goal_, q, kIdleTool);
     if (idle.cols() == 0) return false;
@@ -79,7 +78,7 @@ class BranchSearch {
     return largest_change(to_vector(aside, robot_.n()), to_vector(q, robot_.n())) > 0.1 * kAside;
   }
 
-  // Takes the solutions that joint values lead to. Returns whether one is inside the limits.
+  // Adds the solutions that the iterations reach from q. Returns whether one is inside the limits.
   bool take(JointArray q) {
     const bool met = solver_.solve_free(q, kExactly);
     if (!met && !loosely_.solve_free(q, kExactly)) return false;
@@ -95,7 +94,7 @@ class BranchSearch {
     return met && !is_on_curve(q) && take_exact(q);
   }
 
-  // Where the arm is nearly singular, the iterations lead to many joint values on one curve.
+  // The curve through q: near a singular position the iterations lead to many points of one curve.
   Reduced* curve_along(const JointArray& q) {
     const auto along = [&](const Reduced& known) { return is_along(known.curve.points, q); };
     const auto found = std::ranges::find_if(reduced_, along);
@@ -129,7 +128,7 @@ class BranchSearch {
     return inside;
   }
 
-  // A joint on its limit may be beyond it by what the others leave uncertain next to a singularity.
+  // A joint at its limit may exceed it by the uncertainty of the others near a singularity.
   bool bring_inside(JointArray& q) {
     JointArray near = q;
     wrap_to_seed(robot_, options_, near, kApart);
@@ -167,8 +166,8 @@ class BranchSearch {
     }
   }
 
-  // Where the row that is left out comes close to zero: the iterations from there and from both
-  // sides, since two solutions may lie close to each other.
+  // Points where the left-out row is nearly zero: iterations start from there and from both sides,
+  // since two solutions may be close to each other.
   void search(const SelfMotions& curves, IkSolver& gap, std::size_t& searched) {
     for (; searched < curves.curves().size(); ++searched) {
       const std::vector<JointArray>& curve = curves.curves()[searched];
@@ -200,8 +199,8 @@ class BranchSearch {
 
 namespace {
 
-// The goal without the rows that no joint changes: the height and the tilt of the tool of a planar
-// arm. Where there are solutions, they are met.
+// The goal without the rows that no joint changes, such as height and tilt of the tool of a planar
+// arm. These rows are satisfied at every solution.
 IkGoal without_constant_rows(const Robot& robot, IkGoal goal) {
   Vector6d changes = Vector6d::Zero();
   IkSolver solver(robot, goal);

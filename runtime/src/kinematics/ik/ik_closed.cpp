@@ -15,29 +15,29 @@ namespace {
 constexpr int kArmAngles = 36;  // of a revolution, tried for an arm of seven joints
 constexpr double kArmStep = 2.0 * kPi / kArmAngles;
 
-// How far a joint may lie beyond its limit by rounding, next to a singularity; it is put back and
-// the goal checked again.
+// Amount by which a joint may exceed its limit by rounding, near a singularity; it is set to the
+// limit and the goal is checked again.
 constexpr double kRounding = 1e-6;
 
 // Near a singularity, joint values that are exact enough for a position may leave an orientation
 // error, up to this many rad, which iterations then remove.
 constexpr double kNearlyOriented = 0.1;
 
-// Where an elbow is stretched on its limit and the wrist is next to singular, rounding takes it so
-// far beyond; on the limit the goal is met as exactly as anywhere, m and rad.
+// For an elbow stretched at its limit and a nearly singular wrist, rounding may exceed the limit by
+// this; at the limit the goal is met as exactly as elsewhere, m and rad.
 constexpr double kFarBeyond = 1e-3;
 constexpr double kExactly = 1e-9;
 
-constexpr int kNearStarts = 4;     // around the seed, to follow the joints from
-constexpr int kBranchStarts = 24;  // within the change of the nearest branch
+constexpr int kNearStarts = 4;     // around the seed, for following curves
+constexpr int kBranchStarts = 24;  // within the joint change of the nearest branch
 constexpr double kRevolution = 2.0 * kPi;
 
-// Where the tool moves by so little, m or rad per rad or m, rounding decides what the formula takes
-// the joints for.
+// If a joint moves the tool by less, m or rad per rad or m, rounding determines its value in the
+// closed form.
 constexpr double kAllButIdle = 1e-8;
 
 constexpr double kSame = 1e-6;  // rad or m, of solutions and their changes
-constexpr double kTie = 1e-7;   // rad or m, of changes between which what is given decides
+constexpr double kTie = 1e-7;   // rad or m; between equal changes the given value decides
 
 bool counts_all(const IkGoal& goal) { return (goal.weights.array() == 1.0).all(); }
 bool counts_position(const IkGoal& goal) {
@@ -56,8 +56,8 @@ bool put_inside(const Robot& robot, JointArray& q) {
   return moved;
 }
 
-// Joints that were put back onto their limits meet the goal by its tolerance; next to them may be
-// joints that meet it exactly.
+// Joints that were set to their limits meet the goal within its tolerance only; this looks for
+// nearby values that meet it exactly.
 void make_exact(const Robot& robot, const IkGoal& goal, const IkOptions& options, JointArray& q) {
   IkGoal exact = goal;
   exact.position_tolerance = exact.rotation_tolerance = kExactly;
@@ -67,8 +67,8 @@ void make_exact(const Robot& robot, const IkGoal& goal, const IkOptions& options
   if (change_of(better, to_vector(q, robot.n())) < kFarBeyond) q = better;
 }
 
-// A solution of the formula at the copies nearest to the seed, inside the limits if they count, and
-// checked again wherever that changes it. False if there is none.
+// A solution of the closed form at the copies nearest to the seed, inside the limits if they apply,
+// and checked again if that changes it. False if there is none.
 bool settle_in(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool shares,
                bool check, JointArray& q) {
   if (bring_near(robot, goal, options, shares, q) > kRounding) return false;
@@ -85,7 +85,8 @@ bool settle_in(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                                 : solver.solve_free(q, options.iterations);
 }
 
-// The same where joints may share an angle: what the formula took stays if nothing else is nearer.
+// The same for joints that may share an angle: the closed form's values are kept if no others are
+// nearer.
 bool settle_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, bool free,
                  bool check, JointArray& q) {
   if (!free) return settle_in(robot, goal, options, false, check, q);
@@ -98,12 +99,13 @@ bool settle_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
   return found;
 }
 
-// A solution of which no joint is on the far side of the seed is as near as it can be.
+// Whether a solution could be nearer: one with no joint beyond half a revolution from the seed
+// could not.
 bool is_far(const IkOptions& options, bool settled, const JointArray& q) {
   return options.respect_limits && (!settled || change_of(q, options.seed) > kPi);
 }
 
-// The solution of the formula at limits that it is beyond by a little.
+// A solution of the closed form that exceeds limits slightly, moved to them.
 bool settle_on_limits(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                       JointArray& q) {
   wrap_to_seed(robot, options, q, kFarBeyond);
@@ -121,7 +123,7 @@ bool settle_on_limits(const Robot& robot, const IkGoal& goal, const IkOptions& o
   return error.position < kExactly && error.rotation < kExactly;
 }
 
-// Joints are compared modulo whole revolutions.
+// Whether two solutions are equal modulo whole revolutions.
 bool is_same(const Robot& robot, const JointArray& a, const JointArray& b) {
   for (int i = 0; i < robot.n(); ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
@@ -145,8 +147,8 @@ FormulaSolution& nearest_in(std::vector<FormulaSolution>& solutions, const IkOpt
   return *std::ranges::min_element(solutions, {}, change);
 }
 
-// Of each branch the solution over all values of a joint that the goal leaves open, if it is nearer
-// than the one with the present value.
+// For each branch the solution over all values of an open joint, if it is nearer than the one with
+// the present value.
 void take_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                  const std::vector<FormulaSolution>& found,
                  std::vector<FormulaSolution>& solutions) {
@@ -164,7 +166,7 @@ void take_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& option
   slide_nearer(robot, goal, options, nearest_in(solutions, options).q);
 }
 
-// The joints followed from around the seed, where the scan has passed over a narrow interval.
+// Follows solutions from starts around the seed, where the scan may have missed a narrow interval.
 void follow_near(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                  std::vector<FormulaSolution>& solutions) {
   std::vector<Eigen::VectorXd> around;
@@ -180,9 +182,9 @@ void follow_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
   }
 }
 
-// The curves of solutions, which run on where a branch of the formula ends: there a joint changes
-// like a root of the open one, and an interval between limits can be narrow beyond finding. A curve
-// may even be so small that it lies between the samples; starts near the seed lead to it.
+// Follows the curves of solutions, which continue where a branch of the closed form ends: there a
+// joint changes like a square root of the open one, and an interval between limits can be too
+// narrow for the scan. A curve may even lie between the samples; starts near the seed lead to it.
 void follow_branches(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                      const ClosedSolutions& found, std::vector<FormulaSolution>& solutions) {
   SelfMotions curves(robot, goal, options);
@@ -209,7 +211,7 @@ void search_open_joints(const Robot& robot, const IkGoal& goal, const IkOptions&
                         std::vector<FormulaSolution>& solutions) {
   const unsigned open = formula.open;
   Eigen::VectorXd near = options.seed;
-  const int rounds = (open & (open - 1)) != 0 ? 2 : 1;  // several of them in turn
+  const int rounds = (open & (open - 1)) != 0 ? 2 : 1;  // several of them alternately
   for (int round = 0; round < rounds; ++round) {
     for (int joint = 0; joint < robot.n(); ++joint) {
       if ((open >> joint & 1U) == 0) continue;
@@ -267,7 +269,7 @@ std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkG
                                                    const IkOptions& options) {
   std::vector<FormulaSolution> solutions;
   for (int k = 0; k < kArmAngles && solutions.empty(); ++k) {
-    // 0, +1, -1, +2, -2, ... steps
+    // Steps in the order 0, +1, -1, +2, -2, ...
     const int step = k % 2 == 1 ? (k + 1) / 2 : -k / 2;
     solve_by_formula(robot, goal, options, solutions, step * kArmStep);
   }

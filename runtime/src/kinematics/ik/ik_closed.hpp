@@ -15,14 +15,14 @@ namespace armlet {
 // kNone    there are no solutions.
 enum class FormulaAnswer { kSilent, kSome, kAll, kNone };
 
-// A solution of the closed form that meets the goal's tolerances and the limits asked for, each
-// revolute joint at the copy nearest to the seed.
+// A solution of the closed form within the goal's tolerances and the limits, each revolute joint at
+// the copy nearest to the seed.
 struct FormulaSolution {
   JointArray q{};
   int branch = 0;
 };
 
-// Whether the closed form of the arm answers questions of this kind.
+// Whether the closed form of the arm solves this kind of task.
 bool formula_applies(const Robot& robot, const IkGoal& goal, const IkOptions& options);
 
 // All solutions, in the order of the closed form; the seed determines what the goal leaves free.
@@ -34,12 +34,12 @@ FormulaAnswer solve_by_formula(const Robot& robot, const IkGoal& goal, const IkO
                                std::vector<FormulaSolution>& solutions,
                                double arm_angle_change = 0.0, bool nearest_only = false);
 
-// The same for an arm of seven joints at the first arm angle, counted from the seed's, where there
-// are any.
+// The same for an arm of seven joints at the first arm angle with solutions, counted from the
+// seed's.
 std::vector<FormulaSolution> solve_over_arm_angles(const Robot& robot, const IkGoal& goal,
                                                    const IkOptions& options);
 
-// Of each branch the solution nearest to the seed at any arm angle, the nearest of them first.
+// For each branch the solution nearest to the seed at any arm angle, the nearest of them first.
 std::vector<FormulaSolution> nearest_over_arm_angles(const Robot& robot, const IkGoal& goal,
                                                      const IkOptions& options);
 

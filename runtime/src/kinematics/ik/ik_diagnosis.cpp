@@ -9,18 +9,20 @@
 namespace armlet {
 namespace {
 
-constexpr int kSpreadStarts = 12;       // with one start a third of the distances would be too long
+// with one start a third of the distances would be too large
+constexpr int kSpreadStarts = 12;
 constexpr int kOrientationStarts = 60;  // orientations have more local minima
-constexpr int kSamples = 2'000;         // of the joint space, of which the nearest are followed
+constexpr int kSamples = 2'000;         // of the joint space, of which the nearest are refined
 constexpr std::size_t kFollowed = 32;
 constexpr std::size_t kDeepest = 4;
-constexpr int kFewOrientationStarts = 20;  // at the border of the reach there is less choice
-constexpr double kApart = 0.08;            // of the joints' ranges, between those
+// at the boundary of the reach there are fewer local minima
+constexpr int kFewOrientationStarts = 20;
+constexpr double kApart = 0.08;  // of the joints' ranges, between those
 constexpr int kSampleSteps = 40;
 constexpr double kSamePosition = 1e-7;  // m
 constexpr int kLeastSquaresSteps = 200;
-constexpr double kPositionFirst = 100.0;  // weight that makes position come before orientation
-constexpr double kPositionFixed = 1e4;    // and one that hardly moves it
+constexpr double kPositionFirst = 100.0;  // weight that gives position priority over orientation
+constexpr double kPositionFixed = 1e4;    // weight that practically fixes the position
 
 struct Nearest {
   JointArray q{};
@@ -48,7 +50,7 @@ Nearest nearest(const Robot& robot, const IkGoal& goal, const std::vector<JointA
   return best;
 }
 
-// How far apart two configurations are, as a part of the ranges.
+// The distance of two configurations, as a fraction of the joint ranges.
 double parts_apart(const Robot& robot, const JointArray& a, const JointArray& b) {
   double largest = 0.0;
   for (int i = 0; i < robot.n(); ++i) {
@@ -60,7 +62,7 @@ double parts_apart(const Robot& robot, const JointArray& a, const JointArray& b)
 }
 
 // The configurations of an even sample of the joint space whose tool points are nearest to a
-// position, and which are not neighbours of each other: where the valleys of the distance are.
+// position, and which are not neighbours of each other: one for each local minimum of the distance.
 std::vector<JointArray> nearest_samples(const Robot& robot, const Eigen::Vector3d& p) {
   struct Sample {
     double distance = 0.0;
@@ -84,7 +86,7 @@ std::vector<JointArray> nearest_samples(const Robot& robot, const Eigen::Vector3
   return out;
 }
 
-// Of all valleys the deepest: each is followed a little, and the best few to their end.
+// The smallest local minimum: each is refined a little, and the best few completely.
 Nearest nearest_position(const Robot& robot, const IkGoal& goal, std::vector<JointArray> starts) {
   for (const JointArray& q : nearest_samples(robot, goal.p)) starts.push_back(q);
   for (int k = 1; k <= kSpreadStarts; ++k) starts.push_back(halton_start(robot, k));
@@ -101,7 +103,8 @@ Nearest nearest_position(const Robot& robot, const IkGoal& goal, std::vector<Joi
   return nearest(robot, goal, best, 0, [](const IkError& e) { return e.position; });
 }
 
-// The light weight traded a little of the position for orientation.
+// Moves the tool point to the position, of which the smaller weight has given up a little for the
+// orientation.
 void put_at_position(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                      Nearest& near) {
   IkGoal both = goal;
@@ -112,7 +115,7 @@ void put_at_position(const Robot& robot, const IkGoal& goal, const IkOptions& op
   near = {q, IkSolver(robot, goal).error_of(q)};
 }
 
-// Of the configurations with the tool point where it is the one whose orientation is nearest.
+// Of the configurations with this position, the one with the nearest orientation.
 void orient_at_position(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                         const JointArray& q_failed, int starts, Nearest& best) {
   IkGoal there = goal;
@@ -138,7 +141,7 @@ double total_excess(const Robot& robot, const Eigen::VectorXd& q) {
   return sum;
 }
 
-// The solution without limits that breaks them least; empty if there is none.
+// The solution without limits that exceeds them least; empty if there is none.
 Eigen::VectorXd least_violating(const Robot& robot, const IkGoal& goal, IkOptions options) {
   options.respect_limits = false;
   std::vector<Eigen::VectorXd> solutions;
@@ -162,7 +165,7 @@ Eigen::VectorXd least_violating(const Robot& robot, const IkGoal& goal, IkOption
 
 bool counts_rotation(const IkGoal& goal) { return !goal.weights.tail<3>().isZero(); }
 
-// What the geometry of the arm rules out.
+// The gap that the geometry of the arm causes.
 ReachGap gap_of(const Robot& robot, const IkGoal& goal, const IkOptions& options) {
   const bool all = (goal.weights.array() == 1.0).all();
   const bool position_only =

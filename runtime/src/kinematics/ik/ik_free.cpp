@@ -13,11 +13,11 @@
 namespace armlet {
 namespace {
 
-// Columns of the Jacobian that differ by less, m and rad, are those of one line; what comes of it
-// is checked by forward kinematics.
+// Columns of the Jacobian that differ by less, m and rad, belong to one axis; results are checked
+// by forward kinematics.
 constexpr double kOneLine = 1e-6;
-constexpr double kRounding = 1e-7;  // rad or m beyond what limits allow
-constexpr double kBeyond = 1e-5;    // the same, for a solution that nobody wants any more
+constexpr double kRounding = 1e-7;  // rad or m, allowed excess of a limit
+constexpr double kBeyond = 1e-5;    // the same, for a solution that is discarded anyway
 
 struct Range {
   double lower = -INFINITY;
@@ -30,8 +30,8 @@ Range range_of(const Robot& robot, const IkOptions& options, std::size_t i) {
   return {robot.lower()[k], robot.upper()[k]};
 }
 
-// A joint with its part of what is shared: the value nearest to the seed, how far that is, and the
-// room from there.
+// A joint that shares an angle, in the sum: the value nearest to the seed, its change from the
+// seed, and the room from there.
 struct Member {
   std::size_t joint = 0;
   double sign = 1.0;
@@ -48,8 +48,8 @@ struct Members {
   const Member* end() const { return at.data() + count; }
 };
 
-// The smallest largest change with which the members together make up `delta` from where they are
-// nearest; more than they can is left over.
+// The smallest largest change with which the joints together make up `delta`, starting from their
+// nearest values; the rest that they cannot make up is returned too.
 struct Division {
   double change = 0.0;
   double left_over = 0.0;
@@ -57,7 +57,7 @@ struct Division {
 
 double room(const Member& m, double delta) { return m.sign * delta > 0.0 ? m.up : m.down; }
 
-// What one member gives if none may change by more.
+// The part of one joint if no joint may change by more.
 double part(const Member& m, double delta, double change) {
   return std::clamp(change - m.away, 0.0, room(m, delta));
 }
@@ -68,7 +68,7 @@ double sum_of_parts(const Members& members, double delta, double change) {
   return sum;
 }
 
-// The sum of the parts is piecewise linear in the change and never falls.
+// The sum of the parts is piecewise linear and monotone in the change.
 Division divide(const Members& members, double delta) {
   const double wanted = std::abs(delta);
   Division out;
@@ -98,13 +98,13 @@ Division divide(const Members& members, double delta) {
     low = knots[k];
     sum_low = sum;
   }
-  // Beyond the last knot those without limits go on alike.
+  // Beyond the last knot, joints without limits continue with the same slope.
   const double slope = sum_of_parts(members, delta, low + 1.0) - sum_low;
   out.change = low + (wanted - sum_low) / slope;
   return out;
 }
 
-// Divides the shared value, which counts modulo a period (0: not at all).
+// Divides the shared value, which counts modulo a period (0: it does not).
 double settle(Members& members, const Robot& robot, const IkOptions& options, double period,
               JointArray& q) {
   double excess = 0.0, away = 0.0;
@@ -141,7 +141,7 @@ double settle(Members& members, const Robot& robot, const IkOptions& options, do
   return best.left_over;
 }
 
-// Which joints move the tool alike. The first of each set stands for it.
+// Sets of joints that move the tool in the same direction. The first of each set represents it.
 class Shares {
  public:
   Shares(const Robot& robot, const IkGoal& goal, const JointArray& q)
@@ -150,7 +150,7 @@ class Shares {
     position_only_ = goal.weights.tail<3>().isZero();
   }
 
-  // The joints that move the tool like joint i, itself first; those are marked as taken.
+  // The joints with the same axis as joint i, itself first; marks them as used.
   Members with(std::size_t i) {
     Members out;
     if (taken_[i]) return out;
@@ -166,7 +166,7 @@ class Shares {
     }
     return out;
   }
-  // A joint about the tool point, where its orientation does not count.
+  // Whether joint i rotates about the tool point, and the orientation is free.
   bool alone(std::size_t i) const {
     return position_only_ &&
            J_.col(static_cast<Eigen::Index>(i)).head<3>().cwiseAbs().maxCoeff() <= kOneLine;
@@ -252,20 +252,20 @@ double bring_near(const Robot& robot, const IkGoal& goal, const IkOptions& optio
 namespace {
 
 constexpr double kFirstSlide = 0.3;   // rad or m
-constexpr double kLastSlide = 1e-8;   // and the progress that counts
+constexpr double kLastSlide = 1e-8;   // and the smallest progress
 constexpr double kNoSlide = 1e-10;    // rad or m; smallest gain for which a motion is tried
 constexpr double kWorthwhile = 1e-3;  // rad or m
 constexpr int kSlides = 60;
 constexpr int kCorrections = 8;
 
 using Eigen::VectorXd;
-// The change of a joint along a direction, and its opposite: a + t b.
+// The change of a joint along a direction, and its negative: a + t b.
 struct Line {
   double a = 0.0, b = 0.0;
 };
 
-// How far to go along a direction, at most `most` either way, so that the largest change becomes
-// smallest: the lowest point of the lines' upper envelope, which is followed from its left end.
+// The distance along a direction, at most `most` to either side, that minimises the largest change:
+// the lowest point of the lines' upper envelope, which is followed from its left end.
 class Descent {
  public:
   Descent(const Robot& robot, const IkOptions& options, const JointArray& q, const VectorXd& v,
@@ -345,7 +345,7 @@ bool slide_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
       return true;
     }
     bool nearer = false, promising = false;
-    // Towards the seed first, then each by itself.
+    // First in the direction of the seed, then each direction by itself.
     for (Eigen::Index k = idle.cols() == 1 ? 1 : 0; k <= idle.cols() && !nearer; ++k) {
       VectorXd v;
       if (k == 0)

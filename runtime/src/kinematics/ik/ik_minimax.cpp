@@ -16,7 +16,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr std::size_t kLpVariables = static_cast<std::size_t>(kMostIdle) + 1;
-constexpr double kLpBox = 1e3;        // rad or m, no variable is larger
+constexpr double kLpBox = 1e3;        // rad or m, bound on all variables
 constexpr double kLpExact = 1e-12;    // rad or m
 constexpr double kFirstRadius = 0.3;  // rad or m
 constexpr double kLastRadius = 1e-7;
@@ -26,7 +26,7 @@ constexpr int kBackToGoal = 8;
 
 using Variables = std::array<double, kLpVariables>;
 
-// a x <= b
+// The half space a x <= b.
 struct Half {
   Variables a{};
   double b = 0.0;
@@ -55,7 +55,7 @@ std::optional<Variables> least_of_one(std::span<const Half> halves, double c) {
   return Variables{c > 0.0 ? low : high};
 }
 
-// On the plane of `on` variable p follows from the others.
+// Eliminates variable p, which follows from the others on the plane of `on`.
 Half without_variable(const Half& half, const Half& on, std::size_t p, std::size_t d) {
   Half out;
   const double share = half.a[p] / on.a[p];
@@ -66,9 +66,8 @@ Half without_variable(const Half& half, const Half& on, std::size_t p, std::size
   return out;
 }
 
-// The least c x within all half spaces of the first d variables; nothing if there is none. Each
-// half space that the least point so far violates has the least point of all before it on its
-// plane.
+// The point of least c x within all half spaces of the first d variables; nothing if there is none.
+// If the minimum so far violates the next half space, the new minimum is on its plane.
 std::optional<Variables> least_point(std::span<const Half> halves, const Variables& c,
                                      std::size_t d) {
   if (d == 1) return least_of_one(halves, c[0]);
@@ -98,7 +97,7 @@ std::optional<Variables> least_point(std::span<const Half> halves, const Variabl
   return x;
 }
 
-// The joint changes of a step, and the largest change from the seed that it leads to.
+// The joint changes of a step, and the resulting largest change from the seed.
 struct Step {
   VectorXd dq;
   double change = INFINITY;
@@ -108,7 +107,7 @@ std::optional<Step> minimax_step(const Robot& robot, const IkOptions& options, c
                                  const JointDirections& idle, double radius) {
   const auto m = static_cast<std::size_t>(idle.cols());
   std::vector<Half> halves;
-  // The variables are the parts along the directions, and the largest change behind them.
+  // The variables are the coefficients of the directions, followed by the largest change.
   const auto add = [&](Eigen::Index joint, double sign, double of_change, double b) {
     Half half{.b = b};
     for (std::size_t k = 0; k < m; ++k)

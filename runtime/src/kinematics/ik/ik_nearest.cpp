@@ -9,14 +9,14 @@
 namespace armlet {
 namespace {
 
-constexpr std::size_t kSlid = 4;      // of the solutions that the iterations found,
-constexpr std::size_t kSlidOne = 16;  // of which each can go one way only
-constexpr int kCurveStarts = 24;      // within the change of the nearest solution
+constexpr std::size_t kSlid = 4;      // number of solutions of the iterations that are moved,
+constexpr std::size_t kSlidOne = 16;  // and the number if each has one free direction
+constexpr int kCurveStarts = 24;      // within the joint change of the nearest solution
 constexpr double kNoNearer = 1e-6;    // rad or m
 constexpr int kWideStarts = 192;    // the same, where solutions are connected in several directions
-constexpr double kPromising = 0.5;  // rad or m; what is farther than that is not slid
+constexpr double kPromising = 0.5;  // rad or m; solutions farther than that are not moved
 
-// What several joints share of the solutions that the iterations found, divided anew; sorts them.
+// Divides shared angles of the solutions of the iterations anew, and sorts the solutions.
 void divide_shares(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                    std::vector<Eigen::VectorXd>& solutions) {
   IkSolver solver(robot, goal);
@@ -30,8 +30,8 @@ void divide_shares(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   sort_by_nearness(robot, options.seed, solutions);
 }
 
-// Searches the curves, and those that starts near the seed lead to: what is nearer than the nearest
-// solution, which comes first, lies within its change.
+// Searches the curves, and those that starts near the seed lead to: a solution nearer than the
+// nearest known one, which comes first, is within its joint change.
 void search_curves(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                    SelfMotions& curves, std::vector<Eigen::VectorXd>& solutions) {
   JointArray q = to_array(solutions.front());
@@ -56,8 +56,8 @@ void search_curves(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   if (nearer) solutions.insert(solutions.begin(), to_vector(q, robot.n()));
 }
 
-// The same where solutions are surfaces: what lies within the change of the nearest one is tried
-// from many starts, each of which slides as far as it can.
+// The same where solutions form surfaces: many starts within the joint change of the nearest
+// solution, each moved as near as possible.
 void search_surfaces(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                      std::vector<Eigen::VectorXd>& solutions) {
   IkSolver solver(robot, goal);
@@ -78,8 +78,8 @@ void search_surfaces(const Robot& robot, const IkGoal& goal, const IkOptions& op
   if (nearer) solutions.insert(solutions.begin(), to_vector(q, robot.n()));
 }
 
-// Whether the solutions of an arm of more than six joints are surfaces of as many directions as
-// their search knows. Arms of six joints or fewer keep their quick search.
+// Whether the solutions of an arm of more than six joints form surfaces whose dimension the search
+// supports. Arms of six joints or fewer use the faster search.
 bool has_surfaces(const Robot& robot, const IkGoal& goal) {
   const Eigen::Index idle = robot.n() - (goal.weights.array() != 0.0).count();
   return robot.n() > 6 && idle >= 2 && idle <= kMostIdle;

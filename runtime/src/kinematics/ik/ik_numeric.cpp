@@ -14,8 +14,8 @@ namespace armlet {
 namespace {
 
 constexpr double kDampingRatio = 0.1;   // of the squared error
-constexpr double kSmallestStep = 1e-9;  // rad or m; nothing more happens below it
-constexpr double kTinyStep = 1e-8;      // rad or m; what a linear model leaves out is below 1e-15
+constexpr double kSmallestStep = 1e-9;  // rad or m; below it the iteration has ended
+constexpr double kTinyStep = 1e-8;      // rad or m; the error of the linear model is below 1e-15
 
 constexpr double kSmallRotation =
     2.0 - 1e-8;  // twice the cosine; below 1e-4 rad a sine has two terms
@@ -42,7 +42,7 @@ IkSolver::IkSolver(const Robot& robot, const IkGoal& goal, const IkPace& pace)
       plain_(!selective_ && !goal.in_tool_axes && coupling_ == nullptr),
       pace_(pace) {}
 
-// As in the iteration's kernel, or exact.
+// With the approximation of the iteration's kernel, or exact.
 Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool, bool exact) const {
   double twice_cosine = -1.0;
   double w[3] = {};
@@ -64,8 +64,8 @@ Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool, bool exact)
   return {factor * w[0], factor * w[1], factor * w[2]};
 }
 
-// At most the largest step; false if nothing more happens. Two joints at a time, as the kernels
-// read them.
+// Limits the step to the largest one; false if the iteration has ended. Two joints at a time, as
+// the kernels load them.
 inline bool IkSolver::move(JointArray& q) const {
   const Step& step = at_.step;
   if (!(at_.largest >= kSmallestStep)) return false;
@@ -88,7 +88,7 @@ JointArray IkSolver::rows_at(const JointArray& q) const {
   return rows;
 }
 
-// The columns of rows that go together are added up.
+// Adds up the columns of rows that the same joint moves.
 void IkSolver::pose_and_jacobian(const JointArray& q, double* T_world_tool) {
   if (coupling_ == nullptr) [[likely]]
     return kernel_(plan_, q.data(), at_.J.data()->data(), T_world_tool);
@@ -104,8 +104,8 @@ double IkSolver::evaluate(const JointArray& q) {
   pose_and_jacobian(q, T_world_tool.data());
   const double* T = T_world_tool.data();
   const Eigen::Vector3d w = rotation_error(T, exact_angle_);
-  // In pairs, because the normal equations read pairs: numbers written one by one would be waited
-  // for.
+  // Stored in pairs, because the normal equations load pairs: loading a pair that was stored as
+  // single numbers would stall.
   store_pair(at_.error.data(), load_pair(goal_.p.data()) - load_pair(T + 12));
   store_pair(at_.error.data() + 2, Lanes{goal_.p[2] - T[14], w[0]});
   store_pair(at_.error.data() + 4, Lanes{w[1], w[2]});
@@ -136,7 +136,7 @@ double IkSolver::iterate(const JointArray& q, bool in_box) {
   return at_.energy;
 }
 
-// The same rows in other axes.
+// Rotates the rows.
 void IkSolver::rotate_rows(const Eigen::Matrix3d& R) {
   const auto rotate = [&R](std::array<double, 6>& rows) {
     Eigen::Map<Vector6d> twist(rows.data());
@@ -146,7 +146,7 @@ void IkSolver::rotate_rows(const Eigen::Matrix3d& R) {
   for (std::size_t i = 0; i < n_; ++i) rotate(at_.J[i]);
 }
 
-// Leaves out rows that do not count and weighs the others.
+// Removes rows with weight 0 and scales the others by their weights.
 void IkSolver::select_rows() {
   double position = 0.0, rotation = 0.0;
   for (std::size_t r = 0; r < 6; ++r) {
@@ -194,7 +194,7 @@ IkSolver::Step IkSolver::solve_step(double damping) const {
   return step;
 }
 
-// Rows and columns of joints that may not move become those of the identity.
+// Rows and columns of frozen joints become those of the identity.
 IkSolver::Step IkSolver::solve_step(double damping, const Frozen& frozen) const {
   NormalEquations free = at_.normal;
   for (std::size_t i = 0; i < n_; ++i) {
@@ -213,7 +213,7 @@ IkSolver::Step IkSolver::solve_step(double damping, const Frozen& frozen) const 
 IkSolver::Step IkSolver::step_in_box(const JointArray& q, double damping) const {
   Frozen frozen{};
   bool any = false;
-  // Freezes joints on a bound that they would be moved across.
+  // Freezes joints on a bound that they would cross.
   const auto freeze = [&](const double* direction) {
     bool more = false;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -281,7 +281,7 @@ bool IkSolver::correct(JointArray& q, double error) {
   return close;
 }
 
-// A few more steps while each halves the error at least; at a regular goal one is enough.
+// A few more steps while each at least halves the error; for a regular goal one is enough.
 void IkSolver::polish(JointArray& q, bool in_box) {
   double energy = at_.energy;
   for (int it = 0; it < 6 && energy > 1e-26; ++it) {
@@ -322,7 +322,7 @@ void IkSolver::minimise_in_box(JointArray& q, int iterations) {
     JointArray next = q;
     for (std::size_t i = 0; i < n_; ++i) next[i] += step[i];
     clamp(next);
-    // What the linear model promises for the step that is really taken.
+    // The decrease that the linear model predicts for the step after clamping.
     double promised = 0.0, largest = 0.0;
     std::array<double, 6> change{};
     for (std::size_t i = 0; i < n_; ++i) {
@@ -370,7 +370,7 @@ JointArray halton_start(const Robot& robot, int index, bool inside_limits) {
     double range = robot.upper()[i] - robot.lower()[i];
     if (is_periodic(robot, i))
       range = inside_limits ? std::min(range, 2.0 * kPi) : 2.0 * kPi;
-    else if (robot.is_revolute(i))  // copies of it need more than one revolution to come back
+    else if (robot.is_revolute(i))  // its mimic joints need more than one revolution to return
       range = std::min(range, 4.0 * kPi);
     else if (!inside_limits)
       range += 2.0 * robot.length();

@@ -8,10 +8,10 @@
 
 namespace armlet {
 
-// Joint values in storage of their own, so that the iterations allocate nothing.
+// Joint values with storage inside the object, so that the iterations do not allocate.
 using JointArray = std::array<double, kMaxJoints>;
 
-// Size of the error of a configuration, counting only rows with a weight.
+// Size of the error of a configuration, for rows with a weight.
 struct IkError {
   double position = 0.0;  // m
   double rotation = 0.0;  // rad
@@ -23,8 +23,8 @@ struct IkRows {
   Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints> J;
 };
 
-// What the iterations aim at: a pose of which some rows of the error [p; log R] count, each with a
-// weight. A row with weight 0 is left out.
+// The goal of the iterations: a pose with a weight for each row of the error [p; log R]. A row with
+// weight 0 is left out.
 struct IkGoal {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
@@ -44,8 +44,8 @@ struct IkGoal {
   }
 };
 
-// How far an iteration moves, and when a start is given up: after `stall` iterations one after the
-// other of which none leaves less than `progress` times the least energy so far.
+// The largest step of an iteration, and the condition for giving up a start: `stall` consecutive
+// iterations without reducing the energy below `progress` times the least so far.
 struct IkPace {
   double largest_step = 1.0;  // rad or m
   double progress = 1.0;
@@ -65,8 +65,8 @@ class IkSolver {
   // The same inside the limits: joints on a bound that the step would push out are frozen.
   bool solve_in_box(JointArray& q, int iterations);
 
-  // Two steps from next to a solution. Returns whether after the first less than `error` was left,
-  // m and rad together; the second leaves about its square.
+  // Two steps from near a solution. Returns whether the error was below `error` after the first, m
+  // and rad together; the second leaves about its square.
   bool correct(JointArray& q, double error);
 
   // Least squares inside the limits for goals that cannot be reached: gain-ratio damping (Nielsen,
@@ -86,7 +86,7 @@ class IkSolver {
   using Frozen = std::array<bool, kMaxJoints>;
 
   void pose_and_jacobian(const JointArray& q, double* T_world_tool);
-  JointArray rows_at(const JointArray& q) const;  // values of the rows of a coupled arm
+  JointArray rows_at(const JointArray& q) const;  // values of the rows of an arm with mimic joints
   double evaluate(const JointArray& q);  // fills error, J, energy and sizes; returns the energy
   double iterate(const JointArray& q, bool in_box);  // the normal equations and the step too
   Eigen::Vector3d rotation_error(const double* T_world_tool, bool exact) const;
@@ -115,17 +115,18 @@ class IkSolver {
   IkGoal goal_;
   std::size_t n_;
   const double *lower_, *upper_;  // of the robot
-  bool selective_;                // not all rows count alike
-  bool plain_;                    // all count alike, in world axes
-  IkIterate at_;                  // written by evaluate() and iterate() before anything reads it
+  bool selective_;                // not all rows have equal weight
+  bool plain_;                    // all rows have equal weight, in world axes
+  IkIterate at_;                  // written by evaluate() and iterate() before any use
   IkPace pace_;
   bool exact_angle_ = false;
   int iterations_used_ = 0;
 };
 
-// Element `index` of a low-discrepancy sequence spread over the joints' ranges (Halton, 1960);
-// ranges of revolute joints count as one revolution at most. Index 0 is the middle. Without limits
-// revolute joints take a whole revolution, prismatic ones the arm's length more on either side.
+// Element `index` of a low-discrepancy sequence in the joint ranges (Halton, 1960); ranges of
+// revolute joints count as one revolution at most. Index 0 is the middle. Without limits revolute
+// joints use a whole revolution, prismatic ones their range extended by the arm's length on either
+// side.
 JointArray halton_start(const Robot& robot, int index, bool inside_limits = true);
 // Element `index` of the sequence for a joint, between 0 and 1.
 double halton_share(int joint, int index);

@@ -18,7 +18,7 @@ struct Candidate {
   int branch = -1;
 };
 
-// The rows that count; an arm with more joints than those can move without changing them.
+// The rows of the task; an arm with more joints than rows can move without changing them.
 TaskRows rows_of(const IkGoal& goal) {
   TaskRows rows;
   for (std::size_t i = 0; i < 6; ++i)
@@ -43,7 +43,7 @@ std::vector<Candidate> candidates_for(const Robot& robot, const Eigen::Isometry3
   return out;
 }
 
-// The joint values that a posture is nearest to; nothing for the one farthest from singularities.
+// The joint values of the best posture; nothing for manipulability.
 std::optional<Eigen::VectorXd> wished_values(const Robot& robot, const PostureGoal& goal) {
   switch (goal.posture) {
     case Posture::kManipulability:
@@ -56,7 +56,7 @@ std::optional<Eigen::VectorXd> wished_values(const Robot& robot, const PostureGo
   return std::nullopt;
 }
 
-// What the search for them needs; nothing without finite limits.
+// Joint values and ranges for the search; nothing without finite limits.
 std::optional<WishedJoints> wished_joints(const Robot& robot,
                                           const std::optional<Eigen::VectorXd>& values) {
   if (!values || !robot.lower().allFinite() || !robot.upper().allFinite()) return std::nullopt;
@@ -106,7 +106,7 @@ void search_around(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   result.solver = IkResult().solver;
 }
 
-// A solution of an arm with joints to spare, moved as far as the posture gets better.
+// A solution of a redundant arm, improved by self-motion.
 Eigen::VectorXd moved(const Robot& robot, IkSolver& solver, const PostureGoal& goal,
                       const std::optional<WishedJoints>& wished, const TaskRows& rows,
                       const Eigen::VectorXd& q) {

@@ -55,7 +55,7 @@ std::string branch_line(const Robot& robot, const BranchReport& branch, bool tak
   return text;
 }
 
-// Where the arm gets that is nearest to the goal.
+// The nearest reachable pose, as a line of the report.
 std::string nearest_line(const Robot& robot, const IkResult& result) {
   std::string joints;
   for (int i = 0; i < robot.n(); ++i) {
@@ -106,14 +106,14 @@ IkReport report_ik(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
       goal.R = forward(robot, report.result.q).linear();
   }
   if (!formula_applies(robot, goal, options)) return report;
-  // At the arm angle of the answer, if the arm has one.
+  // The branches at the arm angle of the answer, if the arm has one.
   const Eigen::VectorXd seed = options.seed;
   if (report.result.ok() && robot.n() > 6) options.seed = report.result.q;
   options.respect_limits = false;
   std::vector<FormulaSolution> solutions;
   solve_by_formula(robot, goal, options, solutions);
   for (const FormulaSolution& solution : solutions) {
-    // What the goal leaves free of the branch taken is as it was chosen.
+    // In the chosen branch, joints that the goal leaves free have the values of the answer.
     const bool taken = report.result.ok() && solution.branch == report.result.branch;
     report.branches.push_back(report_branch(
         robot, seed, solution.branch, taken ? report.result.q : to_vector(solution.q, robot.n())));

@@ -11,19 +11,21 @@ namespace {
 
 constexpr int kSamples = 90;  // of a revolution
 constexpr double kStep = 2.0 * kPi / kSamples;
-constexpr double kNarrow = 1e-9;    // rad; pieces are not halved below it
-constexpr double kEdge = 1e-10;     // nor those at whose other end the branch does not exist
-constexpr double kWorth = 1e-7;     // rad or m that a piece has to promise
-constexpr double kNearEdge = 5e-3;  // rad; nearer to where a branch ends, joints change like roots:
-constexpr double kAtEdge = 0.35;    // rad or m there, and farther away in any direction
-constexpr double kBend = 0.7;       // how far joints bend between samples, of the second difference
+constexpr double kNarrow = 1e-9;  // rad; shorter intervals are not halved
+constexpr double kEdge = 1e-10;   // nor those at one end of which the branch does not exist
+constexpr double kWorth = 1e-7;   // rad or m, smallest possible gain of an interval
+// rad; nearer to the end of a branch, joints change like square roots:
+constexpr double kNearEdge = 5e-3;
+constexpr double kAtEdge = 0.35;  // rad or m there, and farther away in any direction
+// bound on the curvature of joints between samples, relative to the second difference
+constexpr double kBend = 0.7;
 // rad or m of that from which on joints may move in any direction
 constexpr double kSwing = 0.5;
-constexpr double kOutside = 1e3;    // counted for a solution outside the limits
-constexpr double kNone = 1e9;       // for none
-constexpr double kSlightly = 1e-7;  // rad or m beyond a limit that is none
+constexpr double kOutside = 1e3;    // cost of a solution outside the limits
+constexpr double kNone = 1e9;       // cost of no solution
+constexpr double kSlightly = 1e-7;  // rad or m of excess that does not count
 constexpr double kRevolution = 2.0 * kPi;
-constexpr int kLooks = 600;  // at most, after the samples
+constexpr int kLooks = 600;  // largest number of further samples
 constexpr std::size_t kMaxBranches = 16;
 constexpr unsigned kEveryBranch = ~0U;
 
@@ -33,11 +35,11 @@ struct Sample {
   double at = 0.0;
   double cost = kNone;  // the largest change, or more than kOutside
   JointArray q{};       // as the formula has them
-  unsigned loose = 0;   // joints that share an angle with others, which was divided anew
+  unsigned loose = 0;   // joints that share an angle with others
 };
 using Samples = std::array<Sample, kMaxBranches>;
 
-// A branch between two values, and how far each joint may bend away from the straight line.
+// A branch between two values, and the possible deviation of each joint from the straight line.
 struct Piece {
   std::size_t branch = 0;
   Sample left, right;
@@ -49,8 +51,8 @@ struct Best {
   FormulaSolution solution;
 };
 
-// Samples a revolution, and halves the pieces between samples for as long as the joints at their
-// ends leave room for something nearer.
+// Samples a revolution, and halves the intervals between samples as long as a nearer solution is
+// possible in them.
 class Scan {
  public:
   Scan(const Robot& robot, const IkGoal& goal, const IkOptions& options, int joint,
@@ -70,7 +72,7 @@ class Scan {
   std::vector<FormulaSolution> run() {
     samples_.resize(kSamples);
     for (int k = 0; k < kSamples; ++k) {
-      // 0, +1, -1, +2, -2, ... steps
+      // Steps in the order 0, +1, -1, +2, -2, ...
       const int step = k % 2 == 1 ? (k + 1) / 2 : -k / 2;
       const double at = start_ + step * kStep;
       if (!is_too_far(at - kStep, at + kStep)) look(at, kEveryBranch, samples_[index(step)]);
@@ -99,12 +101,12 @@ class Scan {
     return static_cast<std::size_t>((step + kSamples) % kSamples);
   }
 
-  // What a piece must stay below to be looked at.
+  // The cost that an interval must be able to undercut.
   double enough(std::size_t branch) const {
     return (nearest_only_ ? least_ : best_[branch].cost) - kWorth;
   }
 
-  // Whether no value between low and high can be as near as what has been found: the joint itself
+  // Whether no value between low and high can be as near as the best known: the joint itself
   // changes by more.
   bool is_too_far(double low, double high) const {
     if (!nearest_only_ || joint_ == kArmAngle || is_shared_) return false;
@@ -132,13 +134,13 @@ class Scan {
       }
       const double change = change_of(settled.q, options_.seed);
       sample.cost = beyond > kSlightly ? kOutside + beyond : change;
-      // Of equals the one that came first, which is the one near to the present value.
+      // Of equal costs the first wins, which is the one near to the present value.
       if (sample.cost < best_[branch].cost - 1e-12) best_[branch] = {sample.cost, settled};
       least_ = std::min(least_, sample.cost);
     }
   }
 
-  // How far joints may be from those at the one end where the branch exists.
+  // Bounds on the joints from the values at the one end at which the branch exists.
   static double bend_at_edge(const Piece& piece) {
     const double width = piece.right.at - piece.left.at;
     return width > kNearEdge ? kRevolution : kAtEdge * std::sqrt(width / kNearEdge);
@@ -173,7 +175,7 @@ class Scan {
         bend = bend_at_edge(piece);
         continue;
       }
-      // Without neighbours the joints may bend as far as they go.
+      // Without neighbours, a joint may deviate by its whole difference.
       const double all = std::abs(difference(i, piece.left.q[i], piece.right.q[i]));
       bend = before.exists ? second_difference(i, before, piece.left, piece.right) : all;
       bend =
@@ -183,7 +185,7 @@ class Scan {
     return piece;
   }
 
-  // No solution on the piece is nearer.
+  // A lower bound of the cost in the interval.
   double lower_bound(const Piece& piece) const {
     if (!piece.left.exists && !piece.right.exists) return kNone;
     if (is_too_far(piece.left.at, piece.right.at)) return kNone;
@@ -200,7 +202,7 @@ class Scan {
     return bound;
   }
 
-  // Of two halves the more promising one first.
+  // Processes the more promising half first.
   void halve(const Piece& piece) {
     const bool whole = piece.left.exists && piece.right.exists;
     if (piece.right.at - piece.left.at < (whole ? kNarrow : kEdge) || looks_ >= kLooks) return;
@@ -234,8 +236,8 @@ class Scan {
   }
 
   bool nearest_only_;
-  bool is_shared_ = false;  // with other joints, which changes the value after the formula
-  double least_ = kNone;    // cost of all
+  bool is_shared_ = false;  // with other joints, which changes the value after the closed form
+  double least_ = kNone;    // smallest cost so far
   int looks_ = 0;
   const Robot& robot_;
   const IkGoal& goal_;

@@ -11,7 +11,7 @@ namespace armlet {
 namespace {
 
 constexpr double kRotationRounding = 1e-9;  // rad
-constexpr double kAround = 0.6;             // rad or m, in which starts around the seed lie
+constexpr double kAround = 0.6;             // rad or m, range of starts around the seed
 constexpr int kFreeStarts = 8;  // of a search for one solution, without a second try each
 constexpr IkPace kFast{.largest_step = 2.0, .progress = 0.9, .stall = 5};
 
@@ -40,7 +40,7 @@ double badness(const Robot& robot, const IkError& error) {
   return error.position / robot.length() + error.rotation;
 }
 
-// The joint that folds the arm: the second where axes 1 and 2 are parallel, else the third.
+// The joint that folds the arm: the second if axes 1 and 2 are parallel, else the third.
 int elbow_of(const Robot& robot) {
   const double twist = robot.chain().sin_alpha[1];
   return std::min(robot.n() - 1, std::abs(twist) < 1e-9 ? 1 : 2);
@@ -130,7 +130,8 @@ void search_near(const Robot& robot, const IkGoal& goal, const IkOptions& option
 
 namespace {
 
-// Order of nearness to the seed. Rounding to a grid instead of a tolerance keeps it transitive.
+// Order of solutions by their distance from the seed. Rounding to a grid instead of a tolerance
+// keeps it transitive.
 struct Nearness {
   double change = 0.0;
   bool bent_down = false;  // the elbow is not positive

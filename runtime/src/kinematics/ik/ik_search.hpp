@@ -4,14 +4,14 @@
 
 namespace armlet {
 
-// What the iterations aim at to answer a question.
+// The goal of the iterations for a task.
 IkGoal make_goal(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                  const IkOptions& options);
 
 // The solver of a result that is the seed itself.
 inline constexpr std::string_view kStands = "the robot stands there";
 
-// What the restarts found.
+// The result of the restarts.
 struct IkSearch {
   std::vector<Eigen::VectorXd> solutions;  // distinct, in the order in which they were found
   Eigen::VectorXd closest;                 // the best configuration if there is no solution
@@ -22,12 +22,12 @@ struct IkSearch {
 
 // Restarts from the seed and then from evenly spread configurations.
 //
-// wanted        stop after so many distinct solutions.
-// extra_starts  stop so many starts after the first solution.
+// wanted        stop after this number of distinct solutions.
+// extra_starts  stop after this number of starts from the first solution on.
 IkSearch search_ik(const Robot& robot, const IkGoal& goal, const IkOptions& options, int wanted,
                    int extra_starts);
 
-// Solutions that the iterations find inside the limits from the seed and from around it; none
+// Solutions that the iterations find inside the limits, starting at and around the seed; none
 // without limits.
 void search_near(const Robot& robot, const IkGoal& goal, const IkOptions& options, int starts,
                  std::vector<Eigen::VectorXd>& solutions);
@@ -54,13 +54,13 @@ double largest_change(const Eigen::VectorXd& q_1, const Eigen::VectorXd& q_2);
 void sort_by_nearness(const Robot& robot, const Eigen::VectorXd& seed,
                       std::vector<Eigen::VectorXd>& solutions);
 
-// Element `index` of the sequence of starts that are no farther from the seed than `change`, and
-// inside the limits if they count.
+// Element `index` of the sequence of starts within `change` of the seed, and inside the limits if
+// they apply.
 JointArray start_within(const Robot& robot, const IkOptions& options, double change, int index);
 
-// Follows solutions that the iterations found where they are connected with others, divides anew
-// what joints share, and sorts them. The first is then as near to the seed as any on the
-// self-motions that they, and starts near the seed, lead to.
+// Improves the solutions of the iterations: follows curves and surfaces of solutions, divides
+// shared angles anew, and sorts them. The first is then as near to the seed as any on the
+// self-motions that are reached from them, and from starts near the seed.
 void bring_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                   std::vector<Eigen::VectorXd>& solutions);
 
@@ -68,7 +68,7 @@ void bring_nearer(const Robot& robot, const IkGoal& goal, const IkOptions& optio
 const FormulaSolution& nearest_branch(const Robot& robot, const Eigen::VectorXd& seed,
                                       const std::vector<FormulaSolution>& branches);
 
-// Replaces a solution by the one with the best posture that the options ask for.
+// Replaces a solution by the one with the best posture, as the options ask for.
 void take_best_posture(const Robot& robot, const Eigen::Isometry3d& T_world_tool,
                        const IkGoal& goal, const IkOptions& options, IkResult& result);
 

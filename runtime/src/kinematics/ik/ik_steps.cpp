@@ -40,10 +40,10 @@ template <int N>
 }
 
 // L D L^T (G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 2013, section 4.1.2), two
-// columns at a time, of which the second is kept times the pivot of the first: its own
-// pivot need not wait for a division, so that both divisions run side by side. A pivot that is
-// nothing but rounding belongs to a joint that the others stand in for, of a redundant or singular
-// arm: it stays where it is. Divided by, such a pivot would make the next ones grow without bound.
+// columns at a time. The second column is stored multiplied by the pivot of the first, so its pivot
+// need not wait for a division and both divisions run in parallel. A pivot that is only rounding
+// belongs to a joint that is linearly dependent on the others, in a redundant or singular arm: this
+// joint does not move. Dividing by such a pivot would make the next ones grow without bound.
 template <int N>
 class Elimination {
  public:
@@ -70,14 +70,14 @@ class Elimination {
     }
 #pragma GCC unroll 8
     for (std::size_t behind = n_ % 2; behind + 1 < n_; behind += 2) substitute(n_ - 2 - behind);
-    // In pairs, because pairs are read next: two numbers written one by one would be waited for.
+    // Stored in pairs, because pairs are loaded next: single stores would stall the load.
     if (n_ % 2 == 1) step[n_ - 1] = x_[n_ - 1];
 #pragma GCC unroll 8
     for (std::size_t i = 0; i + 1 < n_; i += 2) store_pair(step + i, Lanes{x_[i], x_[i + 1]});
   }
 
  private:
-  // Takes columns k and k + 1 out of the rows below, in which it leaves L.
+  // Eliminates columns k and k + 1 from the rows below, and stores L there.
   [[gnu::always_inline]] void eliminate(std::size_t k) {
     double a = A_[k][k], b = A_[k + 1][k];
     const bool first = a > floor_;
@@ -163,7 +163,7 @@ void iteration_kernel(const WalkPlan& plan, const double* q, const double* p, co
   const double first = add_axis(f.x, R, w_xy, w_z), second = add_axis(f.y, R + 3, w_xy, w_z),
                third = add_axis(f.z, R + 6, w_xy, w_z);
   const double twice_cosine = (first + second) + (third - 1.0);
-  // For the damping, which all else waits for, the squared chord does for the squared angle.
+  // The damping, on which all else depends, uses the squared chord instead of the squared angle.
   double square_of_angle = std::max(0.0, 2.0 - twice_cosine);
   if (twice_cosine < 0.0) [[unlikely]] {
     double T[16], w[3];

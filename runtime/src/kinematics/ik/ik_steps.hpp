@@ -4,7 +4,7 @@
 
 namespace armlet {
 
-// The lower triangle of J^T J, and J^T e; only the first n rows count.
+// The lower triangle of J^T J, and J^T e; only the first n rows are used.
 struct NormalEquations {
   double A[kMaxJoints][kMaxJoints];
   double b[kMaxJoints];
@@ -16,10 +16,10 @@ using NormalKernel = void(int n, const double* J, const double* e, NormalEquatio
 // step = (A + damping I)^-1 b.
 using StepKernel = void(int n, const NormalEquations& normal, double damping, double* step);
 
-// What one iteration works out at a configuration.
+// The results of one iteration at a configuration.
 struct alignas(64) IkIterate {
   std::array<std::array<double, 6>, kMaxJoints> J;
-  std::array<double, 6> error;  // position, then rotation; weighed
+  std::array<double, 6> error;  // position, then rotation; with weights
   NormalEquations normal;
   double energy;              // half the squared error
   double position, rotation;  // sizes of the errors that count, m and rad
@@ -27,16 +27,16 @@ struct alignas(64) IkIterate {
   double largest;  // of the step, without sign
 };
 
-// All of it for a goal p, R (by columns) of which every row counts alike: error, normal equations
-// and the step, in one piece, because from one iteration to the next nothing counts but how long
-// one waits. The damping is damping_ratio times the energy, with the chord of the rotation instead
-// of its angle up to a right angle.
+// All results for a goal p, R (by columns) with equal weights for all rows: error, normal equations
+// and the step, in one function, because the latency of an iteration is its cost. The damping is
+// damping_ratio times the energy, with the chord of the rotation instead of its angle up to a right
+// angle.
 using IterationKernel = void(const WalkPlan& plan, const double* q, const double* p,
                              const double* R, double damping_ratio, IkIterate& at);
 
-// The rotation vector from T (4x4 by columns) to R by its angle. Up to a right angle the iterations
-// do with half the sum of the cross products of the axes, which is the same but for its length; a
-// factor makes it exact at zero and good to half a percent up to there.
+// The exact rotation vector from T (4x4 by columns) to R. Up to a right angle the iterations use
+// half the sum of the cross products of the axes, which has the same direction; a factor makes its
+// length exact at zero and correct to half a percent up to there.
 void far_rotation_error(const double* T, const double* R, double* w);
 
 extern const KernelTable<IterationKernel> kIterationKernels;

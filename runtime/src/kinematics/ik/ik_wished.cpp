@@ -24,7 +24,7 @@ VectorXd step_to_wished(const Robot& robot, const IkRows& rows, const WishedJoin
                         const VectorXd& q) {
   const Eigen::Index n = q.size();
   VectorXd dq = wished.q - q, spread = wished.range.cwiseAbs2();
-  VectorXd aim = (spread.array() > 0.0).select(dq, 0.0);  // of a joint on its limit: to there
+  VectorXd aim = (spread.array() > 0.0).select(dq, 0.0);  // for a joint on its limit: to that limit
   for (Eigen::Index held = 0; held <= n; ++held) {
     const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMaxJoints> JS =
         rows.J * spread.asDiagonal();

@@ -5,15 +5,15 @@
 
 namespace armlet {
 
-// Joint values that an arm with joints to spare should be near, each joint counted by its range.
+// Desired joint values of a redundant arm, with distances relative to the joint ranges.
 //
 // q      n values, rad or m.
-// range  of each joint, at least 0; a joint without a range stays.
+// range  of each joint, at least 0; a joint with range 0 does not move.
 struct WishedJoints {
   Eigen::VectorXd q;
   Eigen::VectorXd range;
 
-  // Half the sum of squares of what q is off, in ranges.
+  // Half the sum of squared deviations from q, in ranges.
   [[nodiscard]] double cost(const JointArray& at) const;
 };
 

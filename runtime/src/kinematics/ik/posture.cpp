@@ -14,7 +14,7 @@ VectorXd wished(const Robot& robot, const PostureGoal& goal) {
   return goal.q_given;
 }
 
-// A joint that cannot move does not count.
+// A joint with range 0 has weight 0.
 VectorXd weights(const Robot& robot) {
   const VectorXd range = robot.upper() - robot.lower();
   return range.unaryExpr([](double r) { return r > 0.0 ? 1.0 / (r * r) : 0.0; });

@@ -13,16 +13,16 @@
 namespace armlet {
 namespace {
 
-constexpr double kTraceStep = 0.25;      // rad or m; the joints together
-constexpr double kShortestTrace = 1e-4;  // where a curve bends sharply
+constexpr double kTraceStep = 0.25;      // rad or m; norm over the joints
+constexpr double kShortestTrace = 1e-4;  // for sharp bends of a curve
 constexpr double kBendCosine = 0.94;     // of the directions at both ends of a step
-constexpr double kTraceAstray = 0.4;     // of a step, that a correction may take away from it
-constexpr double kCloseToCurve = 0.05;  // rad or m; nearer to a curve, a point is projected onto it
-constexpr double kOnCurve = 1e-4;       // rad or m, and
-constexpr double kStillAway = 0.3;      // of what it was before, for a point that is not on it
-constexpr double kFirstCorrection = 3e-3;  // m and rad that it may leave
+constexpr double kTraceAstray = 0.4;     // of a step, largest correction
+constexpr double kCloseToCurve = 0.05;   // rad or m; a point nearer to a curve is projected onto it
+constexpr double kOnCurve = 1e-4;        // rad or m, and
+constexpr double kStillAway = 0.3;       // ratio of distances, for a point that is not on it
+constexpr double kFirstCorrection = 3e-3;  // largest remaining error, m and rad
 constexpr int kTraceCorrections = 10;
-constexpr double kLookAhead = 1e-4;      // rad or m, to see how a singularity bends
+constexpr double kLookAhead = 1e-4;      // rad or m, for the curvature at a singularity
 constexpr double kFarthestMirror = 3.0;  // rad or m
 constexpr int kMirrorCorrections = 20;
 constexpr std::size_t kMaxCurves = 32;
@@ -34,7 +34,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// The rows that do not count are zero.
+// The Jacobian with the rows outside of the task set to zero.
 Jacobian counting_jacobian(const Robot& robot, const IkGoal& goal, const JointArray& q) {
   const JacobianFrame frame = goal.in_tool_axes ? JacobianFrame::kTool : JacobianFrame::kWorld;
   Jacobian J = jacobian(robot, Eigen::Map<const VectorXd>(q.data(), robot.n()), frame);
@@ -67,7 +67,7 @@ SelfMotions::SelfMotions(const Robot& robot, const IkGoal& goal, const IkOptions
   for (std::size_t i = 0; i < n_; ++i) turns_[i] = is_periodic(robot, static_cast<int>(i));
 }
 
-// b - a; revolute joints by less than half a revolution.
+// b - a; for revolute joints modulo revolutions, within half a revolution.
 inline double SelfMotions::difference(std::size_t i, double a, double b) const {
   const double d = b - a;
   if (!turns_[i]) return d;
@@ -75,8 +75,8 @@ inline double SelfMotions::difference(std::size_t i, double a, double b) const {
   return d - 2.0 * kPi * ((d / (2.0 * kPi) + kToInteger) - kToInteger);
 }
 
-// One step along the curve, and back onto it; `along` becomes the direction of the chord. Where two
-// curves cross: straight on.
+// One step along the curve, with a correction back onto it; `along` becomes the direction of the
+// chord. Where two curves cross, the step goes straight on.
 //
 // source  E. L. Allgower, K. Georg, Numerical Continuation Methods, 1990, chapter 2 (predictor and
 //         corrector).
@@ -98,7 +98,7 @@ bool SelfMotions::step(const JointArray& from, JointArray& along, double length,
   return true;
 }
 
-// Whether a prismatic joint lies so far outside its limits that the curve hardly leads back.
+// Whether a prismatic joint is so far outside its limits that the curve will hardly return.
 bool SelfMotions::slides_away(const JointArray& q) const {
   for (std::size_t i = 0; i < n_; ++i) {
     if (turns_[i]) continue;
@@ -109,7 +109,7 @@ bool SelfMotions::slides_away(const JointArray& q) const {
   return false;
 }
 
-// Adds points until the curve is back where it began; returns whether it comes there.
+// Adds points until the curve is closed; returns whether it is.
 bool SelfMotions::walk(const JointArray& from, const JointArray& first, Curve& curve) {
   JointArray along = first, at = from;
   double length = kTraceStep, gone = 0.0;
@@ -150,8 +150,8 @@ bool SelfMotions::walk(const JointArray& from, const JointArray& first, Curve& c
   return false;
 }
 
-// How far q is from a piece of a curve; infinite where that is more than matters. `share` is where
-// on the piece it is nearest.
+// The distance of q from a piece of a curve; infinite if it is larger than needed. `share` is the
+// position of the nearest point on the piece.
 double SelfMotions::distance_to(const JointArray& a, const JointArray& b, const JointArray& q,
                                 double& share) const {
   JointArray away{};
@@ -214,7 +214,7 @@ SelfMotions::Found SelfMotions::follow(const JointArray& q) {
   return Found::kCurve;
 }
 
-// How far the arm is from a singularity: the squared manipulability, det(J J^T), by elimination.
+// The squared manipulability det(J J^T), by elimination, as a distance from singularities.
 double SelfMotions::regularity(const JointArray& q) const {
   const Jacobian J = counting_jacobian(robot_, goal_, q);
   double A[6][6];
@@ -239,8 +239,8 @@ double SelfMotions::regularity(const JointArray& q) const {
   return product;
 }
 
-// Along the direction v that moves the tool least, it moves by u (sigma s + kappa s^2 / 2): the
-// goal is met again, on the other side of the singularity, at s = -2 sigma / kappa.
+// Along the direction v that moves the tool least, the tool moves by u (sigma s + kappa s^2 / 2):
+// the goal is met again, on the other side of the singularity, at s = -2 sigma / kappa.
 bool SelfMotions::mirror(const JointArray& q, JointArray& other) {
   const Jacobian J = counting_jacobian(robot_, goal_, q);
   const SymmetricEigen eigen = symmetric_eigen(J * J.transpose());

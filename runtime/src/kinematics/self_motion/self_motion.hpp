@@ -13,34 +13,35 @@ namespace armlet {
 using JointDirections =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxJoints, kMaxJoints>;
 
-// How far the tool may move, m or rad per rad or m, in a direction that is idle, and in one at a
-// singular goal, of which the iterations find solutions less exactly.
+// Largest motion of the tool, m or rad per rad or m, in a free direction; and at a singular goal,
+// where the iterations find solutions less exactly.
 inline constexpr double kIdleTool = 1e-6;
 inline constexpr double kNearlyIdleTool = 1e-3;
 
-// Orthonormal directions, as columns, in which the joints move without what counts of the tool.
+// Orthonormal directions, as columns, in which the joints move without changing the rows of the
+// task.
 //
 // rank_tolerance  m or rad per rad or m that the tool may move.
 JointDirections idle_directions(const Robot& robot, const IkGoal& goal, const JointArray& q,
                                 double rank_tolerance);
 
-// The curves on which a goal has been followed, and of them the solution nearest to the seed.
+// The curves on which a goal has been followed, and their solution nearest to the seed.
 class SelfMotions {
  public:
   SelfMotions(const Robot& robot, const IkGoal& goal, const IkOptions& options);
 
-  // What solutions a solution is connected with: none, those of a curve, or others.
+  // The set that is connected with a solution: only itself, a curve, or another one.
   enum class Found { kAlone, kCurve, kOther };
 
   // Follows the curve through a solution, unless it is known.
   Found follow(const JointArray& q);
 
-  // Searches the curves that have been followed since the last call for a solution inside the
-  // limits that is nearer than `change`. Returns whether there is one, which replaces q.
+  // Searches the curves that were followed since the last call for a solution inside the limits
+  // that is nearer than `change`. Returns whether there is one, which replaces q.
   bool bring_nearer(JointArray& q, double& change);
 
-  // Follows the curves that lie behind the singularities which those known come close to: with the
-  // elbow or the wrist the other way round.
+  // Follows the curves beyond the singularities that the known curves come near to: those with the
+  // other elbow or wrist branch.
   void follow_neighbours();
 
   bool empty() const { return curves_.empty(); }
@@ -68,7 +69,7 @@ class SelfMotions {
   std::array<bool, kMaxJoints> turns_{};
   IkSolver solver_;
   std::vector<Curve> curves_;
-  std::size_t searched_ = 0, mirrored_ = 0;  // of the curves
+  std::size_t searched_ = 0, mirrored_ = 0;  // number of curves
 };
 
 }  // namespace armlet

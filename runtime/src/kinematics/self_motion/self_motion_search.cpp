@@ -9,13 +9,14 @@
 namespace armlet {
 namespace {
 
-constexpr double kFinest = 1e-8;        // rad or m; pieces are not halved below it
-constexpr double kWorthLooking = 1e-7;  // rad or m that a piece has to promise
-constexpr double kBending = 0.7;        // how far joints bend, of the second difference
+constexpr double kFinest = 1e-8;        // rad or m; shorter pieces are not halved
+constexpr double kWorthLooking = 1e-7;  // rad or m, smallest possible gain of a piece
+// bound on the curvature of joints, relative to the second difference
+constexpr double kBending = 0.7;
 constexpr int kMaxLooks = 400;
 constexpr int kRefinements = 10;
 
-// A part of the curve, and how far each joint may bend away from the straight line.
+// A part of the curve, and the possible deviation of each joint from the straight line.
 struct Arc {
   JointArray left, right, bend;
 };
@@ -82,7 +83,7 @@ class CurveSearch {
     return arc;
   }
 
-  // No solution on the arc is nearer.
+  // A lower bound of the joint change on the arc.
   double lower_bound(const Arc& arc) const {
     double bound = 0.0;
     for (std::size_t i = 0; i < n_ && bound < enough(); ++i) {
@@ -93,7 +94,7 @@ class CurveSearch {
     return bound;
   }
 
-  // Takes a point of the curve if it is nearer, and what it leads to.
+  // Uses a point of the curve if it is nearer, after refinement.
   void look(const JointArray& at) {
     double away = 0.0;
     for (std::size_t i = 0; i < n_ && away < enough(); ++i)

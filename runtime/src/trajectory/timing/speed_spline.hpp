@@ -23,7 +23,7 @@ class SpeedSpline {
     std::size_t cell = 0;
     // derivatives of b, b', b'' by the coefficients
     std::array<double, 3> value{}, rate{}, curve{};
-    double weight = 0.0;                             // in the integral
+    double weight = 0.0;  // in the integral
     double most = std::numeric_limits<double>::infinity();
     std::size_t rows = 0, rows_end = 0;
     std::size_t forces = 0, forces_end = 0;

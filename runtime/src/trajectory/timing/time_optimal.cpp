@@ -19,7 +19,7 @@ namespace {
 constexpr double kIdle = 0.02;
 constexpr double kMostParts = 6.0;  // and the largest number of parts of one
 constexpr int kDivisions = 6;       // largest number of divisions of the grid,
-constexpr double kGain = 1e-3;  // which end when the time decreases by less than this fraction
+constexpr double kGain = 1e-3;      // which end when the time decreases by less than this fraction
 constexpr std::size_t kManyPositions = 20'000;  // a grid with more positions is not divided again
 constexpr int kRounds = 8;          // how often the motion is slowed down between positions
 constexpr double kWellKept = 1e-3;  // excess for which the whole motion is not slowed down

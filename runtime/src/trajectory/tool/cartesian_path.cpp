@@ -19,10 +19,10 @@
 namespace armlet {
 namespace {
 
-constexpr int kIntervals = 200;          // of the grid for the speeds
-constexpr int kCells = 64;               // number of pieces of a jerk-limited speed,
-constexpr int kCellsPerCorner = 32;      // and additional ones for each corner
-constexpr int kCornerChords = 64;        // for the length of a corner
+constexpr int kIntervals = 200;      // of the grid for the speeds
+constexpr int kCells = 64;           // number of pieces of a jerk-limited speed,
+constexpr int kCellsPerCorner = 32;  // and additional ones for each corner
+constexpr int kCornerChords = 64;    // for the length of a corner
 // factor for the number of samples where joint directions change sharply
 constexpr int kFiner = 4;
 constexpr double kShortestBlend = 1e-6;  // m; the tool stops at sharper corners

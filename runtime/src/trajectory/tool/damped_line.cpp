@@ -18,13 +18,13 @@ namespace armlet {
 namespace {
 
 constexpr int kSteps = 512;
-constexpr int kCells = 96;                        // number of pieces of a jerk-limited speed
+constexpr int kCells = 96;  // number of pieces of a jerk-limited speed
 // m, equivalent length of a rotation by one radian
 constexpr double kRotationLengthOfDamping = 0.2;
-constexpr double kCatchUp = 2.0;                  // largest step, as a multiple of the usual one
-constexpr double kShortest = 1e-9;                // s, resolution of the clock
-constexpr double kGain = 0.05;                    // of the remaining error, per step
-constexpr double kSettled = 0.01;                 // of a usual step: larger errors are corrected
+constexpr double kCatchUp = 2.0;    // largest step, as a multiple of the usual one
+constexpr double kShortest = 1e-9;  // s, resolution of the clock
+constexpr double kGain = 0.05;      // of the remaining error, per step
+constexpr double kSettled = 0.01;   // of a usual step: larger errors are corrected
 // rad or m, per step: the error no longer decreases
 constexpr double kStill = 1e-7;
 constexpr int kPerInterval = 4;  // samples between two steps for the deviation

@@ -15,25 +15,28 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kNearlySingular = 5e-3;  // least singular value, m or rad per rad or m
-constexpr double kShallow = 2e-3;        // m and rad left of the goal, to which curves are followed
+// remaining error, m and rad, up to which curves are followed
+constexpr double kShallow = 2e-3;
 constexpr double kPiece = 0.1;           // rad or m
 constexpr double kShortestPiece = 1e-3;  // rad or m
 constexpr int kMostPieces = 300;         // in one direction
-constexpr int kIdlePieces = 2;           // in one direction: then the goal is met all along
-constexpr double kAhead = 0.9;           // cosine between the directions at both ends of a piece
-constexpr double kLookAhead = 1e-4;      // rad or m, to see how a curve bends
-constexpr double kOne = 5e-7;            // rad or m; solutions no farther from their middle are one
-constexpr double kRounding = 2e-15;      // m and rad, of a height
+// in one direction: after them the goal counts as met along the whole curve
+constexpr int kIdlePieces = 2;
+constexpr double kAhead = 0.9;       // cosine between the directions at both ends of a piece
+constexpr double kLookAhead = 1e-4;  // rad or m, for the curvature
+// rad or m; solutions no farther from their middle count as one
+constexpr double kOne = 5e-7;
+constexpr double kRounding = 2e-15;       // m and rad, of a height
 constexpr double kSlopeRounding = 1e-12;  // per rad or m
 constexpr double kMet = 1e-11;            // m and rad
 constexpr double kSettled = 1e-11;        // rad or m
 constexpr double kFarthestStep = 0.2;     // rad or m
 constexpr int kCorrections = 12;
 
-// A point of the curve, s along it from the beginning of its piece.
+// A point of the curve, at the length s from the beginning of its piece.
 //
-// height  what is left of the goal there.
-// slope   of the height, per s.
+// height  the remaining error there.
+// slope   derivative of the height by s.
 struct Point {
   double s = 0.0;
   VectorXd q{};
@@ -91,8 +94,8 @@ class ReducedSearch {
     return linear;
   }
 
-  // J with the direction of the tool that is lost as a column more, and that of the joints in which
-  // it is as a row more: regular also where J is not.
+  // J with the lost direction of the tool as an additional column, and the joint direction that it
+  // belongs to as an additional row: regular also where J is not.
   [[nodiscard]] MatrixXd bordered(const MatrixXd& J) const {
     MatrixXd B = MatrixXd::Zero(n_ + 1, n_ + 1);
     B.topLeftCorner(n_, n_) = J;
@@ -124,12 +127,12 @@ class ReducedSearch {
     return false;
   }
 
-  // The same, unless the curve bends away from its direction, or another one was met.
+  // The same, but false if the curve bends away from its direction, or another curve was reached.
   [[nodiscard]] bool reaches(double s, Point& point) {
     return settle(s, point) && (point.q - origin_).norm() * kAhead <= std::abs(s);
   }
 
-  // Where the height or the slope changes its sign between two points.
+  // The zero of the height or the slope between two points.
   //
   // source  M. Dowell, P. Jarratt, A modified regula falsi method for computing the root of an
   //         equation, BIT 11, 1971 (the Illinois method).
@@ -231,7 +234,7 @@ class ReducedSearch {
     if (left.height * right.height <= 0.0) take(zero_of(&Point::height, left, right));
   }
 
-  // Both directions where the curve is at a point, ahead as before.
+  // Updates both directions at a point of the curve, with the orientation kept.
   void turn_to(const Point& point) {
     const MatrixXd B = bordered(linear_at(point.q).J);
     VectorXd one = VectorXd::Zero(n_ + 1);
@@ -255,7 +258,7 @@ class ReducedSearch {
     return along >= 0.0 && along <= length && off < 0.1 * kPiece;
   }
 
-  // Follows the curve from a point. Returns whether it comes back to where it started.
+  // Follows the curve from a point. Returns whether it is closed.
   bool walk(Point point, const VectorXd& start) {
     double length = kPiece;
     for (int k = 0; k < kMostPieces && std::abs(point.height) < kShallow; ++k) {
