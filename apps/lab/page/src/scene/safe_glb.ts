@@ -1,5 +1,5 @@
-// What GLTFLoader leaves out of a GLB file: whatever lies elsewhere, pictures that no browser can show, and all but shapes, materials
-// and pictures. Files come with programs, from whoever wrote them.
+// Limits what GLTFLoader reads of a GLB file to shapes, materials and pictures in the file itself that browsers can show. Files come with
+// programs of unknown origin.
 import type { GLTFLoaderPlugin, GLTFParser } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { decoded, pictureOf } from "../meshes/picture.ts";
 
@@ -7,7 +7,7 @@ type Json = Record<string, unknown>;
 const listOf = (json: Json, name: string) => (Array.isArray(json[name]) ? (json[name] as Json[]) : []);
 const without = (json: Json, ...names: string[]) => names.forEach((name) => delete json[name]);
 
-// throws  where the shapes lie in another file.
+// throws  if the shapes are in another file.
 export function onlyShapes(parser: GLTFParser): GLTFLoaderPlugin {
   const json = parser.json as Json;
   if (listOf(json, "buffers").some((buffer) => "uri" in buffer)) throw new Error("The shapes lie in another file.");
@@ -18,7 +18,7 @@ export function onlyShapes(parser: GLTFParser): GLTFLoaderPlugin {
   return { name: "only-shapes", loadTexture: (index) => textureOf(parser, index) as Promise<never> };
 }
 
-// Null: its picture lies elsewhere, is broken or too large.
+// Null: its picture is in another file, broken or too large.
 async function textureOf(parser: GLTFParser, index: number) {
   const json = parser.json as Json;
   const image = listOf(json, "images")[Number(listOf(json, "textures")[index]?.["source"])];
