@@ -20,7 +20,7 @@ struct WayWanted {
 };
 
 // A motion around obstacles from the present joint values of the robot of the call; or the failure
-// with the reason why none was found. The call has its model.
+// with the reason why none was found. The call must have its model (choose_model).
 Answer<WayAround> way_around(Vm& vm, const MoveCall& call, const WayWanted& wanted);
 
 // Starts this motion, as `with (avoid: true)` requests: if it collides, a motion around the

@@ -167,7 +167,7 @@ bool starts_and_stops(const Trajectory& motion) {
 
 namespace {
 
-// The part of a joint move that is the same for joint values and poses. The call has its
+// The part of a joint move that is the same for joint values and poses. The call must have its
 // model.
 Started move_joints(Vm& vm, MoveCall call, const Eigen::VectorXd& q, std::string planner,
                     const MoveSettings& settings) {

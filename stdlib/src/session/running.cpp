@@ -235,7 +235,7 @@ void Session::break_off() {
   if (run.done == 0 && run.is_told) {
     try {
       tell_end();
-    } catch (...) {  // another exception is already on its way to the caller
+    } catch (...) {  // the caller gets another exception already
     }
   }
   run.is_told = false;
