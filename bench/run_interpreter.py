@@ -22,7 +22,7 @@ from make_program import program as long_program
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
 PROGRAMS = ["fib", "nbody", "spectral", "mandel", "matmul", "trees", "strings"]
-# Programs of other kinds, compared with Lua 5.4 only: LuaJIT does not have its whole numbers.
+# Programs of other kinds, compared with Lua 5.4 only: LuaJIT does not have the whole numbers of Lua 5.4.
 LISTS = ["fannkuch", "heapsort", "levenshtein", "lu"]
 # More of them, written without knowledge of the strengths of the interpreter; no targets.
 MORE = ["bst", "build", "chain", "collatz", "floyd", "knapsack", "letters", "life", "machine", "particles", "permute",
