@@ -112,14 +112,14 @@ void BoundedQueue::allow_to_go(std::uint64_t serial) {
 }
 
 void BoundedQueue::make_room() {
-  // A pass looks at the whole queue, so it has to be worth it: the time for an event stays bounded
-  // however many there are that have to stay.
+  // A pass scans the whole queue, so it must remove enough: then the time per event stays bounded,
+  // however many events have to stay.
   constexpr std::size_t kPart = 8;
   while (entries_.size() > capacity_ && may_go_ > 0 && may_go_ >= entries_.size() / kPart) thin();
 }
 
 void BoundedQueue::thin() {
-  std::vector<bool> stays(sources_, false);  // whether the next one of each source does
+  std::vector<bool> stays(sources_, false);  // whether the next event of each source stays
   const auto goes = [&](const Entry& entry) {
     if (!entry.may_go) return false;
     const bool stayed = stays[entry.source];
@@ -132,7 +132,7 @@ void BoundedQueue::thin() {
                                         : thinned_.object_samples);
     return true;
   };
-  // In order, which std::erase_if does not promise.
+  // In order, which std::erase_if does not guarantee.
   auto kept = entries_.begin();
   for (auto each = entries_.begin(); each != entries_.end(); ++each) {
     if (goes(*each)) continue;
@@ -153,7 +153,7 @@ std::unique_ptr<const OwnedEvent> BoundedQueue::take() {
 
 std::size_t BoundedQueue::deliver() {
   const std::size_t count = size();
-  // Thinning may leave fewer than there were.
+  // Thinning may have reduced the number.
   for (std::size_t i = 0; i < count; ++i) {
     const auto event = take();
     if (event == nullptr) return i;

@@ -1,5 +1,6 @@
 #pragma once
-// The columns of a table of joint values: as many as the widest robot at the beginning has joints.
+// The columns of a table of joint values: as many as the largest number of joints of a robot at the
+// beginning.
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ class JointColumns {
     }
   }
 
-  // A robot that joins later; one that has too many joints is an error, and left out.
+  // Adds a robot during the run; one with too many joints is an error, and left out.
   void add(const RobotInfo& robot) {
     if (robot.joints.size() <= count() || !error_.empty()) return;
     error_ = fmt::format(
@@ -34,7 +35,7 @@ class JointColumns {
 
   [[nodiscard]] bool hold(const JointSample& sample) const { return sample.q.size() <= count(); }
   [[nodiscard]] std::size_t count() const { return units_.size(); }
-  // Of the positions in column `i`; nothing where the robots at the beginning differ.
+  // Unit of the values in column `i`; nothing if the robots at the beginning differ.
   [[nodiscard]] std::optional<JointUnit> unit(std::size_t i) const { return units_[i]; }
   // Empty, or a sentence about the first robot that does not fit.
   [[nodiscard]] const std::string& error() const { return error_; }

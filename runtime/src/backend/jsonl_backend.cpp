@@ -125,8 +125,8 @@ class JsonlBackend final : public Backend {
     end_line();
   }
 
-  // Lines count from 1: those from `line` up to this one are undone. Forth again, what was undone
-  // last counts up to the time `back`.
+  // Lines count from 1: those from `line` up to this one are undone. For redo, the lines undone
+  // last count again up to the time `back`.
   void write(const Undone& undone) {
     if (undone.from >= undone.number) {
       begin_line(undone.t_ns, "redone");
@@ -186,7 +186,7 @@ class JsonlBackend final : public Backend {
     sink_.flush();
   }
 
-  // The line of an event follows from its number, but where events had no line, or several.
+  // The line of an event follows from its number, except where events had no line, or several.
   void note_line(std::uint64_t number) {
     while (!stretches_.empty() && stretches_.back().number > number) stretches_.pop_back();
     const std::uint64_t line = lines_ + 1;
@@ -215,7 +215,7 @@ class JsonlBackend final : public Backend {
     numbers(values);
   }
 
-  // Null where there is no number.
+  // Writes null for values that are not finite.
   void numbers(std::span<const double> values) {
     sink_.text("[");
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -242,7 +242,7 @@ class JsonlBackend final : public Backend {
     return {p.x(), p.y(), p.z(), r.w(), r.x(), r.y(), r.z()};
   }
 
-  // A brace stays open.
+  // Leaves a brace open.
   void describe(const JointInfo& joint) {
     sink_.text("{\"before\":");
     numbers(pose_numbers(joint.T_before_joint));
@@ -262,7 +262,7 @@ class JsonlBackend final : public Backend {
     sink_.text("}");
   }
 
-  // The units of the axes and the series between them.
+  // Writes the units of the axes and the series.
   void axes(const Figure& figure) {
     field("x", figure.x.unit);
     field("y", figure.y.unit);
@@ -292,7 +292,7 @@ class JsonlBackend final : public Backend {
     sink_.text("]");
   }
 
-  // Fields of a robot that joins, without braces.
+  // Writes the fields of an added robot, without braces.
   void write_robot(const RobotInfo& robot) {
     robots_.push_back(robot.name);
     describe(robot);
@@ -324,7 +324,7 @@ class JsonlBackend final : public Backend {
     describe(robot.tool);
   }
 
-  // Fields of a camera, without braces.
+  // Writes the fields of a camera, without braces.
   void describe(const CameraInfo& camera) {
     sink_.text("\"name\":");
     sink_.quoted(camera.name);
@@ -357,7 +357,7 @@ class JsonlBackend final : public Backend {
     sink_.text(":");
   }
 
-  // From an event on each has one line.
+  // A sequence of events with one line each.
   struct Stretch {
     std::uint64_t number;
     std::uint64_t line;

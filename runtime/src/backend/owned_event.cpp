@@ -9,7 +9,7 @@ OwnedEvent::OwnedEvent(const Event& event) : event_(event) {
           [this](ObjectEvent& each) { own(each.name); }, [this](Note& each) { own(each.text); },
           [this](FigureChanged& each) { own(each.figure); },
           [this](FinalFigure& each) { own(each.figure); }, [this](ImageFrame& each) { own(each); },
-          // These hold what they say.
+          // These events own their data.
           [](BeginRun&) {}, [](RobotAdded&) {}, [](RobotChanged&) {}, [](ObjectAdded&) {},
           [](Undone&) {}, [](EndRun&) {}, [](DrawingChanged&) {}, [](CameraAdded&) {}},
       event_);

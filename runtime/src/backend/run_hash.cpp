@@ -136,7 +136,7 @@ void add(Fnv1a& hash, const DrawingChanged& changed) {
   add(hash, drawing.T_on_drawing);
 }
 void add(Fnv1a& hash, const CameraAdded& added) { add(hash, added.camera); }
-// Where a file of it is does not count.
+// The path of its file is left out.
 void add(Fnv1a& hash, const ImageFrame& frame) {
   hash.add(frame.camera);
   hash.add(frame.frame);

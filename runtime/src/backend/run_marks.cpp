@@ -16,7 +16,7 @@ void RunMarks::on(const Event& event) {
   has_last_ = true;
 }
 
-// Of each stretch twice as long the last mark stays.
+// Keeps the last mark of every interval of twice the length.
 void RunMarks::thin() {
   stretch_ns_ *= 2;
   std::vector<RunMark> kept;
@@ -42,7 +42,7 @@ std::optional<RunParting> where_runs_part(std::span<const RunMark> one,
   std::int64_t same_ns = 0;
   std::size_t j = 0;
   for (const RunMark& mark : one) {
-    // Marks of the shorter run that the longer one has thinned out say nothing.
+    // Skips marks of the shorter run that the longer one has removed.
     while (j < other.size() && other[j].t_ns < mark.t_ns) ++j;
     if (j == other.size()) return RunParting{same_ns, mark.t_ns};
     if (other[j].t_ns > mark.t_ns) continue;

@@ -35,7 +35,7 @@ void TextSink::check() {
 }
 
 void TextSink::flush() {
-  // After a failure nothing more is written, so that what exists is whole lines up to there.
+  // After a failure nothing more is written, so the output consists of complete lines.
   if (error_.empty()) {
     out_->write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     out_->flush();
@@ -55,7 +55,7 @@ void TextSink::replace_beginning(std::string_view text) {
 
 Eigen::Quaterniond positive_quaternion(const Eigen::Isometry3d& T) {
   Eigen::Quaterniond quaternion(T.linear());
-  // Half a revolution has w = 0 up to rounding; its sign must not flicker from sample to sample.
+  // For half a revolution w is 0 up to rounding; its sign must not change from sample to sample.
   for (const double part : {quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z()}) {
     if (std::abs(part) < 1e-9) continue;
     if (part < 0.0) quaternion.coeffs() = -quaternion.coeffs();

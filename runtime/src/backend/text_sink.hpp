@@ -1,4 +1,4 @@
-// A stream that backends write to: buffered, independent of the locale, remembers failure.
+// A buffered stream for backends, independent of the locale, that stores failures.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,21 +16,21 @@ class TextSink {
 
   void text(std::string_view text) { buffer_.append(text); }
 
-  // -0 is written as 0. `digits` significant digits; 17 read back to the same bits.
+  // Writes a number with `digits` significant digits; 17 read back to the same bits. -0 becomes 0.
   void number(double value, int digits) {
     fmt::format_to(fmt::appender(buffer_), "{:.{}g}", value + 0.0, digits);
   }
 
-  // The fewest digits that read back to the same number.
+  // Writes a number with the fewest digits that read back to the same number.
   void number(double value) { fmt::format_to(fmt::appender(buffer_), "{}", value + 0.0); }
 
-  // Nanoseconds as seconds, exactly: "2.000000000".
+  // Writes nanoseconds as seconds, exactly: "2.000000000".
   void seconds(std::int64_t t_ns) {
     constexpr std::int64_t kSecond = 1000000000;
     fmt::format_to(fmt::appender(buffer_), "{}.{:09d}", t_ns / kSecond, t_ns % kSecond);
   }
 
-  // Text in double quotes as JSON wants it.
+  // Writes text as a JSON string, with quotes and escapes.
   void quoted(std::string_view text);
 
   // Ends a line; writes the buffered text to the stream when there is much of it.

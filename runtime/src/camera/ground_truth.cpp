@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Where a ray of the body's frame meets one of its triangles before t.
+// Parameter of the first intersection of a ray, in the body's frame, with one of its triangles, at
+// most t.
 double hit(const Surface& surface, const Vector3d& p, const Vector3d& d, double t) {
   const SurfaceParts& parts = surface.parts();
   const Vector3d to_middle = surface.middle() - p;

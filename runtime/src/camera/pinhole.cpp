@@ -149,8 +149,8 @@ Result<Vector2d> Pinhole::project(const Vector3d& p) const {
   return Vector2d(intrinsics_.fx * x[0] + intrinsics_.cx, intrinsics_.fy * x[1] + intrinsics_.cy);
 }
 
-// Newton's method, which starts at the distorted point and takes shorter steps where a whole one
-// would lead farther away.
+// Newton's method from the distorted point, with shorter steps where a full one would increase the
+// error.
 Result<Vector3d> Pinhole::ray(const Vector2d& pixel) const {
   check_finite("pixel", pixel);
   const Vector2d goal((pixel[0] - intrinsics_.cx) / intrinsics_.fx,

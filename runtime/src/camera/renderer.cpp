@@ -84,7 +84,7 @@ class Renderer::Frame {
     }
   }
 
-  // Says how much work a band is.
+  // Reports the work of a band at a checkpoint.
   void count_band(const Window& window, int samples) const {
     constexpr std::uint64_t kSample = 20;  // operations
     checkpoint(kSample * static_cast<std::uint64_t>(window.width * band_.pixel_rows() * samples));
@@ -113,7 +113,7 @@ class Renderer::Frame {
     }
   }
 
-  // Pixels whose four samples show the same are computed once, in their centres.
+  // Pixels with four equal samples are computed once, in their centres.
   static void fine_row(const Shader& shader, const std::int32_t* above, const std::int32_t* below,
                        int y, Image& color) {
     std::uint8_t* out = color.row(y);
@@ -175,7 +175,7 @@ class Renderer::Frame {
     return 1.0F / nearness;
   }
 
-  // Pixels of a window in whose centres a body is seen: alone, or among the others.
+  // Number of pixels of a window in whose centres a body is visible: alone, or among the others.
   std::int64_t count(const Scene& scene, const View& view, const Window& window, int body,
                      bool alone) {
     set_up(scene, view, window, alone ? body : -1);

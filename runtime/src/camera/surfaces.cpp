@@ -29,7 +29,7 @@ class Builder {
     parts_.corners.push_back({a, b, c});
     parts_.materials.push_back(material);
   }
-  // A flat rectangle seen from outside: its picture has `right` to the right and `up` upwards.
+  // A flat rectangle seen from outside: its texture has `right` to the right and `up` upwards.
   void quad(const Vector3d& middle, const Vector3d& right, const Vector3d& up,
             std::uint8_t material) {
     const Vector3d n = right.cross(up).normalized();
@@ -40,8 +40,8 @@ class Builder {
     triangle(a, b, c, material);
     triangle(a, c, d, material);
   }
-  // The band about z between two circles, from below to above; n has parts away from z and along
-  // it.
+  // The band about z between two circles, from the lower to the upper; n are the components of
+  // normals away from z and along it.
   void band(const Vector2d& low, const Vector2d& n_low, const Vector2d& high,
             const Vector2d& n_high, double v_low, double v_high, std::uint8_t material) {
     std::uint32_t before_low = 0, before_high = 0;
@@ -132,7 +132,7 @@ void build(const Mesh& mesh, Builder& out) {
   out.parts().materials.assign(out.parts().corners.size(), kPicturedMaterial);
 }
 
-// Builders repeat points; one that several triangles share is projected once.
+// Merges repeated points of the builders, so that a shared point is projected once.
 void merge_equal_points(SurfaceParts& parts) {
   using Key = std::array<double, 8>;
   std::map<Key, std::uint32_t> numbers;

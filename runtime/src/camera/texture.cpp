@@ -94,8 +94,7 @@ Texture::Level Texture::half_of(const Level& whole) {
 }
 
 std::array<float, 3> Texture::value(float u, float v, float footprint) const {
-  // Half the exponent of the square is the level whose pixels are as long as the footprint,
-  // rounded.
+  // Half the exponent of the square is the level whose pixels are about as long as the footprint.
   const float square = std::clamp(footprint * footprint, 1.0F, 1e12F) * 2.0F;
   const int exponent = static_cast<int>(std::bit_cast<std::uint32_t>(square) >> 23U) - 127;
   const auto number = std::min(static_cast<std::size_t>(exponent / 2), levels_.size() - 1);

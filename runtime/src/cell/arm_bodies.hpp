@@ -12,7 +12,7 @@ namespace armlet {
   return role == LinkShapeRole::kFingerLeft || role == LinkShapeRole::kFingerRight;
 }
 
-// Fingers that hold something have closed to its width.
+// Moves the fingers of a gripper to the width of the object that it holds.
 void close_fingers(const CellRobot& arm, const World& world, std::vector<ArmSolid>& solids);
 
 }  // namespace armlet

@@ -6,7 +6,7 @@ namespace armlet {
 
 namespace {
 
-// What is carried and `counts`, as one body in the frame that carries it.
+// The carried objects for which `counts` is true, as one body in the frame that carries them.
 template <class Counts>
 Payload sum_of(const World& world, int carrier, Counts&& counts) {
   Payload load;

@@ -12,8 +12,8 @@ namespace armlet {
 // the flange.
 Payload held_load(const World& world, int carrier);
 
-// The arm with all that it carries: held, or mounted on one of its links; itself if that weighs
-// nothing.
+// The arm with all that it carries: held, or mounted on one of its links; the same arm if that has
+// no mass.
 std::shared_ptr<const Robot> loaded_arm(const std::shared_ptr<const Robot>& model,
                                         const World& world, int carrier);
 

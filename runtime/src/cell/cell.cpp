@@ -202,7 +202,7 @@ Eigen::VectorXd Cell::contact_forces(int index) const {
   for (const Press& each : presses) {
     Vector6d wrench;
     wrench << each.force, (each.p - T_world_tool.translation()).cross(each.force);
-    // Rows farther out do not move that body.
+    // Joints beyond it do not move that body.
     forces.head(each.frame) += J.leftCols(each.frame).transpose() * wrench;
   }
   if (has_fingers) forces += J.transpose() * finger_wrench(*this, hand_on(index), FeltBy::kArm);
@@ -228,7 +228,7 @@ void Cell::insert(Object object) {
   if (listening()) tell(ObjectAdded{.t_ns = now_ns(), .object = object_info(inserted)});
 }
 
-// Throws ArgumentError for what is not there, or was removed.
+// Throws ArgumentError if a mount does not exist, or was removed.
 Eigen::Isometry3d Cell::T_world_mount(const Mount& on) const {
   switch (on.base) {
     case FrameBase::kWorld:
@@ -250,7 +250,7 @@ void Cell::insert(Object object, const Mount& on) {
   // Bodies are not mounted at the tool point.
   const Eigen::Isometry3d T_world_on =
       on.base == FrameBase::kCarrier ? T_world_link(on.carrier, on.frame) : T_world_mount(on);
-  check_object(object);  // its pose on what it is on
+  check_object(object);  // its pose relative to its mount
   object.T_world_obj = T_world_on * object.T_world_obj;
   settle_contacts();
   const std::string name = object.name;
@@ -282,7 +282,7 @@ void Cell::refuse_held(std::string_view name, std::string_view what) const {
 }
 
 std::vector<Fall> Cell::remove(std::string_view name) {
-  const std::string removed(name);  // the caller's text may live in the object itself
+  const std::string removed(name);  // the caller's text may be part of the object itself
   refuse_held(removed, "removed");
   settle_contacts();
   contacts_.forget_object(removed);

@@ -1,4 +1,4 @@
-// How time passes in a cell.
+// Advancing time in a cell.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace armlet {
 
 namespace {
 
-// rad or m, and per s: planned from a state that was printed and read.
+// rad or m, and per s: tolerance for states that were printed and read back.
 constexpr double kSamePosition = 1e-6;
 
 void check_start(const CellRobot& arm, const Trajectory& trajectory) {
@@ -107,7 +107,7 @@ void Cell::begin_rest(int index, bool stopped) {
     arm.motion.emplace(std::move(rest), now_ns());
   }
   reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
-  end_due_motions();  // it may have stood
+  end_due_motions();  // its robot may have been at rest
 }
 
 void Cell::stop(int index) {
@@ -120,7 +120,7 @@ void Cell::stop(int index) {
   arm.motion->stop(now_ns(), arm.model->max_accel(), arm.model->max_jerk());
   forget_ahead();
   reports_[static_cast<std::size_t>(arm.motion_id)].end_ns = arm.motion->end_ns();
-  end_due_motions();  // it may have stood
+  end_due_motions();  // its robot may have been at rest
 }
 
 void Cell::halt(int index) {
@@ -154,7 +154,7 @@ void Cell::advance_to(std::int64_t t_ns) {
   if (t_ns > now_ns()) {
     begin();
   } else {
-    clock_.advance_to(t_ns);  // refuses the past
+    clock_.advance_to(t_ns);  // throws for the past
   }
   end_due_motions();
   while (now_ns() < t_ns) {
@@ -169,7 +169,7 @@ void Cell::advance_to(std::int64_t t_ns) {
     clock_.advance_to(next);
     bring_to(next);
     for (int i = 0; due && i < robot_count(); ++i) {
-      // A motion that ends at this instant is reported at rest, by end_motion.
+      // A motion that ends at this instant is reported by end_motion, at rest.
       const CellRobot& arm = robot(i);
       const bool goes_on = arm.motion && (arm.motion->end_ns() > next || arm.forces.size() != 0);
       if (goes_on) publish(i, arm.motion_id);
@@ -195,7 +195,7 @@ void Cell::bring_to(std::int64_t t_ns) {
 void Cell::end_due_motions() {
   for (int i = 0; i < robot_count(); ++i) {
     const CellRobot& arm = robot(i);
-    // What moves under forces goes on with another piece.
+    // A motion under forces continues with another piece.
     if (arm.motion && arm.forces.size() == 0 && arm.motion->end_ns() <= now_ns()) end_motion(i);
   }
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kInTouch = 1e-5;  // m
 
-// The bodies of a scene where they are at its beginning.
+// The bodies of a scene in their poses at its beginning.
 class PlacedBodies {
  public:
   explicit PlacedBodies(const MotionScene& scene) : scene_(scene) {
@@ -44,7 +44,7 @@ bool names_same(const CellBody& a, const CellBody& b) {
   return a.object == b.object && (!a.object.empty() || a.robot == b.robot);
 }
 
-// The one found before between the same two things, or a new one.
+// The earlier result for the same two things, or a new one.
 Clearance& among(std::vector<Clearance>& found, const Clearance& now) {
   const auto same = std::ranges::find_if(found, [&](const Clearance& known) {
     return names_same(known.body, now.body) && names_same(known.other, now.other);
@@ -52,7 +52,7 @@ Clearance& among(std::vector<Clearance>& found, const Clearance& now) {
   return same == found.end() ? found.emplace_back(now) : *same;
 }
 
-// Its own links are always near one another, and compared half as thick as they are.
+// Its own links are always near one another, and are compared with half their thickness.
 bool is_own(const CellBody& other, int robot) {
   return other.robot == robot && other.object.empty();
 }

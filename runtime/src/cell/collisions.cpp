@@ -14,7 +14,7 @@
 namespace armlet {
 namespace {
 
-// What closes on an object, or reaches into it. The palm of a gripper stays outside.
+// Whether a body closes on an object, or reaches into it. The palm of a gripper does not.
 bool takes_hold(const Robot& arm, const ArmSolid& body) {
   const ArmSolids& solids = arm.derived<ArmSolids>();
   if (solids.is_bare()) return body.frame > solids.neighbour_of_last();
@@ -32,15 +32,15 @@ bool is_feeler(const Robot& arm, int frame, LinkShapeRole role) {
   return is_hand(role) || (solids.is_bare() && frame > solids.neighbour_of_last());
 }
 
-// A robot, the hand with fingers on it, and what it carries as bodies of a scene.
+// A robot, the hand with fingers on it, and what it carries, as bodies of a scene.
 struct ArmBodies {
   std::vector<ArmSolid> solids;
   std::vector<CellBody> bodies;
-  std::size_t own = 0;      // the first of them are its own
+  std::size_t own = 0;      // the first ones are its own
   std::size_t carried = 0;  // index of the first carried body; those of the gripper come before it
 };
 
-// A hand with fingers as it stands now, fixed to the last frame of the arm.
+// Adds a hand with fingers in its present state, fixed to the last frame of the arm.
 void add_hand(const Cell& cell, int arm, ArmBodies& to) {
   const int n = cell.robot(arm).model->rows();
   for (int i = 0; i < cell.robot_count(); ++i) {
@@ -80,7 +80,7 @@ ArmBodies bodies_of(const Cell& cell, int robot) {
   return arm;
 }
 
-// Where the bodies of a robot are now, in the world.
+// The bodies of a robot in their present poses, in the world.
 std::vector<Solid> placed(const Cell& cell, int robot, const std::vector<ArmSolid>& solids) {
   const CellRobot& arm = cell.robot(robot);
   const std::vector<Eigen::Isometry3d> frames = link_frames(*arm.model, arm.q);
@@ -152,9 +152,9 @@ class CellScene {
     pair_with(other, is_taken, false);
   }
 
-  // All bodies of the robot that moves with another one.
+  // Adds the pairs of all bodies of the moving robot with another body.
   //
-  // moves  the other one moves too, so that the base counts.
+  // moves  the other body moves too, so that the base has to be checked.
   void pair_with(const BodyRef& other, bool is_taken, bool moves) {
     const CellBody name_of_other = body(other);
     for (std::size_t i = 0; i < mine_.solids.size(); ++i) {
@@ -200,15 +200,15 @@ class CellScene {
                            .motion = &motion.trajectory(),
                            .from = to_seconds(cell_.now_ns() - motion.start_ns()),
                            .solids = theirs.solids});
-    // It may come when the first one stands already.
+    // A collision may occur after the first robot has come to rest.
     scene_.duration = std::max(scene_.duration, to_seconds(motion.end_ns() - cell_.now_ns()));
     names_.push_back(theirs.bodies);
     for (std::size_t i = 0; i < theirs.solids.size(); ++i)
       pair_with({arm, static_cast<int>(i)}, is_taken(theirs.bodies[i]), !theirs.solids[i].still);
   }
 
-  // Arms that stand where another one stands cannot both be there: they are taken for alternatives.
-  // Tables and frames that belong to bases may overlap.
+  // Arms whose bases overlap cannot exist together: they are taken for alternatives. Tables and
+  // frames of bases may overlap.
   [[nodiscard]] bool stand_in_each_other(int other, const ArmBodies& theirs) const {
     const auto base_of = [&](int robot, const ArmBodies& bodies) {
       std::vector<ArmSolid> still;
@@ -228,7 +228,7 @@ class CellScene {
     return false;
   }
 
-  // Its slim links among each other, and what it carries with all of them but the last.
+  // Adds the pairs of its slim links, and of what it carries with all links except the last.
   void add_own_pairs() {
     const ArmSolids& arm = arm_.derived<ArmSolids>();
     const int slim = static_cast<int>(mine_.solids.size());
@@ -249,7 +249,7 @@ class CellScene {
     const int frame = mine_.solids[i].frame;
     const bool on_last = frame == arm_.rows();
     const bool is_taken = !on_last && takes_along(mine_.bodies[i].object, frame);
-    // The one that more joints move stands first.
+    // The body that is moved by more joints comes first.
     const auto add = [&](int other) {
       const BodyRef mine{0, static_cast<int>(i)}, theirs{0, other};
       const bool is_first = frame >= scene_.arms[0].solids[static_cast<std::size_t>(other)].frame;
@@ -273,7 +273,7 @@ class CellScene {
     }
   }
 
-  // As takes_here, of an object that goes along on a link.
+  // Like takes_here, for an object that is carried on a link.
   [[nodiscard]] bool takes_along(const std::string& name, int frame) const {
     Object object = cell_.world().at(name);
     if (takes_here(object)) return true;
@@ -297,12 +297,12 @@ class CellScene {
   std::vector<CellBody> fixed_names_;
 };
 
-// The same robot, or the same object.
+// Whether both are the same robot, or the same object.
 bool is_same_thing(const CellBody& a, const CellBody& b) {
   return a.object == b.object && (!a.object.empty() || a.robot == b.robot);
 }
 
-// What a thing is made of, where it is now.
+// The bodies of a thing in their present poses.
 struct PlacedThing {
   std::vector<Solid> solids;
   std::vector<CellBody> bodies;
@@ -341,7 +341,7 @@ bool belongs_to(const World& world, const CellBody& body, const std::string& obj
   return below == object;
 }
 
-// The first meeting of each pair of things, with the greatest depth of all.
+// The first collision of each pair of things, with the largest depth of all.
 std::vector<CellCollision> each_once(const std::vector<CellCollision>& all) {
   std::vector<CellCollision> found;
   for (const CellCollision& each : all) {

@@ -1,4 +1,4 @@
-// Picking up and putting down by contact, for programs without verbs for it.
+// Picking up and putting down by contact, for programs without statements for it.
 #pragma once
 
 #include <optional>

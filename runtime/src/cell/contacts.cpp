@@ -19,14 +19,14 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kNear = 1e-5;     // m, from where on bodies touch
-constexpr double kClear = 2e-5;    // m, less than this is not counted as room
-constexpr double kWorthIt = 0.2;   // of the room: with less left it is measured again
-constexpr double kFarOff = 0.25;   // m, room beyond this is not looked at closely
-constexpr double kFarthest = 1e5;  // m, beyond all positions that there are
+constexpr double kNear = 1e-5;     // m, distance at which bodies touch
+constexpr double kClear = 2e-5;    // m, a smaller distance counts as zero
+constexpr double kWorthIt = 0.2;   // of the distance: when less is left it is measured again
+constexpr double kFarOff = 0.25;   // m, larger distances are only estimated
+constexpr double kFarthest = 1e5;  // m, larger than all positions
 constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t kLook = 1'000'000;  // ns, how often it is looked whether they still do
-constexpr double kSlips = 1e-3;            // m/s, from where on friction is that of sliding
+constexpr std::int64_t kLook = 1'000'000;  // ns, period at which contacts are checked
+constexpr double kSlips = 1e-3;            // m/s, speed above which friction is sliding friction
 
 // A gripper without a length of its own closes around the tool point: an object that fits into it
 // is not pressed.
@@ -35,7 +35,7 @@ bool is_around(const Robot& arm, const Object& object, const Vector3d& across) {
          !object.fixed && grasp_width(object, across) <= arm.tool().stroke;
 }
 
-// No value of a derivative of a polynomial piece is larger than its Bernstein coefficients.
+// Derivatives of a polynomial piece are bounded by their Bernstein coefficients.
 double bound_of(const Segment& piece, int order) {
   std::array<double, Segment::kMaxDegree + 1> b{};
   const int m = std::max(piece.degree - order, 0);
@@ -57,7 +57,7 @@ double bound_of(const Segment& piece, int order) {
   return most;
 }
 
-// The largest |q|, or |dq/dt|, of a joint: exactly for a few pieces, a bound for many short ones.
+// The largest |q|, or |dq/dt|, of a joint: exact for a few pieces, a bound for many short ones.
 double largest(const Trajectory& motion, int joint, int order) {
   constexpr std::size_t kFew = 6;
   const JointPath& path = motion.joint(joint);
@@ -71,8 +71,8 @@ double largest(const Trajectory& motion, int joint, int order) {
   return most;
 }
 
-// Upper bounds of how fast points are that a motion carries along: of joint i the speed, and how
-// far the origin of frame `frame` can be from its axis.
+// Upper bounds on the speed of points that a motion moves: the speed of joint i, and the distance
+// of the origin of frame `frame` from its axis.
 class MotionSpeeds {
  public:
   explicit MotionSpeeds(const CellRobot& arm) : arm_(*arm.model) {
@@ -90,7 +90,7 @@ class MotionSpeeds {
     }
   }
 
-  // Of points up to `off` from the origin of the frame.
+  // For points up to `off` from the origin of the frame.
   [[nodiscard]] double speed(int frame, double off) const {
     if (peaks_.empty()) return 0.0;
     const bool standard = arm_.spec().convention == DhConvention::kStandard;
@@ -100,7 +100,7 @@ class MotionSpeeds {
       if (!arm_.row(i).is_revolute()) {
         sum += peaks_[k];
       } else {
-        // The constants of a standard row stand behind its joint; d lies along the axis.
+        // The constants of a standard row come after its joint; d is along the axis.
         sum += peaks_[k] * (behind + (standard ? std::abs(arm_.row(i).dh.a) : 0.0));
       }
       behind += lengths_[k];
@@ -126,7 +126,7 @@ bool is_at_flange(const Robot& arm, const Attachment& carried) {
 
 }  // namespace
 
-// The cell at any instant since nothing but time has changed it.
+// The state of the cell at an instant after which only time has changed it.
 struct Contacts::Scene {
   const std::vector<CellRobot>& robots;
   const World& world;
@@ -214,7 +214,7 @@ struct Contacts::Scene {
     return goes_along || world.object(index).name == arm(robot).held;
   }
 
-  // Whether time alone brings the object elsewhere.
+  // Whether the object moves without a further command.
   [[nodiscard]] bool is_on_its_way(std::size_t index) const {
     const auto& carried = world.attachment_of(index);
     if (!carried) return false;
@@ -222,7 +222,7 @@ struct Contacts::Scene {
     return arm(carried->carrier).motion || (on >= 0 && arm(on).motion);
   }
 
-  // The objects that come within a ball, and all that are carried.
+  // The objects that reach into a ball, and all that are carried.
   [[nodiscard]] std::vector<std::size_t> around(const Vector3d& middle, double radius) const {
     std::vector<std::size_t> near = world.near(middle, radius);
     const std::vector<std::size_t> carried = world.carried();
@@ -254,8 +254,8 @@ std::int64_t Contacts::clear_until(int robot) const {
   return index < seen_.size() ? seen_[index].all.until_ns : 0;
 }
 
-// Calls visit(feeler, placed feeler, index of the object, placed object) for all that are near now,
-// and finds out until when there are none.
+// Calls visit(feeler, placed feeler, index of the object, placed object) for all pairs that are
+// near now, and computes until when there are none.
 template <class Visit>
 void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_ns, Visit&& visit) {
   Seen& known = seen(scene, robot);
@@ -273,7 +273,7 @@ void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_
     if (!free.at(now_ns)) {
       Solid body = feeler.solid;
       body.T = frames[static_cast<std::size_t>(feeler.frame)] * feeler.solid.T;
-      // What is left of the room that was measured last, or what is measured now.
+      // What remains of the distance measured last, or a new measurement.
       const double moved =
           (body.T.translation() - known_room.T_world_feeler.translation()).norm() +
           (body.T.linear() - known_room.T_world_feeler.linear()).norm() * body.reach();
@@ -292,8 +292,7 @@ void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_
   }
 }
 
-// The same for one feeler. Returns the room around it, m: its smallest gap, or a bound that is
-// less.
+// The same for one feeler. Returns the clearance around it, m: its smallest gap, or a lower bound.
 template <class Visit>
 double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler, const Solid& body,
                              const Vector3d& across, std::int64_t now_ns, Visit&& visit) {
@@ -322,7 +321,7 @@ double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler
     if (apart || !scene.may_press(robot, i, feeler, across)) continue;
     visit(feeler, body, i, solid);
   }
-  // What is farther off counts where nothing nearer does.
+  // More distant objects are checked only if no nearer one was found.
   for (double sure = kFarOff; room > sure && sure < kFarthest;) {
     sure *= 2.0;
     for (const std::size_t i : scene.around(body.T.translation(), reach + sure)) {
@@ -386,7 +385,7 @@ Contacts::Touch& Contacts::first_touch(const Scene& scene, int robot, const Feel
   while (k >= from && !is_apart(begin_ns_ + k * kLook)) --k;
   std::int64_t t_ns = begin_ns_;
   if (k >= from) {
-    // Apart at k, together from then on.
+    // Apart at k, in contact from then on.
     std::int64_t apart = begin_ns_ + k * kLook;
     t_ns = std::min(now_ns, apart + kLook);
     while (t_ns - apart > 1) {
@@ -414,7 +413,7 @@ std::vector<Press> Contacts::presses(const std::vector<CellRobot>& robots, const
   std::vector<Press> all;
   if (world.size() == 0) return all;
   const Scene scene{robots, world};
-  // Of a point of what joint `frame` moves.
+  // Velocity of a point of the link that joint `frame` moves.
   const auto velocity_of = [&](int of, int frame, const Vector3d& p) -> Vector3d {
     Eigen::VectorXd q, qd;
     scene.state(of, t_ns, q, qd);

@@ -17,11 +17,11 @@ struct ShapeSize {
   std::vector<double> operator()(const Plane& plane) const {
     return {plane.size.x(), plane.size.y()};
   }
-  // Cylinders and cones.
+  // For cylinders and cones.
   std::vector<double> operator()(const auto& round) const { return {round.radius, round.height}; }
 };
 
-// The row of a joint of the standard convention lies behind the frame in which its link moves.
+// In the standard convention the row of a joint comes after the frame in which its link moves.
 Eigen::Isometry3d T_moved_link(const Robot& robot, int link) {
   const bool is_standard = robot.spec().convention == DhConvention::kStandard;
   return is_standard && link > 0 ? dh_pose(DhConvention::kStandard, robot.row(link - 1).dh)
@@ -60,8 +60,8 @@ std::string tool_word(ToolKind kind) {
   return "";
 }
 
-// Row i without the joint's value, which moves before it (standard convention) or
-// behind it (modified): rotations about z and translations along z commute.
+// The constants of row i; the joint moves before them (standard convention) or after them
+// (modified): rotations about z and translations along z commute.
 JointInfo joint_info(const Robot& robot, int i) {
   const Joint& row = robot.row(i);
   JointInfo info{.unit = row.is_revolute() ? JointUnit::kRadian : JointUnit::kMetre,

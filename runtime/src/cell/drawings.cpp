@@ -12,7 +12,7 @@ namespace armlet {
 void Cell::draw(Drawing drawing) {
   const Mount on = drawing.on;
   const Eigen::Isometry3d T_world_on = T_world_mount(on);
-  if (on.base == FrameBase::kFrame) {  // stays where the frame is now
+  if (on.base == FrameBase::kFrame) {  // keeps the present pose of the frame
     drawing.on = world_.mount_of_frame(on.on);
     drawing.T_on_drawing = T_world_mount(drawing.on).inverse() * T_world_on * drawing.T_on_drawing;
   }
@@ -37,7 +37,7 @@ Eigen::Isometry3d Cell::T_world_drawing(std::string_view name) const {
 namespace {
 
 constexpr double kWidestTrail = 1.0;       // m
-constexpr double kShortestPiece = 0.0001;  // m: what is shorter is not drawn
+constexpr double kShortestPiece = 0.0001;  // m; shorter pieces are not drawn
 
 std::string piece_name(const Cell& cell, int robot, int piece) {
   return fmt::format("trail of {} {}", cell.robot(robot).name, piece);

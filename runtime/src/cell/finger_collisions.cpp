@@ -1,4 +1,4 @@
-// What fingers would meet while the arm that carries them stands.
+// Collisions of fingers while the arm that carries them is at rest.
 #include "cell/finger_collisions.hpp"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Isometry3d;
 
-// The motion of a finger, 0 to 2, that follows from one of the palm: every joint of it goes with
-// one joint of the palm, in proportion.
+// The motion of a finger, 0 to 2, that follows from one of the palm: every joint of it is
+// proportional to one joint of the palm.
 Trajectory motion_of_finger(int finger, const Trajectory& palm) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(palm.n());
   const Eigen::VectorXd origin = finger_joints(finger, zero);
@@ -123,9 +123,10 @@ class FingerScene {
     return placed;
   }
 
-  // Every body of a finger with those of another arm of the scene, or of what is fixed.
+  // Adds the pairs of every body of a finger with those of another arm of the scene, or with the
+  // fixed ones.
   //
-  // begin  where the bodies of what is fixed, and of each arm, are at the begin.
+  // begin  poses of the fixed bodies, and of each arm, at the start.
   void add_pairs(MotionScene& scene, int finger, int other,
                  const std::vector<std::vector<Solid>>& begin) const {
     const auto& links = begin[static_cast<std::size_t>(finger + 1)];
@@ -150,7 +151,7 @@ class FingerScene {
     names_.push_back(std::move(name));
   }
 
-  // What could be taken is there to be touched: forces judge that.
+  // Objects that can be grasped are meant to be touched: forces decide there.
   void add_objects() {
     const World& world = cell_.world();
     for (std::size_t i = 0; i < world.size(); ++i) {
@@ -164,8 +165,8 @@ class FingerScene {
     }
   }
 
-  // Where its bodies are now. Of the arm that carries the fingers those that are not next to them,
-  // half as thick, as it is compared with itself.
+  // Adds the bodies of a robot in their present poses. Of the arm that carries the fingers those
+  // that are not next to them, with half their thickness, as for self-collisions.
   void add_robot(int other) {
     const CellRobot& state = cell_.robot(other);
     const ArmSolids& own = state.model->derived<ArmSolids>();

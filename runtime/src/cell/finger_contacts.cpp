@@ -14,7 +14,7 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kTouching = 1e-5;  // m, from where on bodies touch
+constexpr double kTouching = 1e-5;  // m, distance at which bodies touch
 
 const CellRobot& hand_at(const Cell& cell, int hand) {
   const CellRobot& robot = cell.robot(hand);
@@ -47,7 +47,7 @@ bool may_meet(const Solid& a, const Solid& b, double within) {
   return (a.T.translation() - b.T.translation()).norm() <= a.reach() + b.reach() + within;
 }
 
-// Those that a ball around all links comes to.
+// The objects that a ball around all links touches.
 std::vector<std::size_t> objects_near(const World& world, const std::vector<Solid>& links) {
   std::vector<std::size_t> near;
   if (links.empty()) return near;
@@ -141,7 +141,7 @@ class ClosingHand {
     return *cell_.robot(palm_.fingers[static_cast<std::size_t>(i)]).model;
   }
 
-  // Of each pair of fingers, in order.
+  // The gap of each pair of fingers, in order.
   [[nodiscard]] std::vector<double> gaps() const {
     std::vector<std::vector<Solid>> links;
     for (int i = 0; i < count(); ++i)
@@ -160,7 +160,8 @@ class ClosingHand {
     closing(i).touch = std::min(closing(i).touch, q_[i + 1]);
   }
 
-  // By as much as no finger can come to another or beyond its own end; false: all stand.
+  // Moves the fingers by a step in which none can reach another one or pass its own end; false:
+  // none moves.
   bool go_on() {
     const std::vector<double> gaps = this->gaps();
     for (std::size_t k = 0, i = 0; i < closings_.size(); ++i) {
@@ -194,10 +195,10 @@ class ClosingHand {
   const CellRobot& palm_;
   std::vector<Closing>& closings_;
   VectorXd q_;
-  std::vector<bool> comes_apart_;  // of each pair: they touch at the begin, and not for long
+  std::vector<bool> comes_apart_;  // of each pair: they touch at the start, and separate soon
 };
 
-// The smallest gap to anything.
+// The smallest gap between some links and the objects.
 double gap_to_world(const Cell& cell, const std::vector<Solid>& links) {
   double least = std::numeric_limits<double>::infinity();
   for (const Solid& link : links) {
@@ -217,7 +218,7 @@ std::vector<FingerContact> finger_contacts(const Cell& cell, int hand, const Vec
   const Isometry3d T_world_on = cell.T_world_flange(palm.on);
   std::vector<FingerContact> contacts;
   look(cell, -1, links_of(*palm.model, q, T_world_on), contacts);
-  // The palm does not press on what is mounted on it.
+  // Forces of the palm on what is mounted on it are left out.
   std::erase_if(contacts, [&](const FingerContact& each) {
     const auto& carried = cell.world().attachment(each.object);
     return carried && carried->carrier == palm.on && carried->mounted;
@@ -286,7 +287,7 @@ Closing close_finger(const Cell& cell, int finger, double force) {
   const double touch = at;
   if (gap > kTouches) return {.bend = end, .touch = end};
   if (force_of(cell, links_at(touch)) >= force) return {.bend = touch, .touch = touch};
-  // Pressing deeper: steps that double, and then halves.
+  // Beyond the first contact: steps that double, then bisection.
   double below = touch, step = 1e-5, above = touch;
   do {
     below = above;

@@ -72,7 +72,7 @@ double carried_in_motion(const Cell& cell, int arm) {
     return load_factor(contacts_on(contacts, name), presses, p_world_com(object),
                        largest_radius(object), share * load);
   };
-  // Its answer ends at 1000, and that is what it looks at first.
+  // load_factor ends at 1000, so this value shows whether the contacts carry any load.
   if (factor_of(1e-3) >= 1000.0) return 1.0;
   return std::min(factor_of(1.0), std::nextafter(1.0, 0.0));
 }

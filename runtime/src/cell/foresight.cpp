@@ -1,6 +1,6 @@
-// What happens by itself while robots move is found ahead of it: at every whole millisecond from
-// the last begin or end of a motion, and between two of these by halves to a nanosecond. The
-// motions alone decide; neither how time is cut nor who asks.
+// Events without a command are computed ahead of the motion: at every whole millisecond after the
+// last begin or end of a motion, and between two of these by bisection to a nanosecond. They depend
+// on the motions alone, not on how time is divided or who asks.
 #include "armlet/cell/foresight.hpp"
 
 #include <algorithm>
@@ -66,7 +66,8 @@ std::array<HandOverload, 2> Cell::pressed_at(int index, std::int64_t t_ns) {
   return all;
 }
 
-// The first instant in (from, to] at which `is_so`, if it is so at `to`; nothing otherwise.
+// The first instant in (from, to] at which `is_so` is true, if it is true at `to`; nothing
+// otherwise.
 template <class IsSo>
 std::optional<std::int64_t> Cell::first_instant(std::int64_t from, std::int64_t to, IsSo&& is_so) {
   const auto holds = [&](std::int64_t t_ns) {
@@ -113,7 +114,7 @@ void Cell::foresee(int index) {
     return !was_too_much && overload_at(t_ns).has_value();
   };
   if (const auto t_ns = first_instant(from, to, too_much)) known.overload = overload_at(*t_ns);
-  // What is held is looked at every fourth millisecond: it costs more, and accelerations change
+  // A grasp is checked every fourth millisecond: this takes longer, and accelerations change
   // gradually.
   constexpr std::int64_t kLookAtGrip = 4 * kLookAhead;
   const bool has_fingers = arm.model->tool().kind == ToolKind::kFingers;
@@ -136,7 +137,7 @@ std::optional<std::int64_t> Cell::look_ahead() {
     if (ahead_.size() != robots_.size()) {
       ahead_.assign(robots_.size(), {});
       contacts_ahead_ = contacts_;
-      contacts_ahead_.look_again();  // what others asked for does not count
+      contacts_ahead_.look_again();  // results of other callers must not matter
     }
     Foresight& known = ahead_[static_cast<std::size_t>(i)];
     if (known.sure_ns <= now_ns()) foresee(i);
@@ -147,7 +148,7 @@ std::optional<std::int64_t> Cell::look_ahead() {
 }
 
 void Cell::let_happen() {
-  const std::vector<Foresight> due = ahead_;  // what happens changes what is known
+  const std::vector<Foresight> due = ahead_;  // executing events changes what is known
   for (int i = 0; i < static_cast<int>(due.size()); ++i) {
     const Foresight& known = due[static_cast<std::size_t>(i)];
     if (known.overload && known.overload->t_ns <= now_ns() && robot(i).motion) {

@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kSlack = 1e-9;     // relative, of an acceleration or a jerk
 constexpr double kSameTime = 1e-9;  // s, resolution of the clock
-// Between the positions where a brake is looked at, a little more than what is seen there is
-// possible.
+// Between the sampled positions of a deceleration the true values may be a little larger.
 constexpr double kAllowed = 0.998;  // of a limit
 constexpr double kAimedAt = 0.997;
 
@@ -67,7 +66,7 @@ bool Motion::allows(double u, const Piece& piece, double dt, const Limits& limit
   return true;
 }
 
-// Looked at evenly, and on both sides of where pieces of the trajectory meet.
+// Samples evenly, and on both sides of the knots of the trajectory.
 bool Motion::fits(const std::vector<Piece>& pieces, const std::vector<double>& knots,
                   const Limits& limits) const {
   constexpr int kSamples = 32;  // of a piece
@@ -93,7 +92,7 @@ bool Motion::fits(const std::vector<Piece>& pieces, const std::vector<double>& k
   return true;
 }
 
-// The shortest brake found that begins `delay` seconds after path time u and lasts less than
+// The shortest deceleration found that begins `delay` seconds after path time u and lasts less than
 // `longest` in all; empty if there is none.
 std::vector<Motion::Piece> Motion::brake(double u, double delay, double longest,
                                          const std::vector<double>& knots,
@@ -103,7 +102,7 @@ std::vector<Motion::Piece> Motion::brake(double u, double delay, double longest,
   constexpr double kMostBend = 1e4;  // times the slope, 1/s
   const Piece free{.t = 0.0, .u = u, .rate = 1.0, .slope = 0.0, .bend = 0.0, .duration = delay};
   if (stands_at(u + delay)) return {free};
-  double flattest = 0.0, straightest = 0.0;  // inverses of the steepest that the joints allow
+  double flattest = 0.0, straightest = 0.0;  // inverses of the largest that the joints allow
   for (int i = 0; i < trajectory_.n(); ++i) {
     const double speed = std::abs(trajectory_.value(i, u + delay, 1)) / kAimedAt;
     flattest = std::max(flattest, speed / limits.accel[i]);
@@ -149,7 +148,7 @@ void Motion::stop(std::int64_t t_ns, const Eigen::VectorXd& max_accel,
     limits.accel[i] = std::max(limits.accel[i], trajectory_.peak(i, 2));
     limits.jerk[i] = std::max(limits.jerk[i], trajectory_.peak(i, 3));
   }
-  // A brake may begin where pieces of the trajectory meet, and evenly in between.
+  // A deceleration may begin at the knots of the trajectory, and evenly spaced in between.
   constexpr int kDelays = 16;
   const std::vector<double> knots = trajectory_.knots();
   double longest = trajectory_.duration() - u;
@@ -166,7 +165,7 @@ void Motion::stop(std::int64_t t_ns, const Eigen::VectorXd& max_accel,
     slowing_ = std::move(pieces);
     longest = duration_of(slowing_);
   }
-  if (slowing_.empty()) return;  // arriving is as quick as stopping
+  if (slowing_.empty()) return;  // reaching the end is as fast as stopping
   end_ns_ = t_ns + to_ns(longest);
   u_end_ = slowing_.back().u_at(slowing_.back().duration);
 }

@@ -11,11 +11,12 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kWidest = 0.1;      // m, how far from a corner it may begin to be rounded
-constexpr double kTightest = 0.002;  // m; corners that need less are stops
-constexpr std::uint64_t kPlanCost = 5'000'000;  // operations of planning a path once
+// m, largest distance from a corner at which rounding may begin
+constexpr double kWidest = 0.1;
+constexpr double kTightest = 0.002;             // m; the motion stops at sharper corners
+constexpr std::uint64_t kPlanCost = 5'000'000;  // operations of one planning
 
-// What the scene of a motion depends on are its ends.
+// The scene of a motion depends on its ends only.
 Trajectory between(const VectorXd& q0, const VectorXd& q1) {
   std::vector<JointPath> joints;
   for (Eigen::Index i = 0; i < q0.size(); ++i) {
@@ -81,7 +82,7 @@ class AlongWay {
       out.times = plan.times;
       out.motion = std::move(plan.motion);
       if (!out.motion.ok()) {
-        // A rounded corner may swing outside of the limits that its ends keep.
+        // A rounded corner may exceed limits that its ends keep.
         if (!out.motion.outside.empty() && tighten_all()) continue;
         return;
       }
@@ -103,8 +104,8 @@ class AlongWay {
   }
 
  private:
-  // The pairs that keep a clearance. Robots that are moving count as standing where their motions
-  // end: while they move, they are only not met.
+  // Sets the clearances of the pairs. Moving robots count as at rest at the ends of their motions:
+  // while they move, only collisions with them are checked.
   void keep_clearances(const Way& way) {
     std::vector<CheckedPair> pairs;
     for (std::size_t i = 0; i < scene_.pairs.size(); ++i) {
@@ -116,7 +117,7 @@ class AlongWay {
     scene_.pairs = std::move(pairs);
   }
 
-  // False if the corner is a stop already.
+  // Rounds a corner less; false if the motion stops there already.
   bool tighten_at(std::size_t k) {
     double& blend = move_.points[k].blend;
     if (blend == 0.0) return false;
@@ -130,8 +131,8 @@ class AlongWay {
     return any;
   }
 
-  // The corners nearest in time to the instants at which something is wrong, each once; others only
-  // if these are stops.
+  // Rounds the corners less that are nearest in time to the given instants, each once; other
+  // corners only if the motion stops at these.
   bool tighten(const std::vector<double>& times, const std::vector<double>& where) {
     std::vector<bool> at(times.size(), false);
     for (const double t : where) {

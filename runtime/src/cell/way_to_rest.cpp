@@ -8,7 +8,7 @@
 namespace armlet {
 namespace {
 
-// Evenly to rest, in time T at the position q + v T / 2.
+// Constant deceleration to rest, in time T at the value q + v T / 2.
 JointPath slowing(double q, double v, double most, double lower, double upper) {
   if (v == 0.0) return {.q_end = q};
   const double room = v > 0.0 ? upper - q : q - lower;

@@ -2,14 +2,14 @@
 
 #include <cstddef>
 
-// What passes between the functions for batches and their kernels; nothing but plain data, because
-// sources for larger instruction sets include it.
+// Arguments of the kernels for batches; plain data only, because sources for larger instruction
+// sets include it.
 namespace armlet {
 
 // LinkTwist, as a number.
 inline constexpr unsigned char kRightTwist = 1, kAnyTwist = 2;
 
-// A plan as plain pointers.
+// A plan as plain pointers, for kernels.
 struct BatchArm {
   std::size_t n;
   bool base_is_none, tool_on_axis;
@@ -18,7 +18,7 @@ struct BatchArm {
   const unsigned char* twist;
 
   [[gnu::always_inline]] bool slides(std::size_t i) const { return q_to_theta[i] == 0.0; }
-  // The angle of a plain joint is its value.
+  // Whether the angle of a joint is its value.
   [[gnu::always_inline]] bool plain(std::size_t i) const {
     return theta[i] == 0.0 && q_to_theta[i] == 1.0;
   }
@@ -26,18 +26,18 @@ struct BatchArm {
   [[gnu::always_inline]] bool any_angle(std::size_t i) const { return twist[i] == kAnyTwist; }
 };
 
-// A kernel for many configurations: entry e of configuration k is at [e * count + k] of `q` and of
-// what is written. `count` is at least the number of lanes.
+// A kernel for many configurations: entry e of configuration k is element [e * count + k] of `q`
+// and of the output. `count` is at least the number of lanes.
 using BatchKernel = void(const BatchArm& arm, const double* q, std::size_t count, double* out);
 
-// Where the kernels keep what belongs to the `lanes` configurations from number k on: the sine of
-// joint i is at sines[i * stride + lane].
+// Storage for the sines of the `lanes` configurations from number k on: the sine of joint i is at
+// sines[i * stride + lane].
 struct BlockSines {
   std::size_t k, lanes, stride;
   double *sines, *cosines;
 };
 
-// Puts right the sines and cosines of angles that are too large for the kernels, and no others.
+// Recomputes the sines and cosines of angles that are too large for the kernels, and no others.
 //
 // throws  ArgumentError if a joint value is not finite.
 void careful_batch_sines(const BatchArm& arm, const double* q, std::size_t count,

@@ -2,7 +2,7 @@
 
 #include "batch_few.hpp"
 
-// Kernels for many configurations, one per lane: their blocks, one after the other.
+// Kernels for many configurations, one per lane, in consecutive blocks.
 namespace armlet {
 
 // The configurations from number k on: block b of its group.
@@ -25,7 +25,7 @@ struct GroupBlock {
   }
 };
 
-// Fewer configurations than a group.
+// For fewer configurations than a group.
 template <class V, class Write>
 [[gnu::always_inline]] inline void few_configurations(const BatchArm& arm, const double* q,
                                                       std::size_t count, const Write& write) {
@@ -36,8 +36,8 @@ template <class V, class Write>
   }
 }
 
-// All configurations, a group of blocks at a time: write(block, k) works on the configurations of a
-// block, of which k is the first.
+// For all configurations, a group of blocks at a time: write(block, k) processes the configurations
+// of a block, of which k is the first.
 template <class V, class Write>
 [[gnu::always_inline]] inline void all_configurations(const BatchArm& arm, const double* q,
                                                       std::size_t count, const Write& write) {

@@ -2,8 +2,8 @@
 
 #include "batch_sines.hpp"
 
-// Sines and cosines of a few configurations, fewer than a group of blocks. Nothing is prepared that
-// counts once only, and nothing is worked out twice but a rest of less than four vectors.
+// Sines and cosines of a few configurations, fewer than a group of blocks. There is no preparation
+// that would pay off only for many, and at most three vectors are computed twice.
 namespace armlet {
 
 // Blocks of one configuration per lane; the last one overlaps the one before.
@@ -25,14 +25,14 @@ struct FewBlocks {
   }
 };
 
-// Adding -0 to a value times 1 is what the group does without either: the bits are those of a plain
-// joint.
+// For a plain joint a group neither multiplies nor adds: multiplying by 1 and adding -0 gives the
+// same bits.
 template <class V>
 [[gnu::always_inline]] inline V angle_of(const BatchArm& arm, std::size_t i, V value) {
   return value * all_lanes<V>(arm.q_to_theta[i]) + all_lanes<V>(arm.theta[i]);
 }
 
-// One vector after the other, of the first joint's blocks, the second's and so on, four at a time.
+// All vectors in sequence, the first joint's blocks, then the second's and so on, four at a time.
 template <class V>
 class FewSines {
  public:
@@ -41,7 +41,7 @@ class FewSines {
     det::QuickCheck<V> check;
     const std::size_t all = few.arm.n * blocks_;
     std::size_t i = 0, b = 0, taken = 0;
-    // Past the end it stays at the last one.
+    // After the last vector it repeats it.
     const auto next = [&]() __attribute__((always_inline)) {
       const V angle = angle_of<V>(few.arm, i, few.values(i, b));
       if (++taken < all && ++b == blocks_) {

@@ -5,7 +5,7 @@
 
 namespace armlet {
 
-// The numbers of a batch: one line for each joint, row or entry, one configuration in each column.
+// The numbers of a batch: one row for each joint or entry, one configuration in each column.
 using BatchLines = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 inline std::span<const double> numbers_of(const BatchLines& lines) {

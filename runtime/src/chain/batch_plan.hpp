@@ -12,7 +12,7 @@ static_assert(sizeof(LinkTwist) == 1 &&
               static_cast<unsigned char>(LinkTwist::kRightAngle) == kRightTwist &&
               static_cast<unsigned char>(LinkTwist::kAny) == kAnyTwist);
 
-// What kernels of batches read; it points into the plan.
+// The part of a plan that kernels of batches read; it points into the plan.
 inline BatchArm batch_arm(const WalkPlan& plan) {
   return {.n = static_cast<std::size_t>(plan.n),
           .base_is_none = plan.base_is_none,
@@ -31,8 +31,8 @@ inline BatchArm batch_arm(const WalkPlan& plan) {
           .twist = reinterpret_cast<const unsigned char*>(plan.twist.data())};
 }
 
-// Of the same kernels for three sets those for `set`. Fewer items than lanes are a matter for a
-// narrower set: the bits are the same.
+// Of the same kernels for three instruction sets those for `set`. For fewer items than lanes a
+// smaller set is used: the bits are the same.
 template <class Kernels>
 const Kernels& kernels_for(InstructionSet set, std::size_t count, const Kernels& avx512,
                            const Kernels& avx2, const Kernels& baseline) {
@@ -41,8 +41,8 @@ const Kernels& kernels_for(InstructionSet set, std::size_t count, const Kernels&
   return baseline;
 }
 
-// How many configurations of n joints there are in `q`.
-// throws  ArgumentError if the last one is not whole.
+// The number of configurations of n joints in `q`.
+// throws  ArgumentError if the size is not a multiple of n.
 std::size_t count_configurations(std::span<const double> q, std::size_t n);
 
 }  // namespace armlet

@@ -9,7 +9,8 @@
 
 namespace armlet {
 
-// One configuration after the other: what is refused does not depend on the width either.
+// One configuration after the other, so that the reported error does not depend on the vector
+// width.
 [[gnu::cold]] void careful_batch_sines(const BatchArm& arm, const double* q, std::size_t count,
                                        const BlockSines& block) {
   for (std::size_t lane = 0; lane < block.lanes; ++lane) {

@@ -5,17 +5,17 @@
 #include "math/det_quick_lanes.hpp"
 
 // Sines and cosines of many configurations, one per lane. Like all kernels of batches it is
-// compiled once per instruction set, in sources that include nothing else, and exactly rounded
-// operation by operation: the bits are the same on each.
+// compiled once per instruction set, in sources that include nothing else, with the same rounding
+// of each operation: the bits are the same on each.
 namespace armlet {
 
 template <class V>
 inline constexpr std::size_t kLanesOf = sizeof(V) / sizeof(double);
 
-// Blocks whose sines are worked out side by side.
+// Number of blocks whose sines are computed together.
 inline constexpr std::size_t kGroupBlocks = 4;
 
-// What does not change from block to block, in every lane.
+// Constants of all blocks, in every lane.
 template <class V>
 struct BatchLanes {
   V theta[kBatchJoints], q_to_theta[kBatchJoints], d[kBatchJoints], a[kBatchJoints];
@@ -30,7 +30,7 @@ struct BatchLanes {
     }
   }
 
-  // The compiler must not know that they are constants: it would bring each into a register again.
+  // Hides from the compiler that they are constants, which it would load again each time.
   [[gnu::always_inline]] const det::QuickTable<V>& hidden_numbers() const {
     const det::QuickTable<V>* hidden = &numbers;
     asm("" : "+r"(hidden));
@@ -46,8 +46,8 @@ struct BatchGroup {
   const double* q;
   std::size_t count, begin;
 
-  // The configuration where block b begins. The last block overlaps the one before, and those that
-  // would come after it repeat it.
+  // The configuration with which block b begins. The last block overlaps the one before, and later
+  // blocks repeat it.
   [[gnu::always_inline]] std::size_t start(std::size_t b) const {
     const std::size_t k = begin + b * kLanesOf<V>;
     return k + kLanesOf<V> <= count ? k : count - kLanesOf<V>;

@@ -3,17 +3,17 @@
 #include "batch_blocks.hpp"
 #include "walk_in.hpp"
 
-// The walks of walk_out.hpp and walk_in.hpp with one configuration per lane.
+// The recursions of walk_out.hpp and walk_in.hpp with one configuration per lane.
 namespace armlet {
 
-// Of the last part of Z_i.
+// Applies the last part of Z_i.
 template <class Block>
 [[gnu::always_inline]] inline auto distance(const Block& block, std::size_t i) {
   const auto d = block.d(i);
   return block.arm().slides(i) ? d + block.q(i) * block.arm().q_to_d[i] : d;
 }
 
-// From the tool to the base with what is carried (walk_in.hpp).
+// The inward recursion from the tool to the base (walk_in.hpp).
 template <class Block, class Carried>
 [[gnu::always_inline]] inline void walk_in(const Block& block, Carried& carried) {
   const BatchArm& arm = block.arm();
@@ -63,9 +63,9 @@ struct BatchFrame {
   }
 };
 
-// From the base, where the frame stands, to the last joint.
+// The outward recursion from the base frame to the last joint.
 //
-// at_axis(i, z, p)  follows Z_i: the axis of joint i and a point on it.
+// at_axis(i, z, p)  is called after Z_i: the axis of joint i and a point on it.
 template <class Block, class AtAxis>
 [[gnu::always_inline]] inline void walk_out(const Block& block,
                                             BatchFrame<typename Block::Vector>& frame,

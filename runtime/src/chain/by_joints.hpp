@@ -7,14 +7,14 @@
 #include "armlet/chain/walk_plan.hpp"
 
 // Kernels are compiled once for each number of joints up to kLargestKernel, so that their loops
-// unroll and everything stays in registers, and once for any number. A page waits for its code to
-// arrive, so WebAssembly has the latter, and dynamics of the usual arms; the bits are the same.
+// unroll and all values stay in registers, and once for any number. WebAssembly, whose code size
+// matters, has only the latter, and dynamics of the usual arms; the bits are the same.
 namespace armlet {
 
 inline constexpr int kAnyCount = 0;
 inline constexpr int kLargestKernel = 8;
 
-// usual  the one number that the kernel meets most; 0: several.
+// usual  the most frequent number for the kernel; 0: several.
 constexpr bool has_own_kernel([[maybe_unused]] int n, [[maybe_unused]] int usual) {
 #ifdef __wasm__
   return usual != kAnyCount && n == usual;
@@ -33,7 +33,7 @@ inline int joint_count(const WalkPlan& plan) {
   return joint_count<N>(plan.n);
 }
 
-// The largest number of joints that it can meet.
+// The largest number of joints for a kernel that was compiled for N.
 template <int N>
 inline constexpr std::size_t kJointCapacity = N == kAnyCount ? kMaxJoints : N;
 

@@ -9,12 +9,13 @@
 
 namespace armlet {
 
-// Sines and cosines of the joint angles of a plan one by one, for those that the lanes leave open.
+// Sines and cosines of the joint angles of a plan one by one, for angles that the lanes cannot
+// handle.
 //
 // throws  ArgumentError if a joint value is not finite.
 void careful_joint_sines(const WalkPlan& plan, const double* q, double* sine, double* cosine);
 
-// The sines and cosines of every digit.
+// Sines and cosines of full accuracy.
 class ExactSines {
  public:
   [[gnu::always_inline]] det::LaneSinCos<Lanes> operator()(Lanes angles) {
@@ -26,7 +27,7 @@ class ExactSines {
   det::LaneCheck<Lanes> check_;
 };
 
-// Those that come soonest, for iterations, each of which waits for the one before.
+// Sines and cosines of lowest latency, for iterations, each of which waits for the one before.
 class PromptSines {
  public:
   [[gnu::always_inline]] det::LaneSinCos<Lanes> operator()(Lanes angles) {

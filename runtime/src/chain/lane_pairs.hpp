@@ -2,7 +2,7 @@
 
 #include "lane_parts.hpp"
 
-// Two numbers side by side, for kernels of one configuration.
+// Pairs of numbers, for kernels of one configuration.
 namespace armlet {
 
 using Lanes = det::Lanes;

@@ -4,9 +4,9 @@
 
 #include "math/det_lanes.hpp"
 
-// Vectors of three parts, of which each is a vector register of any width. Like det_lanes.hpp this
-// is all inlined by force and needs nothing from the standard library: sources for larger
-// instruction sets include it.
+// Vectors of three parts, each of which is a vector register of any width. As in det_lanes.hpp, all
+// functions are always inlined and need nothing from the standard library, because sources for
+// larger instruction sets include them.
 namespace armlet {
 
 // Vectors that need not be aligned.
@@ -46,7 +46,7 @@ struct Parts {
     y = sine * x_before + cosine * y;
   }
 
-  // Z behind an X of a right angle, which only changes roles.
+  // Z after an X of a right angle, which only exchanges parts.
   [[gnu::always_inline]] void rotate_right_z(V sine, V cosine) {
     const V x_before = x, y_before = y;
     x = cosine * x_before + sine * z;
@@ -86,7 +86,7 @@ template <class V>
   return {all_lanes<V>(vector[0]), all_lanes<V>(vector[1]), all_lanes<V>(vector[2])};
 }
 
-// One after the other, `count` numbers apart.
+// Consecutive vectors, `count` numbers apart.
 template <class V>
 [[gnu::always_inline]] inline void store_parts(double* out, std::size_t count, const Parts<V>& v) {
   store_lanes(out, v.x);

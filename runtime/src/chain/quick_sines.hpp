@@ -6,8 +6,8 @@
 
 namespace armlet {
 
-// The sines and cosines that a batch has, of one configuration: the joints two at a time, as in
-// JointSines, first those with which a walk begins.
+// The same sines and cosines as in a batch, for one configuration: two joints at a time, as in
+// JointSines, beginning with those that the recursion needs first.
 template <int N, bool from_tool>
 class QuickJointSines {
  public:

@@ -16,7 +16,7 @@
 //   place(base)                  from the base to the world; left out where they are the same
 namespace armlet {
 
-// Z_i behind X_{i+1}. A plan is a WalkPlan or a BatchArm.
+// Applies Z_i after X_{i+1}. A plan is a WalkPlan or a BatchArm.
 template <class Plan, class V, class Carried>
 [[gnu::always_inline]] inline void step_in(const Plan& plan, std::size_t i, V sine, V cosine,
                                            Carried& carried) {
@@ -28,7 +28,7 @@ template <class Plan, class V, class Carried>
   carried.rotate_z(sine, cosine);
 }
 
-// Past all n joints of one configuration.
+// Applies all n joints of one configuration.
 template <class Plan, class Sines, class Carried>
 [[gnu::always_inline]] inline void walk_in(const Plan& plan, int n, const double* q,
                                            const Sines& angles, Carried& carried) {

@@ -4,13 +4,13 @@
 
 namespace armlet {
 
-// A vector of which two elements are worked on at once.
+// A vector stored such that two elements are processed at once.
 struct WalkAxis {
   Lanes xy;
   double z;
 
   static WalkAxis load(const double* p) { return {load_pair(p), p[2]}; }
-  // Followed by `last`, as a column of a 4x4 matrix.
+  // Stores the vector and `last`, as a column of a 4x4 matrix.
   void store(double* p, double last) const {
     store_pair(p, xy);
     store_pair(p + 2, Lanes{z, last});
@@ -37,7 +37,7 @@ struct WalkFrame {
     p.store(T + 12, 1.0);
   }
 
-  // X_i
+  // Applies X_i.
   [[gnu::always_inline]] void step_x(const WalkPlan& plan, std::size_t i) {
     if (plan.has_a[i]) p = p + both(plan.a[i]) * x;
     const WalkAxis y_before = y;
@@ -52,7 +52,7 @@ struct WalkFrame {
     }
   }
 
-  // T of the plan.
+  // Applies T of the plan.
   [[gnu::always_inline]] void step_tool(const WalkPlan& plan) {
     const double* T = plan.tool.data();
     const auto sum = [T](int column, const WalkAxis& a, const WalkAxis& b, const WalkAxis& c) {
@@ -71,13 +71,14 @@ struct WalkFrame {
   }
 };
 
-// Walks from the base to the last joint: a step is two plane rotations, of which that of a right
-// angle or none costs nothing, and a multiply-add for each length that is not zero.
+// The outward recursion from the base to the last joint. A step is two plane rotations, of which
+// those by zero or a right angle cost nothing, and a multiply-add for each length that is not zero.
 //
-// SinesOf<N>         works out the sines and cosines of the joints.
-// at_axis(i, frame)  after Z_i: frame.z is the axis of joint i up to its flip, frame.p a point on
-//                    it; the link frame of the modified convention.
-// at_link(i, frame)  after X_{i+1} for i + 1 < n: the link frame of the standard convention.
+// SinesOf<N>         computes the sines and cosines of the joints.
+// at_axis(i, frame)  is called after Z_i: frame.z is the axis of joint i except for its flip,
+//                    frame.p a point on it; the link frame of the modified convention.
+// at_link(i, frame)  is called after X_{i+1} for i + 1 < n: the link frame of the standard
+//                    convention.
 // returns            the frame before T.
 template <int N, template <int> class SinesOf = JointSines, class AtAxis, class AtLink>
 [[gnu::always_inline]] inline WalkFrame walk_out(const WalkPlan& plan, const double* q,

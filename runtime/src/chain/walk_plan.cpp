@@ -16,7 +16,7 @@ LinkTwist twist_of(double sin_alpha, double cos_alpha) {
   return sin_alpha == 1.0 && cos_alpha == 0.0 ? LinkTwist::kRightAngle : LinkTwist::kAny;
 }
 
-// Half a revolution about x stays in front of T, where it changes the signs of two rows.
+// Half a revolution about x remains before T, where it changes the signs of two rows.
 void plan_ends(const Chain& chain, double flip, WalkPlan& plan) {
   const std::size_t n = static_cast<std::size_t>(chain.n);
   const Eigen::Isometry3d B = chain.T_world_base * x_step(chain, 0);
@@ -59,7 +59,7 @@ WalkPlan plan_walk(const Chain& chain) {
     plan.twist[i] = twist_of(sin_alpha, cos_alpha);
     if (i == n) break;
     plan.flip[i] = flip;
-    // Adding -0 changes no value, not even -0: an angle without offset is the joint's value.
+    // Adding -0 changes no value, not even -0: without an offset the angle is the joint's value.
     plan.theta[i] = chain.theta[i] == 0.0 ? -0.0 : flip * chain.theta[i];
     plan.q_to_theta[i] = flip * chain.q_to_theta[i];
     plan.d[i] = flip * chain.d[i];

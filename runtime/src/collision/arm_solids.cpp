@@ -33,9 +33,9 @@ bool is_left_out(const LinkShape& shape, bool bare) {
          (bare && is_hand(shape.role));
 }
 
-// Along the axis of the body, as far as the plane through the tool point, across the tool's axis.
+// Shortens a rod along its axis, to the plane through the tool point across the tool's axis.
 //
-// T_body_tool  the tool point, seen from the frame that the body is fixed to.
+// T_body_tool  pose of the tool point in the frame that the body is fixed to.
 void make_stick(Solid& solid, const Eigen::Isometry3d& T_body_tool) {
   const Eigen::Vector3d along = solid.T.linear().col(2);
   const Eigen::Vector3d out = T_body_tool.linear().col(2);
@@ -59,8 +59,8 @@ void make_stick(Solid& solid, const Eigen::Isometry3d& T_body_tool) {
            .T = solid.T};
 }
 
-// Upper bound of the distance from the origin of frame k to the tool point, sliding joints being
-// in.
+// Upper bound of the distance from the origin of frame k to the tool point, with prismatic joints
+// retracted.
 double way_to_tool(const Robot& robot, int k) {
   double way = robot.T_flange_tool().translation().norm();
   for (int i = k; i < robot.n(); ++i) {
@@ -72,7 +72,7 @@ double way_to_tool(const Robot& robot, int k) {
   return way;
 }
 
-// Cuts off what is nearer to a point of its frame than `room`, along the axis of the body.
+// Cuts off the part of a body, along its axis, that is nearer to a point of its frame than `room`.
 void clear_room(Solid& solid, const Eigen::Vector3d& p, double room) {
   const Eigen::Vector3d along = solid.T.linear().col(2);
   const Eigen::Vector3d middle = solid.T.translation() - p;
@@ -84,7 +84,7 @@ void clear_room(Solid& solid, const Eigen::Vector3d& p, double room) {
     return;
   }
   if (!is_low_in && !is_high_in) return;
-  // Where the axis passes through the ball of that radius.
+  // The part of the axis inside the ball of that radius.
   const double foot = -middle.dot(along);
   const double off = (middle + foot * along).squaredNorm();
   const double half_chord = std::sqrt(std::max(room * room - off, 0.0));
@@ -94,7 +94,7 @@ void clear_room(Solid& solid, const Eigen::Vector3d& p, double room) {
   solid.half.z() = 0.5 * std::max(high - low, 0.0);
 }
 
-// Around both ends of the link that moves with frame k.
+// Leaves room around both ends of the link that moves with frame k.
 void leave_room_for_hand(const Robot& robot, int k, Solid& solid) {
   const bool standard = robot.spec().convention == DhConvention::kStandard;
   const int first = standard ? k - 1 : k;
@@ -114,7 +114,7 @@ bool is_still(const Robot& robot, const LinkShape& shape) {
   return T.translation().head<2>().norm() + T.linear().col(2).head<2>().norm() < 1e-9;
 }
 
-// A tool that is a point alone is a needle from the flange to it.
+// A tool that is a point alone becomes a thin rod from the flange to it.
 void add_needle(const Robot& robot, std::vector<ArmSolid>& bodies) {
   constexpr double kThin = 5e-4;  // m
   const Eigen::Vector3d& p = robot.T_flange_tool().translation();
@@ -145,7 +145,7 @@ Solid solid_of(const LinkSolid& body) {
   return solid;
 }
 
-// Those that were given, not made from the table.
+// Adds the bodies that were given, not made from the table.
 void add_bodies(const Robot& robot, std::vector<ArmSolid>& bodies) {
   for (int link = 0; link <= robot.n(); ++link) {
     const Link& own = robot.body(link);
@@ -169,8 +169,8 @@ bool ends_bare(const Robot& robot) {
   return robot.spec().role == RobotRole::kArm && robot.tool().length < kNoLength;
 }
 
-// Shapes that are only drawn: those of links whose bodies were given, and the column of an arm
-// whose base nobody described. What stands there is not known.
+// Whether a shape is only drawn: that of a link whose bodies were given, or the column of an arm
+// without a described base, which is an assumption.
 bool is_picture(const Robot& robot, const LinkShape& shape) {
   if (shape.link == 0) return robot.spec().role == RobotRole::kArm;
   if (shape.role == LinkShapeRole::kFlange) return robot.body(robot.n()).has_shape();
@@ -216,8 +216,8 @@ std::vector<Solid> pedestal_of(const Robot& robot) {
   return pedestal;
 }
 
-// Half as thick. Shapes that follow from a joint table are thicker than most arms: a forearm passes
-// a column that it would cut as drawn.
+// With half the thickness. Shapes made from a joint table are thicker than most arms: a real
+// forearm passes a column that the drawn one would cut.
 std::vector<ArmSolid> slimmed(std::vector<ArmSolid> bodies) {
   for (ArmSolid& each : bodies) {
     if (each.given) continue;

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// How far a body reaches along a direction of the world, from the origin of the world.
+// The largest coordinate of a body along a direction of the world.
 double extent(const Solid& solid, const Vector3d& n) {
   const Vector3d d = solid.T.linear().transpose() * n;
   const double across = std::sqrt(d.x() * d.x() + d.y() * d.y());
@@ -35,8 +35,8 @@ double extent(const Solid& solid, const Vector3d& n) {
   return reach + d.cwiseAbs().dot(solid.half);
 }
 
-// Width of the slab across n that lies between both, `a` on the side to which n points; below zero:
-// how deep they overlap along n.
+// Width of the slab across n that separates both, with `a` on the side to which n points; if
+// negative, their depth along n.
 double slab(const Solid& a, const Solid& b, const Vector3d& n) {
   return -extent(a, -n) - extent(b, n);
 }
@@ -90,14 +90,14 @@ Vector3d contact_normal(const Solid& a, const Solid& b) {
 }
 
 double depth_along(const Solid& a, const Solid& b, const Vector3d& n) {
-  // What is not convex may come back by the gap alone.
+  // A body that is not convex may move back by the gap only.
   const bool is_convex = a.is_convex() && b.is_convex();
   const int most_steps = is_convex ? 60 : 400;
   constexpr double kExact = 1e-10;  // m
   double depth = -slab(a, b, n);
   Solid moved = a;
-  // Moved so far it touches at most. As long as there is a gap it may come back by what that gap
-  // is, measured along n.
+  // After this displacement they touch at most. As long as there is a gap the displacement can be
+  // reduced by that gap, measured along n.
   for (int step = 0; step < most_steps && depth > 0.0; ++step) {
     moved.T.translation() = a.T.translation() + depth * n;
     const Gap gap = gap_between(moved, b);

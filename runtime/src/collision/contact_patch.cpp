@@ -18,13 +18,13 @@ constexpr double kFlat = 2e-6;  // m, difference in height from one end to the o
 
 double toward(double size, double d) { return d < 0.0 ? -size : size; }
 
-// Of a box or a segment, in its own frame; edges along which nothing rises are free.
+// The feature of a box or a segment, in its own frame; edges of constant height belong to it.
 std::vector<Vector3d> straight_feature(const Vector3d& half, const Vector3d& d) {
   std::vector<Vector3d> points = {
       {toward(half.x(), d.x()), toward(half.y(), d.y()), toward(half.z(), d.z())}};
   for (int axis = 0; axis < 3; ++axis) {
     if (half[axis] == 0.0 || 2.0 * half[axis] * std::abs(d[axis]) > kFlat) continue;
-    // From the second edge on the other way round, so that the corners go round the face.
+    // The second half in reverse order, so that the corners go round the face.
     for (std::size_t i = points.size(); i-- > 0;) {
       points.push_back(points[i]);
       points.back()[axis] = -points.back()[axis];
@@ -44,7 +44,7 @@ std::vector<Vector3d> disc(double radius, double z) {
   return points;
 }
 
-// Of a cylinder or a cone, in its own frame.
+// The feature of a cylinder or a cone, in its own frame.
 ContactPatch round_feature(const Solid& solid, const Vector3d& d) {
   const double r = solid.half.x(), h = solid.half.z();
   const bool is_cone = solid.core == Solid::Core::kCone;
@@ -63,8 +63,8 @@ ContactPatch round_feature(const Solid& solid, const Vector3d& d) {
   return {.points = {rise > 0.0 ? top : bottom}};
 }
 
-// The vertices of a mesh that are as high along d as the highest one, around them (the chains of A.
-// M. Andrew 1979).
+// The convex hull of the vertices of a mesh with the largest height along d (the chains of A. M.
+// Andrew 1979).
 ContactPatch mesh_feature(const Solid& solid, const Vector3d& d) {
   const double height = core_support(solid, d).dot(d) - kFlat;
   std::vector<Vector3d> high;
@@ -105,8 +105,8 @@ double area_of(const Polygon& polygon) {
   return 0.5 * twice;
 }
 
-// What is left of a polygon, or of a segment, on the inner side of all edges of a convex polygon
-// that goes round to the left (Sutherland and Hodgman 1974).
+// The part of a polygon, or of a segment, inside a convex polygon with counterclockwise corners
+// (Sutherland and Hodgman 1974).
 Polygon clipped(Polygon subject, const Polygon& window) {
   constexpr double kOnEdge = 1e-12;  // m^2
   for (std::size_t k = 0; k < window.size(); ++k) {
@@ -127,7 +127,7 @@ Polygon clipped(Polygon subject, const Polygon& window) {
   return subject;
 }
 
-// By area, or the middle between the two points that are farthest apart if there is none.
+// The centre of area, or the midpoint of the two farthest points if the area is zero.
 Vector2d middle_of(const Polygon& polygon) {
   constexpr double kNoArea = 1e-14;  // m^2
   const double area = area_of(polygon);
@@ -142,7 +142,7 @@ Vector2d middle_of(const Polygon& polygon) {
     }
     return 0.5 * (low + high);
   }
-  // About the first corner, so that nothing is lost far from the origin.
+  // Relative to the first corner, so that no digits are lost far from the origin.
   const Vector2d origin = polygon.front();
   Vector2d sum = Vector2d::Zero();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -152,7 +152,7 @@ Vector2d middle_of(const Polygon& polygon) {
   return origin + sum / (6.0 * area);
 }
 
-// Two edges: the middle of their overlap if they lie along each other, otherwise where they cross.
+// For two edges: the middle of their overlap if they are parallel, otherwise their intersection.
 std::optional<Vector2d> middle_of_edges(const Polygon& first, const Polygon& second) {
   const Vector2d a = first[1] - first[0], b = second[1] - second[0], apart = second[0] - first[0];
   const double length = a.norm();
@@ -167,7 +167,7 @@ std::optional<Vector2d> middle_of_edges(const Polygon& first, const Polygon& sec
   return Vector2d(first[0] + 0.5 * (low + high) * a);
 }
 
-// Whether a disc lies inside a convex polygon that goes round to the left, or in another disc.
+// Whether a disc lies inside a convex polygon with counterclockwise corners, or in another disc.
 bool holds_disc(const ContactPatch& face, const Polygon& outline, const Vector2d& face_centre,
                 const Vector2d& centre, double radius) {
   if (face.radius > 0.0) return (centre - face_centre).norm() + radius <= face.radius;

@@ -1,4 +1,4 @@
-// The feature of a body that lies farthest along a direction, and what two of them have in common.
+// The feature of a body that is farthest along a direction, and the intersection of two features.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ struct ContactPatch {
 
 ContactPatch contact_patch(const Solid& solid, const Eigen::Vector3d& along);
 
-// The middle of what both have in common, seen along n, on the first of them; nothing if they have
-// nothing in common.
+// The centre of the intersection of both, projected along n, on the first of them; nothing if they
+// do not intersect.
 std::optional<Eigen::Vector3d> middle_of_both(const ContactPatch& first, const ContactPatch& second,
                                               const Eigen::Vector3d& n);
 

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Points of the cores, moved out to the surfaces of the bodies along `away`.
+// Moves points of the cores to the surfaces of the bodies along `away`.
 Gap gap_at(const Solid& a, const Solid& b, double distance, const Vector3d& p_a,
            const Vector3d& p_b, const Vector3d& away) {
   const Vector3d out = a.T.linear() * away;
@@ -19,10 +19,10 @@ Gap gap_at(const Solid& a, const Solid& b, double distance, const Vector3d& p_a,
           .away = out};
 }
 
-// The pair of points that lies deepest: after `a` has moved along `away` by the depth, and a little
-// more so that the cores are surely apart, these points are the nearest ones. The points of the
-// polytope's face do not do: where several of its triangles lie in one plane, the point may lie
-// beyond the triangle that was found.
+// The pair of deepest points: after `a` has moved along `away` by the depth, and a little more so
+// that the cores are certainly apart, these points are the nearest ones. The points of the
+// polytope's face cannot be used: where several of its triangles are in one plane, the point may be
+// outside of the triangle that was found.
 Gap overlapping(const Solid& a, const Solid& b, const CoreDifference& difference,
                 const Simplex& simplex) {
   constexpr double kFree = 2e-7;  // m, and relative to the bodies

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 struct Face {
   std::array<int, 3> corners;
-  Vector3d normal;  // zero: too thin to have one
+  Vector3d normal;  // zero: too thin to have a normal
   double distance;
 };
 
@@ -45,7 +45,8 @@ class Expansion {
   }
 
  private:
-  // Four points that are not flat, with the origin not outside; false if the difference is flat.
+  // Makes a tetrahedron that is not flat and does not have the origin outside; false if the
+  // difference is flat.
   bool make_tetrahedron() {
     while (points_.size() < 4) {
       std::vector<Vector3d> tries;
@@ -78,7 +79,7 @@ class Expansion {
     return size > rounding_ * rounding_ ? Vector3d(normal / size) : Vector3d(Vector3d::Zero());
   }
 
-  // The farthest of the points that lie off the hull of those there are.
+  // Adds the farthest of the points that are not on the hull of the present ones.
   bool add_off_hull(const std::vector<Vector3d>& tries) {
     double farthest = thin();
     DifferencePoint found{};
@@ -94,7 +95,7 @@ class Expansion {
     return true;
   }
 
-  // Points that are nearer to the hull of those before count as on it, m.
+  // A point nearer to the hull of the earlier ones counts as on it, m.
   [[nodiscard]] double thin() const { return 1e-11 * difference_.scale(); }
 
   [[nodiscard]] double off_hull(const Vector3d& w) const {
@@ -105,8 +106,8 @@ class Expansion {
     return std::abs(from.dot(plane_normal()));
   }
 
-  // Nothing of the difference lies to one side of a plane through the origin: it costs nothing to
-  // free the cores.
+  // The whole difference is on one side of a plane through the origin: the cores only touch, so the
+  // depth is zero.
   Depth flat() {
     Vector3d normal = Vector3d::UnitZ();
     if (points_.size() == 3) normal = plane_normal();
@@ -130,7 +131,7 @@ class Expansion {
     faces_.push_back({corners, unit, std::max(unit.dot(a), 0.0)});
   }
 
-  // The face on the other side of an edge; the polytope is closed, so there is one.
+  // The face on the other side of an edge; it exists because the polytope is closed.
   [[nodiscard]] std::size_t neighbour(int from, int to) const {
     for (std::size_t k = 0; k < faces_.size(); ++k) {
       const auto& corners = faces_[k].corners;
@@ -146,9 +147,9 @@ class Expansion {
     return face.normal.dot(point.w - at(face.corners[0]).w) > rounding_;
   }
 
-  // Replaces the faces that see the point, those connected to `first`, by faces to it. What is
-  // taken away hangs together whatever is rounded, so the polytope stays closed. False if it cannot
-  // grow.
+  // Replaces the faces that are visible from the point and connected to `first` by faces to it. The
+  // removed faces are connected in spite of rounding, so the polytope stays closed. False if it
+  // cannot grow.
   bool grow(std::size_t first, const DifferencePoint& point) {
     std::vector<bool> gone(faces_.size(), false);
     std::vector<std::size_t> open = {first};
@@ -169,7 +170,7 @@ class Expansion {
         open.push_back(next);
       }
     }
-    // Faces that were seen after their neighbours are no rim.
+    // Edges whose other face was found visible later are not on the rim.
     std::erase_if(rim, [&](const auto& edge) { return gone[neighbour(edge.first, edge.second)]; });
     if (rim.size() < 3) return false;
     std::vector<Face> kept;

@@ -28,8 +28,8 @@ Vector3d farthest_point(const Solid& solid, const Vector3d& n) {
   return solid.T * core_support(solid, solid.T.linear().transpose() * n) + solid.margin * n;
 }
 
-// A body as convex pieces in boxes: the triangles of a mesh, or itself alone. Boxes are in a frame
-// that both bodies of a question share.
+// A body as a tree of convex pieces with boxes: the triangles of a mesh, or the body itself. Boxes
+// are in a common frame of both bodies.
 class PieceTree {
  public:
   PieceTree(const Solid& solid, const Eigen::Isometry3d& T_world_frame) : solid_(solid) {
@@ -126,7 +126,7 @@ void for_each_near(const Solid& a, const Solid& b, const double& limit, Visit&& 
   }
 }
 
-// A point of a body: the first one that is known of it.
+// Any point of a body.
 Vector3d some_point(const Solid& solid) {
   return solid.mesh != nullptr ? solid.T * solid.mesh->corner(0, 0)
                                : Vector3d(solid.T.translation());
@@ -143,15 +143,15 @@ Vector3d outward(const Solid& triangle) {
   return triangle.T.linear() * (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
 }
 
-// Whether a piece of a closed mesh is left towards its outside when it moves along -n.
+// Whether a piece of a closed mesh is left towards its outside by moving along -n.
 bool leaves_outside(const Solid& piece, const Vector3d& n) {
   constexpr double kAlong = 1e-6;
   return piece.core != Solid::Core::kTriangle || !piece.mesh->is_closed() ||
          outward(piece).dot(n) > -kAlong;
 }
 
-// How far `other` reaches behind the plane of a triangle, which it leaves along its normal.
-// `first`: the triangle is of the first body of the question.
+// The depth of `other` behind the plane of a triangle, which it leaves along its normal. `first`:
+// the triangle belongs to the first body.
 Gap behind_plane(const Solid& triangle, const Solid& other, bool first) {
   const Vector3d n = outward(triangle), deepest = farthest_point(other, -n);
   const double depth = n.dot(triangle.T * triangle.mesh->corner(triangle.triangle, 0) - deepest);
@@ -211,13 +211,13 @@ Gap overlapping_meshes(const Solid& a, const Solid& b) {
     look_at_vertices(a, b, true, gap);
     look_at_vertices(b, a, false, gap);
   }
-  // Whatever is deeper than the hull need not be so.
+  // The depth is at most that of the hulls.
   const Gap hull = gap_between(hull_of(a), hull_of(b));
   return hull.distance > gap.distance ? hull : gap;
 }
 
-// Out through the nearest point of the surface. The point of the inner body that leaves last and
-// the point of that plane where it leaves are the pair of deepest penetration.
+// The displacement through the nearest point of the surface. The last point of the inner body to
+// leave, and the point of that plane at which it leaves, are the pair of deepest penetration.
 Gap enclosed(const Solid& a, const Solid& b, const Gap& nearest) {
   const bool b_is_inner = is_inside(a, b);
   const Solid& inner = b_is_inner ? b : a;

@@ -60,7 +60,7 @@ JointCurve::Range JointCurve::range() const {
 double JointCurve::halve(JointCurve& second) {
   second = *this;
   for (int round = 1; round <= degree; ++round) {
-    // The last one of each round of de Casteljau's scheme belongs to the first half.
+    // The last value of each round of de Casteljau's scheme belongs to the first half.
     for (int k = 0; k <= degree - round; ++k) {
       const auto at = static_cast<std::size_t>(k);
       second.b[at] = 0.5 * (second.b[at] + second.b[at + 1]);

@@ -9,8 +9,8 @@
 
 namespace armlet {
 
-// A polynomial over a stretch of time as Bernstein coefficients: it stays between the least and the
-// greatest of them.
+// A polynomial over an interval of time as Bernstein coefficients: their minimum and maximum are
+// bounds of its values.
 //
 // source  G. Farin, Curves and Surfaces for CAGD, 2002, chapter 5.
 struct JointCurve {
@@ -21,7 +21,7 @@ struct JointCurve {
     double lower, upper;
   };
   [[nodiscard]] Range range() const;
-  // Cuts it into halves; this one becomes the first. Returns the value between them.
+  // Divides it into halves; this one becomes the first. Returns the value between them.
   double halve(JointCurve& second);
 };
 

@@ -13,23 +13,24 @@
 namespace armlet {
 namespace {
 
-constexpr double kResolution = 5e-5;         // m
-constexpr double kGrainOfClearance = 0.05;   // how far points travel between looks, of a clearance
-constexpr std::uint64_t kPlaceCost = 1'000;  // operations of a position of the arms
+constexpr double kResolution = 5e-5;  // m
+// travel of points between checks, relative to the clearance
+constexpr double kGrainOfClearance = 0.05;
+constexpr std::uint64_t kPlaceCost = 1'000;  // operations for a pose of the arms
 constexpr std::uint64_t kBallsCost = 20;     // the same of a pair whose balls are apart
 constexpr std::uint64_t kGapCost = 2'000;    // the same of a distance or a depth
-constexpr int kManyLooks = 20'000;           // then what is looked for becomes coarser
-constexpr double kComeApart = 1e-3;          // m, what leaves a body is checked from there
-constexpr int kSamples = 64;                 // of a motion, for depths and for what leaves
+constexpr int kManyLooks = 20'000;           // after that many the resolution becomes coarser
+constexpr double kComeApart = 1e-3;          // m, distance from which separating bodies are checked
+constexpr int kSamples = 64;                 // of a motion, for depths and for separating bodies
 constexpr double kExactDepth = 2e-6;         // m
-constexpr int kDepthLooks = 4'000;           // positions in which a depth is measured more exactly
-constexpr int kMeshLooks = 200;              // the same of bodies whose depths take long
+constexpr int kDepthLooks = 4'000;           // number of poses for refining a depth
+constexpr int kMeshLooks = 200;              // the same for bodies whose depths take long
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 class Check {
  public:
-  // certifies  whether the heights that would do are looked at again, and depths between samples.
-  // keep       of each pair, m; empty: the bodies may touch.
+  // certifies  whether heights are verified, and depths between samples.
+  // keep       clearance of each pair, m; empty: the bodies may touch.
   Check(const MotionScene& scene, bool certifies, std::span<const double> keep = {})
       : scene_(scene),
         keep_(keep),
@@ -68,7 +69,7 @@ class Check {
     if (scene_.duration > 0.0) look_at_cells(0, cells_.count(), 0, open_.size());
   }
 
-  // Pairs [begin, end) of open_ are those that nobody has excluded for the cells.
+  // Pairs [begin, end) of open_ are those that are not excluded for the cells.
   void look_at_cells(int first, int last, std::size_t begin, std::size_t end) {
     if (last - first == 1) {
       const auto curves = cells_.curves(first);
@@ -100,7 +101,7 @@ class Check {
     open_.resize(kept);
   }
 
-  // A stretch of time in which all joints follow one polynomial each.
+  // Checks an interval of time in which all joints follow one polynomial each.
   void look_at(double t0, double t1, std::vector<JointCurve>& curves, std::size_t begin,
                std::size_t end) {
     const double middle = 0.5 * (t0 + t1);
@@ -142,7 +143,7 @@ class Check {
     if (++result_.looks % kManyLooks == 0) resolution_ *= 2.0;
   }
 
-  // Whether the two keep their clearance, or touch, if no point travels farther.
+  // Whether the pair keeps its clearance, or only touches, if no point travels farther.
   bool is_free(std::size_t index, double travel) {
     const CheckedPair& pair = scene_.pairs[index];
     const double keep = keep_.empty() ? -kSoft : keep_[index];
@@ -168,7 +169,7 @@ class Check {
     pose_.place(q_, travel_);
   }
 
-  // Most pairs that may touch at the begin are far apart: the balls around them say so.
+  // Finds pairs that may touch at the start; for most pairs their bounding balls exclude it.
   void find_leaving() {
     const double first = scene_.duration * 1 / kSamples;
     std::vector<std::size_t> near;
@@ -202,7 +203,7 @@ class Check {
     return kNever;
   }
 
-  // To the instant at which they begin to overlap, which is not before t0.
+  // Finds the instant at which an overlap begins, which is not before t0.
   void bring_forward(Meeting& meeting, double t0) {
     constexpr int kHalvings = 40;
     const auto overlaps = [&](double t) {
@@ -214,7 +215,7 @@ class Check {
     if (t < meeting.t) meeting.t = t;
   }
 
-  // So many that the first body moves a few millimetres between two.
+  // Number of samples such that the first body moves at most a few millimetres between two.
   int samples_from(double t0, const CheckedPair& pair) {
     constexpr double kStep = 0.005;  // m
     constexpr int kMostSamples = 1000;
@@ -232,7 +233,7 @@ class Check {
     return static_cast<int>(std::clamp(way / kStep, double{kSamples}, double{kMostSamples}));
   }
 
-  // From where the two meet on: how deep, and how much higher would do.
+  // Measures the depth from the collision on, and the height that would avoid it.
   void measure(Meeting& meeting) {
     const CheckedPair& pair = scene_.pairs[meeting.pair];
     const int samples = samples_from(meeting.t, pair);
@@ -255,16 +256,16 @@ class Check {
     return is_whole_depth(pose_.body(pair.a), pose_.body(pair.b), gap_of(pair));
   }
 
-  // A stretch of the motion in two halves.
+  // A half of an interval of the motion.
   //
-  // most  no overlap in it is deeper, m.
+  // most  bound on the depth in it, m.
   struct Stretch {
     double t0, t1, most;
     std::vector<JointCurve> first, second;
   };
 
-  // Looks at the middle of a stretch, which is kept in `open` if it may hide something deeper: a
-  // depth changes by no more than points travel.
+  // Checks the middle of an interval, and keeps the interval in `open` if it may contain a larger
+  // depth: a depth changes by no more than points travel.
   void look_for_depth(double t0, double t1, std::vector<JointCurve> curves, Meeting& meeting,
                       std::vector<Stretch>& open) {
     if (t1 <= meeting.t) return;
@@ -293,7 +294,7 @@ class Check {
     meeting.p_world = 0.5 * (gap.p_a + gap.p_b);
   }
 
-  // A heap: the stretch that may hide the deepest overlap is in front.
+  // Order of a heap with the interval of the largest possible depth in front.
   static bool is_less(const Stretch& a, const Stretch& b) {
     return a.most != b.most ? a.most < b.most : a.t0 > b.t0;
   }
@@ -302,8 +303,8 @@ class Check {
     std::push_heap(open.begin(), open.end(), is_less);
   }
 
-  // From the deepest sample to the deepest of all. Where bodies stay equally deep for long, the
-  // search ends with what nothing is deeper than.
+  // Refines the deepest sample to the maximum. If bodies stay equally deep for long, the search
+  // ends with an upper bound.
   void search_deepest(Meeting& meeting, const CheckedPair& pair) {
     place_at(meeting.t_deepest);
     const bool is_whole = has_whole_depth(pair);
@@ -328,7 +329,7 @@ class Check {
     }
   }
 
-  // Raises what clears the second body so far until it does so here as well.
+  // Raises the height that clears the second body until it does so here as well.
   void raise(Meeting& meeting, const CheckedPair& pair) {
     constexpr double kHighest = 1.0;  // m
     constexpr double kExact = 1e-4;   // m
@@ -355,8 +356,8 @@ class Check {
     meeting.higher = high;
   }
 
-  // The height was found at samples. To pass so much higher is to pass the other body where it
-  // stands so much lower: what is still met there adds to it.
+  // The height was found at samples. Passing higher by some amount is the same as passing the other
+  // body lowered by it: remaining collisions there increase the height.
   void certify_height(Meeting& meeting) const {
     constexpr int kRounds = 20;
     constexpr double kLeast = 1e-4;  // m
@@ -374,7 +375,7 @@ class Check {
       const double more = check.meetings[0].higher;
       meeting.higher = more < 0.0 ? -1.0 : meeting.higher + std::max(more, kLeast);
     }
-    meeting.higher = -1.0;  // nothing that is certain
+    meeting.higher = -1.0;  // no certain height
   }
 
   const MotionScene& scene_;
@@ -383,9 +384,9 @@ class Check {
   ScenePose pose_;
   MotionCells cells_;
   std::vector<double> q_, travel_;
-  std::vector<double> from_;  // when each pair begins to count
+  std::vector<double> from_;  // the instant from which each pair is checked
   std::vector<bool> done_;
-  std::vector<double> before_;  // instants just before the meetings
+  std::vector<double> before_;  // instants just before the collisions
   std::vector<std::size_t> open_;
   double resolution_ = kResolution;
   MotionCheck result_;

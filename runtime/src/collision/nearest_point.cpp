@@ -66,7 +66,7 @@ Candidate nearest_on_triangle(const Points& points, std::size_t i, std::size_t j
     weights[j] = v / (u + v + w);
     weights[k] = w / (u + v + w);
     Candidate inside = candidate(points, weights);
-    // The plane's own distance has less rounding than the sum of the corners.
+    // The distance of the plane has less rounding than the weighted sum of the corners.
     const Vector3d foot = normal * (normal.dot(a) / square);
     if (foot.squaredNorm() < inside.square) {
       inside.w = foot;
@@ -80,7 +80,8 @@ Candidate nearest_on_triangle(const Points& points, std::size_t i, std::size_t j
   return best;
 }
 
-// Whether the plane through three points separates the origin from the fourth, or the four are
+// Whether the plane through three points separates the origin from the fourth, or all four are in
+// one plane.
 // flat.
 bool is_outside(const Points& points, std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
   const Vector3d& a = points[i].w;

@@ -28,11 +28,11 @@ void random_position(const Robot& robot, Random& random, Eigen::VectorXd& q) {
   }
 }
 
-// Pairs of bodies of two links that are exempt, or not, together.
+// Pairs of bodies of two links that are exempt or checked together.
 struct PairCandidate {
   LinkPair links;
   std::vector<std::pair<int, int>> bodies;
-  int free = 0;  // positions in which none of them overlaps
+  int free = 0;  // configurations in which none of them overlaps
 };
 
 class OwnPairSearch {
@@ -101,7 +101,7 @@ class OwnPairSearch {
     if (!given.bodies.empty()) candidates_.push_back(std::move(given));
   }
 
-  // What exempts two links wherever the joints are.
+  // The reason that exempts two links in all configurations.
   [[nodiscard]] std::optional<ExemptReason> reason_of(LinkPair links, bool are_given) const {
     if (has(robot_.spec().allow, links)) return ExemptReason::kAllowed;
     const auto [a, b] = links;
@@ -131,7 +131,7 @@ class OwnPairSearch {
     return candidate.free <= (1.0 - OwnPairs::kNearlyAll) * OwnPairs::kPositions;
   }
 
-  // A pair is decided as soon as it was free too often, which most are soon.
+  // A pair is decided as soon as it was free too often; most pairs are decided soon.
   void try_positions() {
     std::vector<std::size_t> open(candidates_.size());
     for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTouch = 1e-9;     // m
-constexpr double kAside = 1e-6;     // m: less overlap from the side is none
-constexpr double kSteepest = 1e-3;  // vertical part of a normal that still carries
+constexpr double kAside = 1e-6;     // m: a smaller sideways overlap is ignored
+constexpr double kSteepest = 1e-3;  // least vertical part of a normal that carries
 constexpr int kSteps = 200;
 
 // Along z of the world.
@@ -28,7 +28,7 @@ Extent around(const Eigen::Isometry3d& T, const Vector3d& low, const Vector3d& h
   return {middle - half, middle + half};
 }
 
-// The solid with all that is `margin` from it.
+// The solid enlarged by `margin`.
 Extent around(const Solid& solid) {
   const Vector3d margin = Vector3d::Constant(solid.margin);
   const bool in_mesh = solid.mesh != nullptr;
@@ -53,7 +53,8 @@ bool is_aside(const Extent& a, const Extent& b) {
          (b.low - a.high).head<2>().maxCoeff() > -kAside;
 }
 
-// How far `a` has to be raised from where it is to rest on `b` from above, both convex.
+// Height by which `a` has to be raised from its present position to rest on `b` from above, both
+// convex.
 std::optional<double> rise_of_convex(Solid a, const Solid& b, const Extent& of_a,
                                      const Extent& of_b) {
   constexpr double kRoom = 1e-3;  // m
@@ -68,14 +69,14 @@ std::optional<double> rise_of_convex(Solid a, const Solid& b, const Extent& of_a
     if (up < kSteepest) return std::nullopt;
     rise -= gap.distance / up;
   }
-  // Pressed a little deeper, does it come free more easily to the side?
+  // Tests whether it would separate more easily sideways when pressed a little deeper.
   a.T.translation().z() = z + rise - 2.0 * kAside / up;
   if (-gap_between(a, b).distance < kAside) return std::nullopt;
   return rise;
 }
 
-// The pieces of both that can meet, by the trees of boxes around triangles; a convex body is one
-// piece. The highest rise that is not above `most` is kept.
+// Visits the pieces of both bodies that can meet, by the trees of boxes around triangles; a convex
+// body is one piece. Keeps the highest rise that is not above `most`.
 class Descent {
  public:
   Descent(const Solid& a, const Solid& b) : a_(a), b_(b) {}
@@ -118,7 +119,7 @@ class Descent {
       const Extent e = split_a ? extent(a_, child) : extent(b_, child);
       parts.emplace_back(split_a ? e.low.z() : -e.high.z(), child);
     }
-    // What can rest highest first.
+    // The pairs with the highest possible contact first.
     std::ranges::sort(parts);
     for (const auto& [height, child] : parts) split_a ? visit(child, b) : visit(a, child);
   }

@@ -79,8 +79,8 @@ const Solid& ScenePose::body(const BodyRef& ref) {
   return bodies_[at];
 }
 
-// The joint farthest out moves first, then the next one all that is behind it, by now displaced by
-// what was added up: no point gets farther than the sum of the arcs.
+// The outermost joint moves first, then the next one moves all beyond it, which is already
+// displaced by the sum so far: no point gets farther than the sum of the arcs.
 double ScenePose::travel_behind(const BodyRef& ref, int from) {
   const Solid& solid = body(ref);
   const ArmPose& pose = pose_of(ref.arm);

@@ -1,4 +1,4 @@
-// A scene at one position of all its joints, worked out as far as it is asked for.
+// A scene in one configuration; poses are computed when they are needed.
 #pragma once
 
 #include <span>
@@ -13,15 +13,15 @@ class ScenePose {
   // throws  ArgumentError as check_motion.
   explicit ScenePose(const MotionScene& scene);
 
-  // q       positions of all joints, arm by arm.
-  // travel  how far each of them may be from there, >= 0.
+  // q       joint values of all arms, arm by arm.
+  // travel  bound on the deviation of each of them, >= 0.
   void place(std::span<const double> q, std::span<const double> travel);
 
   // A body in the world.
   [[nodiscard]] const Solid& body(const BodyRef& ref);
   [[nodiscard]] double reach(const BodyRef& ref) const { return reaches_[slot(ref)]; }
 
-  // How far any point of one body can get from where it is, seen from the other one.
+  // Bound on the motion of any point of one body relative to the other one.
   [[nodiscard]] double travel(const CheckedPair& pair);
 
  private:
@@ -34,15 +34,15 @@ class ScenePose {
   [[nodiscard]] std::size_t slot(const BodyRef& ref) const;
   const ArmPose& pose_of(int arm);
   [[nodiscard]] double travel_of(const BodyRef& ref);
-  // By the joints behind frame `from`, those before it standing still.
+  // By the joints beyond frame `from`, while those before it are at rest.
   [[nodiscard]] double travel_behind(const BodyRef& ref, int from);
 
   const MotionScene& scene_;
   std::vector<ArmPose> arms_;
-  std::vector<Solid> bodies_;    // in the world: those of the arms, then what is fixed
+  std::vector<Solid> bodies_;    // in the world: those of the arms, then the fixed ones
   std::vector<double> reaches_;  // of the same
-  std::vector<int> placed_;      // when each was placed
-  std::vector<double> far_;      // how far each gets, and when that was worked out
+  std::vector<int> placed_;      // number of the configuration in which each was placed
+  std::vector<double> far_;      // bound on the motion of each, and when it was computed
   std::vector<int> far_known_;
   std::size_t first_fixed_ = 0;
   std::span<const double> q_, travel_;

@@ -10,15 +10,18 @@
 namespace armlet {
 namespace {
 
-// Shares of a clearance: what segments keep beyond it, so that a motion that follows them can be
-// certified again, and by how much more is kept at positions than between two of them.
+// Fractions of a clearance: the margin of segments, so that a motion along them can be certified
+// again, and the additional distance at configurations, compared with the interval between two of
+// them.
 constexpr double kSpare = 0.05;
 constexpr double kGrain = 0.1;
-constexpr double kRoomy = 1.25;          // clearances; a gap at an end that reduces nothing
-constexpr double kTouching = -0.8e-4;    // m, what may touch: together with its grain not yet kSoft
+constexpr double kRoomy = 1.25;  // clearances; larger gaps at an end reduce nothing
+// m, pairs that may touch: with their grain still less than kSoft
+constexpr double kTouching = -0.8e-4;
 constexpr double kTouchingGrain = 2e-5;  // m
-constexpr double kLeft = 1e-3;           // m, as far as this what was lying on something still does
-constexpr std::uint64_t kLookCost = 600;  // operations of a position, and of each pair there
+// m, largest distance at which a body that was lying on another one still does
+constexpr double kLeft = 1e-3;
+constexpr std::uint64_t kLookCost = 600;  // operations of a configuration, and of each pair there
 constexpr std::uint64_t kPairCost = 40;
 
 }  // namespace
@@ -105,7 +108,7 @@ SegmentCheck::Answer SegmentCheck::look(std::size_t index) {
   const double travel = pose_->pose.travel(pair);
   const double keep = keep_[index], grain = grain_[index];
   const Solid &a = pose_->pose.body(pair.a), &b = pose_->pose.body(pair.b);
-  // Beyond this gap nothing can come nearer than keep - grain while the points travel.
+  // With a larger gap the bodies cannot come nearer than keep - grain while the points travel.
   const double certain = std::max(keep, keep - grain + travel);
   const double middles = (a.T.translation() - b.T.translation()).norm();
   if (middles - pose_->pose.reach(pair.a) - pose_->pose.reach(pair.b) > certain)

@@ -28,7 +28,7 @@ struct OfShape {
 
 double Solid::reach() const {
   if (mesh != nullptr) return mesh->reach() + margin;
-  // A box reaches its corner; what is round has the radius twice in `half`.
+  // A box reaches its corner; round bodies have the radius twice in `half`.
   const bool round = core == Core::kCylinder || core == Core::kCone;
   const double across = round ? half.x() : std::sqrt(half.x() * half.x() + half.y() * half.y());
   return std::sqrt(across * across + half.z() * half.z()) + margin;

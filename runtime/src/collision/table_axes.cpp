@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kSameAxis = 1e-9;
 
-// From the axis of joint k to that of joint k + 1, counted from 1, but for the joint's own motion
+// From the axis of joint k to that of joint k + 1, counted from 1, without the joint's own motion
 // along and about the former.
 Eigen::Isometry3d T_axis_next(const Robot& robot, int k) {
   return T_frame_link(robot, k).inverse() * T_frame_axis(robot, k);
@@ -15,7 +15,7 @@ bool are_parallel(const Eigen::Isometry3d& T_axis_next) {
   return T_axis_next.linear().col(2).head<2>().norm() < kSameAxis;
 }
 
-// Whether the axes of joints k and k + 1 are one.
+// Whether joints k and k + 1 have the same axis.
 bool is_one_axis(const Robot& robot, int k) {
   const Eigen::Isometry3d T = T_axis_next(robot, k);
   return are_parallel(T) && T.translation().head<2>().norm() < kSameAxis;

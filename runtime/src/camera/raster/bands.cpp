@@ -9,7 +9,7 @@ BandLists::Rows BandLists::bands_of(const DrawnTriangle& triangle) const {
     return static_cast<int>(
         floor_quotient(floor_quotient(y, kOne) - window_.top, std::int64_t{kBandRows}));
   };
-  // A pixel more on both sides, because samples lie beside the centres of pixels.
+  // One pixel more on both sides, because samples are not at the centres of pixels.
   return {std::max(0, band_of(low - kOne)), std::min(bands_ - 1, band_of(high + kOne))};
 }
 
@@ -45,8 +45,8 @@ void Band::draw(int band, const BandLists& lists, const std::vector<DrawnTriangl
                  [&](std::uint32_t i) { fill<true>(triangles[i], grid_, begin, end, rows_); });
 }
 
-// The ground lies a few millionths of its distance behind where it is, so that a sheet on it is
-// seen.
+// The ground is drawn a few millionths of its distance farther away, so that a sheet on it is
+// visible.
 void Band::clear(int begin, int end, const GroundView& ground, double far) {
   constexpr double kBehind = 1.0 - 2e-6;
   const F4 farthest = F4{} + static_cast<float>(1.0 / far);

@@ -1,5 +1,6 @@
 #pragma once
-// Pictures in bands of a few rows, whose samples stay in the cache. A band depends on no other one.
+// Pictures in bands of a few rows, whose samples fit into the cache. Bands are independent of each
+// other.
 
 #include <algorithm>
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace armlet::raster {
 
 inline constexpr int kBandRows = 16;  // of pixels
 
-// Which triangles meet which band, in the order in which they are drawn.
+// The triangles that intersect each band, in drawing order.
 class BandLists {
  public:
   void sort(const std::vector<DrawnTriangle>& triangles, const Window& window);
@@ -34,14 +35,14 @@ class BandLists {
   std::vector<std::uint32_t> starts_, items_, next_;
 };
 
-// The samples of a band: what is nearest at each.
+// The samples of a band: the nearest triangle at each.
 class Band {
  public:
   // Clears the samples to the ground and the background and draws the triangles of the band.
   void draw(int band, const BandLists& lists, const std::vector<DrawnTriangle>& triangles,
             const Window& window, int samples, const GroundView& ground, double far);
 
-  [[nodiscard]] int first_row() const { return first_row_; }  // of pixels, from that of the window
+  [[nodiscard]] int first_row() const { return first_row_; }  // of pixels, relative to the window
   [[nodiscard]] int pixel_rows() const { return pixel_rows_; }
   [[nodiscard]] const SampleGrid& grid() const { return grid_; }
   // A row of samples, counted from the first one of the band.

@@ -7,7 +7,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Always from the corner that is kept to the other one, whichever triangle asks.
+// Always computed from the kept corner to the other one, so that both triangles of an edge get the
+// same point.
 Vector3d crossing(const Vector3d& kept, double at_kept, const Vector3d& lost, double at_lost) {
   const double share = at_kept / (at_kept - at_lost);
   return {kept[0] + share * (lost[0] - kept[0]), kept[1] + share * (lost[1] - kept[1]),

@@ -8,19 +8,19 @@
 
 namespace armlet::raster {
 
-// Summed in this order, for the same bits everywhere.
+// Summed in this order, so that the bits are the same on every machine.
 inline double dot(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Corners of what is left of a triangle, in order: three and one for each plane at most.
+// Corners of a clipped triangle, in order: at most three and one for each plane.
 struct Polygon {
   static constexpr int kMost = 8;
   std::array<Eigen::Vector3d, kMost> p{};
   int size = 0;
 };
 
-// Where n . p + d >= 0.
+// The points with n . p + d >= 0.
 struct HalfSpace {
   Eigen::Vector3d n;
   double d = 0.0;
@@ -29,7 +29,7 @@ struct HalfSpace {
 Polygon cut(const Polygon& whole, const HalfSpace& side);
 
 // The part of a triangle of the camera's frame at z >= near whose pixels are within the guard.
-// Edges that two triangles share are cut at the same points, to the bit.
+// Shared edges of two triangles are cut at the same points, bit by bit.
 //
 // source  I. E. Sutherland and G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM
 //         17(1), 1974.

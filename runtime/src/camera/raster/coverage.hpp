@@ -1,5 +1,5 @@
 #pragma once
-// Which samples of a picture a triangle covers, in whole numbers.
+// The samples of a picture that a triangle covers, in integers.
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@ namespace armlet::raster {
 
 inline constexpr int kOne = 256;  // steps of a pixel: 24.8 fixed point
 
-// Corners beyond these pixels are clipped away first, so that products fit into 64 bits.
+// Corners beyond these pixels are clipped first, so that products fit into 64 bits.
 inline constexpr double kGuardLow = -12288.0;
 inline constexpr double kGuardHigh = 20480.0;
 
@@ -54,13 +54,13 @@ inline std::int64_t floor_quotient(std::int64_t a, std::int64_t b) {  // b > 0
   return q - (a % b < 0 ? 1 : 0);
 }
 
-// The first row of samples at or below y; columns alike.
+// The first row of samples at or below y; also used for columns.
 inline int first_at(std::int32_t y, std::int32_t origin, std::int32_t step) {
   return static_cast<int>(floor_quotient(std::int64_t{y} - origin + step - 1, step));
 }
 
-// Walks along an edge, row by row, and knows the first column at or right of it: exactly, with the
-// remainder of the division carried along.
+// Follows an edge row by row with the first column at or right of it: exactly, since the remainder
+// of the division is updated with each row.
 class EdgeWalk {
  public:
   // From (xa, ya) down to (xb, yb), ya < yb, beginning at a row.

@@ -9,7 +9,7 @@
 
 namespace armlet::raster {
 
-// Four numbers side by side: every operation is the same one on each, in whatever instruction set.
+// Four numbers: every operation is applied to each, on every instruction set.
 using F4 = float __attribute__((vector_size(16)));
 using I4 = std::int32_t __attribute__((vector_size(16)));
 
@@ -31,9 +31,10 @@ void store4(T* to, V v) {
   std::memcpy(to, &v, sizeof(v));
 }
 
-// A triangle in the picture with what is nearest where it is largest: 1/z of a camera, the height
-// towards the light in a map of shadows. It is a u + b v + c at pixel (u, v), within low and high:
-// rounded corners lie a little beyond the real ones, where a steep plane runs away.
+// A triangle in the picture with the quantity whose largest value is visible: 1/z for a camera, the
+// height towards the light for a shadow map. It is a u + b v + c at pixel (u, v), clamped to low
+// and high: rounded corners are a little outside of the exact ones, where the value of a steep
+// plane would be far off.
 struct DrawnTriangle {
   FixedTriangle corners;
   float low, high;
@@ -41,16 +42,16 @@ struct DrawnTriangle {
   std::int32_t number;  // stored for its samples
 };
 
-// Samples of some rows of a grid; each row has room for whole groups of four.
+// Samples of some rows of a grid; rows are padded to groups of four.
 struct SampleRows {
   std::vector<float> nearness;
-  std::vector<std::int32_t> number;  // empty in maps of shadows
+  std::vector<std::int32_t> number;  // empty for shadow maps
   std::size_t stride = 0;
 
   static std::size_t stride_of(int columns) {
     return (static_cast<std::size_t>(columns) + 3) / 4 * 4;
   }
-  // Keeps what it has allocated before.
+  // Reuses allocated memory.
   void resize(int columns, int rows, bool with_numbers) {
     stride = stride_of(columns);
     const std::size_t size = stride * static_cast<std::size_t>(rows);
@@ -59,8 +60,8 @@ struct SampleRows {
   }
 };
 
-// One row of samples from column `first` to `last` - 1. Every sample is computed from `first`, so
-// that nothing depends on the groups.
+// Fills one row of samples from column `first` to `last` - 1. Every sample is computed from
+// `first`, so that results do not depend on the groups.
 template <bool kNumbers>
 inline void fill_span(const DrawnTriangle& t, double u_first, float slope, double v, int first,
                       int last, float* nearness, std::int32_t* number) {

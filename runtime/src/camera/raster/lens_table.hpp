@@ -7,10 +7,11 @@
 
 namespace armlet::raster {
 
-// Makes the pictures that are asked for in a size; those that have it are kept.
+// Resizes the requested pictures; those that have the size are kept.
 void fit(Pictures& pictures, int width, int height, const PictureOptions& options);
 
-// For every pixel of a camera with distortion the pixel of a camera without it, as large as needed.
+// Maps every pixel of a camera with distortion to a pixel of a camera without it, whose picture is
+// as large as needed.
 class LensTable {
  public:
   // Computed again only if the intrinsics changed.

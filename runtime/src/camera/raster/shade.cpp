@@ -7,8 +7,8 @@ namespace armlet::raster {
 
 using Eigen::Vector3d;
 
-// A linear function along a run: its start is computed in double precision, the few pixels of the
-// run from there as floats.
+// A linear function along a run of pixels: its start is computed in double precision, the pixels of
+// the run from there in single precision.
 struct Shader::Steps {
   float start, slope;
   Steps(const Linear& f, const PixelRun& run)
@@ -34,7 +34,7 @@ struct Shader::Lights {
         slope_y(slope[1] * map.square()) {}
 
   [[nodiscard]] F4 at(F4 k, F4 depth) const {
-    // Columns and rows of the map lie at whole numbers.
+    // Columns and rows of the map are at integers.
     const F4 column = x.at(k) * depth + x0, row = y.at(k) * depth + y0;
     const F4 height = h.at(k) * depth + h0;
     F4 share{};
@@ -130,7 +130,7 @@ void Shader::shade_triangle(const TriangleLook& look, const PixelRun& run,
   }
 }
 
-// One by one: what is interpolated and looked up on a picture costs more than the rest.
+// Pixel by pixel: interpolation and texture access take longer than the rest.
 void Shader::shade_picture(const TriangleLook& look, const PixelRun& run, std::uint8_t* out) const {
   const PicturePlace& place = triangles_.places[static_cast<std::size_t>(look.picture)];
   const auto width = static_cast<double>(place.texture->width());

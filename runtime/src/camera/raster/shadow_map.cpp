@@ -36,8 +36,8 @@ struct ShadowMap::Extent {
   [[nodiscard]] bool is_empty() const { return !(low.x() < high.x() && low.y() < high.y()); }
 };
 
-// The rectangle around what throws shadows, as far as it lies above what the camera may see of it:
-// the pyramid of its view up to the farthest body or shadow on the ground.
+// The rectangle around the bodies that cast shadows, as far as it is above what the camera may see
+// of it: the viewing pyramid up to the farthest body or shadow on the ground.
 bool ShadowMap::choose_part(const Scene& scene, const View& view, const LightFrame& light) {
   Extent bodies, seen;
   const Intrinsics& camera = view.camera;
@@ -120,7 +120,7 @@ void ShadowMap::draw_body(const SceneBody& body, const LightFrame& light) {
 }
 
 // Axes x, y across and h towards the light are a right-handed frame: triangles that face the light
-// run counterclockwise there, with y upwards.
+// are counterclockwise there, with y upwards.
 void ShadowMap::add_triangle(const SurfaceParts& parts, std::size_t i) {
   const auto& corners = parts.corners[i];
   const std::array<Vector3d, 3> p{points_[corners[0]], points_[corners[1]], points_[corners[2]]};

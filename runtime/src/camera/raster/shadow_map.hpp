@@ -1,13 +1,14 @@
 #pragma once
-// Which parts of a scene the light reaches.
+// The parts of a scene that the light reaches.
 
 #include "armlet/camera/scene.hpp"
 #include "camera/raster/triangles.hpp"
 
 namespace armlet::raster {
 
-// Heights towards the light of what lies nearest to it, in squares of one size over the part of
-// the scene that is in view: along its longer side 1.6 times as many as the picture has pixels.
+// Heights, towards the light, of the surfaces nearest to it, in squares of one size over the
+// visible part of the scene: along its longer side 1.6 times as many squares as the picture has
+// pixels.
 //
 // source  L. Williams, Casting curved shadows on curved surfaces, Computer Graphics 12(3), 1978;
 //         the mean of four comparisons: W. T. Reeves, D. H. Salesin, R. L. Cook, Rendering
@@ -16,15 +17,15 @@ class ShadowMap {
  public:
   static constexpr int kMostSquares = 1024;  // along a side
 
-  // Draws the bodies that throw shadows.
+  // Draws the bodies that cast shadows.
   void draw(const Scene& scene, const View& view, const LightFrame& light);
 
   void clear() { columns_ = 0; }
-  // Nothing throws a shadow in the picture.
+  // Whether no body casts a shadow in the picture.
   [[nodiscard]] bool is_empty() const { return columns_ == 0; }
 
-  // Coordinates in the map of the point at depth 1/w at a pixel: x.at(u, v) / w + x0; squares, and
-  // for h metres.
+  // Coordinates in the map of the point at depth 1/w at a pixel: x.at(u, v) / w + x0; in squares,
+  // for h in metres.
   [[nodiscard]] const Linear& x() const { return x_; }
   [[nodiscard]] const Linear& y() const { return y_; }
   [[nodiscard]] const Linear& h() const { return h_; }

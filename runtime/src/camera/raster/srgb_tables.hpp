@@ -1,5 +1,5 @@
 #pragma once
-// Bytes of pictures and linear light by tables, because every pixel needs them.
+// Tables between bytes of pictures and linear light, because every pixel needs the conversion.
 
 #include <array>
 #include <cstddef>
@@ -8,7 +8,7 @@
 namespace armlet::raster {
 
 // decode  linear light of bytes and of kPerByte - 1 values between two of them.
-// encode  bytes of linear light in equal steps, fine enough that next to black no byte is skipped.
+// encode  bytes of linear light in equal steps, fine enough that near black no byte is skipped.
 struct SrgbTables {
   static constexpr int kPerByte = 16;
   static constexpr int kDecodeSteps = 255 * kPerByte;
@@ -19,7 +19,7 @@ struct SrgbTables {
 
 const SrgbTables& srgb_tables();
 
-// The byte of linear light; below 0 and above 1 it is limited.
+// The byte of linear light, which is clamped to 0 to 1.
 inline std::uint8_t encoded_byte(const SrgbTables& tables, float linear) {
   const float step = linear * static_cast<float>(SrgbTables::kEncodeSteps) + 0.5F;
   if (!(step > 0.0F)) return tables.encode.front();
@@ -27,7 +27,7 @@ inline std::uint8_t encoded_byte(const SrgbTables& tables, float linear) {
   return tables.encode[static_cast<std::size_t>(step)];
 }
 
-// Linear light of a value from 0 to 255 that may lie between two bytes.
+// Linear light of a value from 0 to 255, which may be between two bytes.
 inline float decoded_value(const SrgbTables& tables, float value) {
   return tables.decode[static_cast<std::size_t>(value * SrgbTables::kPerByte + 0.5F)];
 }

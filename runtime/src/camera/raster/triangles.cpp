@@ -72,7 +72,7 @@ class BodyTriangles {
     }
   }
 
-  // Whether the triangle shows its inside: 1 yes, 0 no, -1 it is not drawn.
+  // Whether the back of the triangle is visible: 1 yes, 0 no, -1 it is not drawn.
   [[nodiscard]] int inside_of(std::int64_t area) const {
     if (area == 0) return -1;
     if (area < 0) return 0;  // counterclockwise as seen
@@ -108,7 +108,7 @@ class BodyTriangles {
            v);
   }
 
-  // A part of triangle i with corners v.
+  // Draws a part of triangle i with corners v.
   void draw(std::size_t i, const std::array<const SeenVertex*, 3>& part,
             const std::array<const SeenVertex*, 3>& v) {
     const FixedTriangle fixed{{part[0]->x, part[1]->x, part[2]->x},
@@ -127,7 +127,7 @@ class BodyTriangles {
     const Vector3d &p0 = v[0]->p, &p1 = v[1]->p, &p2 = v[2]->p;
     const Vector3d n = (p1 - p0).cross(p2 - p0);
     const double det = dot(n, p0), length = std::sqrt(dot(n, n));
-    // A triangle that is seen from its edge has no depths of its own.
+    // A triangle that is seen along its plane has no depths of its own.
     const bool is_plane = std::abs(det) > 1e-12 * length * (1e-3 + std::sqrt(dot(p0, p0)));
     const Material& material = body_.materials[parts_.materials.empty() ? 0 : parts_.materials[i]];
     TriangleLook look{};
@@ -167,7 +167,8 @@ class BodyTriangles {
       look.key.c = lighting_.key * std::max(static_cast<float>(key), 0.0F);
       look.sky.c = lighting_.sky(static_cast<float>(dot(n, up_)));
     }
-    constexpr double kSteepest = 12.0;  // beyond it there is hardly any light to be hidden
+    // steeper surfaces get hardly any light that a shadow could remove
+    constexpr double kSteepest = 12.0;
     for (std::size_t k = 0; k < 2; ++k) {
       look.slope[k] = 0.0F;
       if (look.meets_light)

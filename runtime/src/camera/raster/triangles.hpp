@@ -1,5 +1,5 @@
 #pragma once
-// The triangles of a scene that may be seen, ready to be drawn.
+// The triangles of a scene that may be visible, ready to be drawn.
 
 #include <array>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace armlet::raster {
 
-// The light in pictures: unit vector, and what Light holds as floats.
+// The light in pictures: unit vector, and the members of Light as floats.
 struct Lighting {
   Eigen::Vector3d towards;
   float key, sky_middle, sky_half;
@@ -39,19 +39,19 @@ struct TriangleLook {
   std::int32_t body;
 };
 
-// Where a triangle lies on a picture, as products with 1/z.
+// Texture coordinates of a triangle, as products with 1/z.
 struct PicturePlace {
   Linear u, v;
   const Texture* texture;
 };
 
-// Axes of the map of shadows in the world: x, y across and `towards` along the light.
+// Axes of the shadow map in the world: x, y across and `towards` along the light.
 struct LightFrame {
   Eigen::Vector3d x, y, towards;
   explicit LightFrame(const Eigen::Vector3d& direction);
 };
 
-// A position of a body in the picture.
+// A vertex of a body in the picture.
 //
 // is_plain  in front of the camera and within the guard, so that it needs no clipping.
 struct SeenVertex {
@@ -61,14 +61,15 @@ struct SeenVertex {
   bool is_plain;
 };
 
-// Pixels of a picture or of a larger part of its plane; what lies beside it is left out.
+// A part of the image plane, in pixels, possibly larger than the picture; triangles outside are
+// left out.
 struct Window {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-// Owns its memory, which is used again in the next picture.
+// Owns its memory, which is reused for the next picture.
 struct SceneTriangles {
-  std::vector<DrawnTriangle> drawn;  // number: of its look
+  std::vector<DrawnTriangle> drawn;  // number: index of its look
   std::vector<TriangleLook> looks;
   std::vector<PicturePlace> places;
   std::vector<SeenVertex> vertices;  // of one body
@@ -79,7 +80,7 @@ struct SceneTriangles {
            const Lighting& lighting, const LightFrame& light);
 };
 
-// Whether a ball about a point of the camera's frame may be seen in a window.
+// Whether a ball about a point of the camera's frame may be visible in a window.
 bool may_be_seen(const Eigen::Vector3d& middle, double radius, const Intrinsics& camera,
                  const Window& window);
 

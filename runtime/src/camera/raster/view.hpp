@@ -7,7 +7,7 @@
 
 namespace armlet::raster {
 
-// a u + b v + c at pixel (u, v).
+// The function a u + b v + c of pixel (u, v).
 struct Linear {
   double a = 0.0, b = 0.0, c = 0.0;
   [[nodiscard]] double at(double u, double v) const { return a * u + (b * v + c); }
@@ -21,7 +21,7 @@ struct View {
   View(const Intrinsics& intrinsics, const Eigen::Isometry3d& T_world)
       : camera(intrinsics), T_eye_world(T_world.inverse(Eigen::Isometry)), T_world_eye(T_world) {}
 
-  // g . (x, y, 1) with the ray (x, y, 1) of pixel (u, v).
+  // The function g . (x, y, 1), with the ray (x, y, 1) of pixel (u, v).
   [[nodiscard]] Linear along_ray(const Eigen::Vector3d& g) const {
     const double a = g.x() / camera.fx, b = g.y() / camera.fy;
     return {a, b, g.z() - a * camera.cx - b * camera.cy};

@@ -17,15 +17,14 @@ using Eigen::VectorXd;
 
 constexpr double kRank = 1e-8;  // of the largest singular value
 
-// The speed from which a joint can still come to rest within `room`, after it was held for a
-// period.
+// The largest speed, held for a period, after which a joint can still come to rest within `room`.
 double speed_within(double room, double accel, double period) {
   if (!std::isfinite(room)) return room;
   if (!std::isfinite(accel)) return room / period;
   return accel * (std::sqrt(period * period + 2.0 * room / accel) - period);
 }
 
-// Back from the outer three tenths of the range of each joint.
+// A motion back from the outer three tenths of the range of each joint.
 VectorXd away_from_limits(const ServoArm& arm, const VectorXd& q) {
   constexpr double kFree = 0.7, kRate = 2.0;  // 1/s
   VectorXd out = VectorXd::Zero(q.size());
@@ -39,7 +38,7 @@ VectorXd away_from_limits(const ServoArm& arm, const VectorXd& q) {
   return out;
 }
 
-// The joint that has to be slowed down most for its limit.
+// The joint whose limit requires the smallest scale.
 struct Slowest {
   double scale = 1.0;
   JointAtLimit at{};

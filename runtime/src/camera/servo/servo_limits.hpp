@@ -10,8 +10,8 @@ namespace armlet {
 
 // A joint whose limit slows the arm down.
 //
-// room   how far it stands from that limit, rad or m.
-// asked  the speed that the law wants of it.
+// room   distance from that limit, rad or m.
+// asked  the speed that the law demands of it.
 struct JointAtLimit {
   Eigen::Index joint = 0;
   double limit = 0.0;
@@ -19,7 +19,7 @@ struct JointAtLimit {
   double asked = 0.0;
 };
 
-// Speeds that keep to the limits: those asked for, times `scale`.
+// Speeds within the limits: the demanded ones times `scale`.
 //
 // rank  of the matrix of the task.
 struct LimitedSpeeds {
@@ -28,9 +28,9 @@ struct LimitedSpeeds {
   std::optional<JointAtLimit> at{};
 };
 
-// -gain A^+ error, with a motion away from the limits of the joints where A leaves one free. A
-// joint that would not be able to stop before its limit is left out if the others can do without
-// it; otherwise all are slowed down.
+// -gain A^+ error, with a self-motion away from the joint limits where A leaves one free. A joint
+// that could not stop before its limit is held if the others can do the task without it; otherwise
+// all joints are slowed down.
 //
 // q, period  of ServoSight and ServoOptions.
 LimitedSpeeds limited_speeds(const Eigen::MatrixXd& A, const Eigen::VectorXd& error, double gain,

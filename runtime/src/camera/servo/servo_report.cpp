@@ -1,4 +1,4 @@
-// What a servo loop refuses, and what it says of its end.
+// Checks of the arguments of a servo loop, and explanations of its end.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr double kPoor = 1e-3;  // of singular values of L, in normalised coordinates
 
-// An orthonormal basis of what A reaches.
+// An orthonormal basis of the range of A.
 MatrixXd reach_of(const MatrixXd& A) {
   constexpr double kRank = 1e-8;
   const SvdParts parts = singular_values(A);
@@ -41,7 +41,7 @@ std::string lacking_axes(const MatrixXd& J) {
   return out;
 }
 
-// "0.50", and "0.00" where rounding leaves no more.
+// "0.50"; "0.00" for values below rounding.
 std::string share_text(double value) {
   constexpr double kRounded = 0.005;
   return fmt::format("{:.2f}", std::abs(value) < kRounded ? 0.0 : value);

@@ -22,13 +22,14 @@ using Eigen::Isometry3d;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kBorder = 0.05;   // of the width and the height: here points slow down
-constexpr double kOfRoom = 0.25;   // of what is left to the edge, in one period
-constexpr double kStopped = 0.02;  // speeds scaled by less count as none
+// of the width and the height: nearer to the border points slow down
+constexpr double kBorder = 0.05;
+constexpr double kOfRoom = 0.25;   // of the distance to the border, in one period
+constexpr double kStopped = 0.02;  // speeds scaled by less count as zero
 constexpr int kStoppedPictures = 10;
-constexpr std::size_t kWindow = 50;  // pictures in which the error has to fall
+constexpr std::size_t kWindow = 50;  // number of pictures in which the error has to decrease
 constexpr double kFallen = 0.999;
-constexpr double kChanges = 0.05;  // of the change of the picture that the gain asks for
+constexpr double kChanges = 0.05;  // of the change of the picture that the gain demands
 constexpr double kArmRank = 1e-3;  // of the largest singular value
 constexpr double kImageRank = 1e-8;
 
@@ -36,7 +37,7 @@ double to_rotation(const Isometry3d& a, const Isometry3d& b) {
   return rotation_log(a.linear().transpose() * b.linear()).norm();
 }
 
-// Where the middle of some points is seen, and how deep it lies.
+// Pixel and depth of the centre of some points.
 struct Middle {
   Eigen::Vector2d seen;
   double depth;
@@ -97,7 +98,7 @@ PlanePoints VisualServo::expected(const VectorXd& qd) const {
   return points_ + Eigen::Map<const PlanePoints>(moved.data(), points_.rows(), 2);
 }
 
-// Where the points are, or are expected.
+// Sets the points: found ones or predicted ones.
 void VisualServo::take_points(const ServoSight& sight) {
   if (sight.pixels) {
     points_ = *sight.pixels;
@@ -129,7 +130,7 @@ void VisualServo::end_if_outside(const VectorXd& depths, bool depths_are_known) 
   }
 }
 
-// The pose of the points; of two that explain the picture, the one that is nearer to the last.
+// Finds the pose of the points; of two possible poses, the one nearer to the last.
 bool VisualServo::find_pose(const PlanePoints& seen) {
   const auto found = planar_pose(goal_.points, seen);
   if (!found) {
@@ -170,7 +171,7 @@ std::optional<VisualServo::Task> VisualServo::task_of(const ServoSight& sight) {
   return task;
 }
 
-// The error of the law and how the joints change it.
+// Sets the error of the law and its derivative by the joints.
 void VisualServo::set_errors(Task& task, const ServoSight& sight) const {
   if (is_image_law()) {
     const ImageGoal goal{task.seen, wanted_, task.depths, depths_wanted_};
@@ -214,7 +215,7 @@ void VisualServo::end_if_singular(const Task& task, const ServoSight& sight) {
   }
 }
 
-// A local minimum: the speeds that the law asks for leave the picture nearly as it is.
+// Detects a local minimum: the speeds of the law hardly change the picture.
 void VisualServo::end_if_stuck(const Task& task, const ServoSight& sight, const VectorXd& speeds) {
   const ServoRow& row = rows_.back();
   if (row.held) return;

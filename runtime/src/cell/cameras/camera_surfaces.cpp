@@ -22,12 +22,12 @@ LinearRgb color_of(const std::string& name) {
   return color_named(name).value_or(*color_named("gray"));
 }
 
-// The links of a robot as robot_scene has them, each with its surface; made once for each robot.
+// The links of a robot from robot_scene with their surfaces; made once for each robot.
 struct LinkSurfaces {
   using FromShape = void;
 
   struct Node {
-    GlbNode frame;  // without its triangles
+    GlbNode frame;  // without triangles
     std::shared_ptr<const Surface> surface{};
   };
   std::vector<Node> nodes;
@@ -51,7 +51,7 @@ struct LinkSurfaces {
   }
 };
 
-// The joint of a node at q instead of where it was when the scene was made.
+// The pose change of a node when its joint value becomes q.
 Isometry3d moved(const GlbNode& node, double q) {
   const double by = q - node.joint->q;
   if (node.joint->turns)
@@ -139,7 +139,7 @@ const SceneBody& Cameras::Surfaces::body_of(const Object& object) {
                  .surface = std::make_shared<const Surface>(surface_of(object.shape)),
                  .materials = {plain, plain}};
   if (object.texture != nullptr) {
-    // What cannot be read keeps its colour.
+    // An object whose texture cannot be decoded has its plain colour.
     if (const Result<Image> picture = read_image(*object.texture); picture.ok())
       body.materials[kPicturedMaterial] = {.color = {1.0F, 1.0F, 1.0F},
                                            .texture = std::make_shared<const Texture>(*picture)};

@@ -1,5 +1,5 @@
 #pragma once
-// What is in a cell as surfaces that cameras draw.
+// The contents of a cell as surfaces that cameras draw.
 
 #include <map>
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace armlet {
 
-// Surfaces of objects and drawings by name, made again when what has the name looks different.
+// Surfaces of objects and drawings by name, made again when their appearance changes.
 class Cameras::Surfaces {
  public:
   // Objects in the order of the world, robots with a body for each link, drawings.

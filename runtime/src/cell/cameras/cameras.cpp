@@ -14,7 +14,7 @@
 
 namespace armlet {
 
-// The rasteriser and the pictures that it draws into.
+// The rasteriser and its pictures.
 class Cameras::Drawer {
  public:
   Renderer renderer;

@@ -8,9 +8,9 @@ namespace armlet {
 namespace {
 
 constexpr int kLongestRun = 256;
-constexpr std::size_t kOverhead = 160;  // bytes of a picture beside its pixels
+constexpr std::size_t kOverhead = 160;  // bytes of a picture in addition to its pixels
 
-// Two hashes of the same words, so that two scenes have one key practically never.
+// Two hashes of the same words, so that two scenes practically never have the same key.
 class KeyMaker {
  public:
   void add(std::uint64_t word) {

@@ -21,8 +21,8 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kAcross = 0.7;  // rad, the angle across the picture
-constexpr double kFilled = 0.9;  // of the picture, at most
-constexpr double kLeast = 0.1;   // m that a picture shows, at least
+constexpr double kFilled = 0.9;  // of the picture, largest share
+constexpr double kLeast = 0.1;   // m, smallest width that a picture shows
 
 Vector3d corner(const AlignedBox3d& box, int i) {
   return box.corner(static_cast<AlignedBox3d::CornerType>(i));
@@ -113,7 +113,7 @@ Viewpoint Overview::place() const {
   T.translation() = R_ * Vector3d(0.5 * (right_ - left_), 0.5 * (down_ - up_), c);
   Intrinsics lens = lens_;
   constexpr double kFar = 20.0;                 // m
-  lens.far = std::max(kFar, 4.0 * (far_ - c));  // the ground fades behind what is shown
+  lens.far = std::max(kFar, 4.0 * (far_ - c));  // the ground fades beyond the shown objects
   return {Pinhole(lens), T};
 }
 
