@@ -28,7 +28,7 @@ MAY_INCLUDE = {
     "image": ["core", "math"],
     "vision": ["core", "math", "chain", "image"],
     "camera": ["core", "math", "mesh", "world", "image", "vision"],
-    "plot": ["core", "math"],
+    "plot": ["core", "math", "image"],
     "backend": ["core", "math", "plot", "image"],
     "cell": RUNTIME,
     "interpreter": ["core", "math"],

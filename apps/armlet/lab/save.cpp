@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "armlet/core/base64.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "console.hpp"
 #include "embedded_texts.hpp"
@@ -91,21 +92,6 @@ void give_inputs(Visitor& visitor, const std::string& path) {
 
 // ---- a run as a page --------------------------------------------------------------------------
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = word << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += k <= bytes.size() - i ? kDigits[word >> (18U - 6U * k) & 63U] : '=';
-  }
-  return out;
-}
-
 // JSON as the text of an element of a page: with no character that ends the element.
 std::string in_page(const SavedJson& json) {
   const std::string plain = json.dump(-1, ' ', false, SavedJson::error_handler_t::replace);
@@ -127,7 +113,7 @@ void add_files(const Visitor& visitor, const SavedJson& told, SavedJson& recordi
     const auto name = thing.find(field);
     if (name == thing.end()) return;
     const lab::FileBytes bytes = visitor.file(name->get<std::string>());
-    if (bytes != nullptr) recording.push_back({{"file", *name}, {"binary", base64(*bytes)}});
+    if (bytes != nullptr) recording.push_back({{"file", *name}, {"binary", to_base64(*bytes)}});
   };
   for (const SavedJson& object : told.at("objects")) {
     add(object, "file");
@@ -187,7 +173,7 @@ std::string recorded_page(Visitor& visitor) {
   SavedJson run;
   for (const lab::Message& each : visitor.send({{"type", "hello"}, {"protocol", 1}})) {
     if (each.is_binary) {
-      recording.push_back({{"binary", base64(each.bytes)}});
+      recording.push_back({{"binary", to_base64(each.bytes)}});
     } else {
       SavedJson told = SavedJson::parse(each.bytes);
       if (told["type"] == "description") add_files(visitor, told, recording);

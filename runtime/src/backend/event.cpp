@@ -66,9 +66,11 @@ std::string_view to_text(EventKind kind) {
   return "";
 }
 
-std::uint64_t pixel_hash(const ImageFrame& frame) {
+std::uint64_t pixel_hash(const ImageFrame& frame) { return pixel_hash(frame.pixels); }
+
+std::uint64_t pixel_hash(std::span<const std::uint8_t> pixels) {
   Fnv1a hash;
-  for (const std::uint8_t byte : frame.pixels) hash.add_byte(byte);
+  for (const std::uint8_t byte : pixels) hash.add_byte(byte);
   return hash.value();
 }
 

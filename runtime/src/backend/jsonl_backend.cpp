@@ -122,6 +122,14 @@ class JsonlBackend final : public Backend {
       }
       sink_.text("]");
     }
+    if (figure.picture != nullptr) {
+      sink_.text(",\"picture\":{\"note\":");
+      sink_.quoted(figure.note);
+      const Image& image = *figure.picture;
+      size_of_pixels(image.width(), image.height(), image.channels());
+      field("hash", fmt::format("{:016x}", pixel_hash(image.bytes())));
+      sink_.text("}");
+    }
     end_line();
   }
 
@@ -171,9 +179,7 @@ class JsonlBackend final : public Backend {
     begin_line(frame.t_ns, "frame");
     field("camera", frame.camera);
     field("number", static_cast<double>(frame.frame));
-    const double size[] = {static_cast<double>(frame.width), static_cast<double>(frame.height),
-                           static_cast<double>(frame.channels)};
-    field("size", size);
+    size_of_pixels(frame.width, frame.height, frame.channels);
     field("hash", fmt::format("{:016x}", pixel_hash(frame)));
     if (!frame.file.empty()) field("file", frame.file);
     pose(frame.T_world_camera);
@@ -260,6 +266,12 @@ class JsonlBackend final : public Backend {
     field("radius", tool.radius);
     field("length", tool.length);
     sink_.text("}");
+  }
+
+  void size_of_pixels(int width, int height, int channels) {
+    const double size[] = {static_cast<double>(width), static_cast<double>(height),
+                           static_cast<double>(channels)};
+    field("size", size);
   }
 
   // Writes the units of the axes and the series.

@@ -72,6 +72,12 @@ void add(Fnv1a& hash, const Figure& figure) {
   }
   hash.add(static_cast<std::uint64_t>(figure.names.size()));
   for (const std::string& name : figure.names) hash.add(name);
+  if (figure.picture != nullptr) {
+    hash.add(figure.picture->width());
+    hash.add(figure.picture->channels());
+    hash.add(pixel_hash(figure.picture->bytes()));
+    hash.add(figure.note);
+  }
   hash.add(static_cast<std::uint64_t>(figure.panels.size()));
   for (const Figure& panel : figure.panels) add(hash, panel);
 }

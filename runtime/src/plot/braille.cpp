@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "armlet/plot/ticks.hpp"
+#include "picture_text.hpp"
 
 namespace armlet {
 namespace {
@@ -234,6 +235,7 @@ std::string to_braille(const Figure& figure, int columns, int rows, bool color) 
   columns = std::clamp(columns, 8, 400);
   rows = std::clamp(rows, 4, 200);
   if (!figure.panels.empty()) return panels_text(figure, columns, rows, color);
+  if (figure.picture != nullptr) return picture_text(figure, columns, 2 * rows, color);
   const Scale x = scale_of(figure, Side::kBelow, std::clamp(columns / 10, 2, 8));
   const Scale y = scale_of(figure, Side::kLeft, std::clamp(rows / 4, 2, 8));
   const Scale right = scale_of(figure, Side::kRight, std::clamp(rows / 4, 2, 8), &y.ticks);

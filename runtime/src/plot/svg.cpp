@@ -77,6 +77,10 @@ std::string figure_text(const Figure& figure, double& height) {
     out += text({0.5 * kWidth, top + 18.0}, "middle", "title", figure.title);
     top += 26.0;
   }
+  if (figure.picture != nullptr) {
+    height = top;
+    return out + picture(figure, height);
+  }
   if (figure.panels.empty()) {
     const double room = figure.is_spatial() ? kSpatialHeight : flat_height(figure);
     if (!figure.is_spatial()) {

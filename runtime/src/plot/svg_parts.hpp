@@ -53,6 +53,9 @@ std::string spatial_figure(const Figure& figure, const Field& outer);
 // `left`, the first one `indent` further right.
 std::string legend(const Figure& figure, double left, double& bottom, double indent = 0.0);
 
+// The picture of a figure below `bottom`, with its note, where they end afterwards.
+std::string picture(const Figure& figure, double& bottom);
+
 // Panels below `bottom`, with a legend for all where they show the same series.
 std::string panels(const Figure& figure, double& bottom);
 

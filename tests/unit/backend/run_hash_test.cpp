@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <functional>
+#include <memory>
 #include <set>
+#include <vector>
 
 using namespace armlet;
 
@@ -73,6 +75,22 @@ TEST_CASE("every field in which runs differ changes the hash") {
       DrawingChanged{.drawing = {.name = "a", .object = "b"}},
       DrawingChanged{.drawing = {.name = "a", .T_on_drawing = moved}},
   };
+  CHECK(different_hashes(events) == events.size());
+}
+
+TEST_CASE("what a figure shows as a picture changes the hash") {
+  const auto black = std::make_shared<const Image>(2, 1, PixelKind::kGrey);
+  Image pixels(2, 1, PixelKind::kGrey);
+  pixels.row(0)[1] = 1;
+  const Figure figures[] = {
+      {},
+      {.picture = black},
+      {.picture = black, .note = "depths"},
+      {.picture = std::make_shared<const Image>(1, 2, PixelKind::kGrey)},
+      {.picture = std::make_shared<const Image>(pixels)},
+  };
+  std::vector<Event> events;
+  for (const Figure& figure : figures) events.push_back(FinalFigure{.figure = &figure});
   CHECK(different_hashes(events) == events.size());
 }
 

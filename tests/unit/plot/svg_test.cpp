@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <regex>
 
+#include "armlet/core/base64.hpp"
 #include "armlet/core/random.hpp"
+#include "armlet/image/plain_png.hpp"
 
 using namespace armlet;
 
@@ -316,4 +319,36 @@ TEST_CASE("names stand below their bars, and lean where they are long") {
   CHECK(std::stod(first[0][1]) > 0.766 * 20 * 0.58 * 12);  // its letters begin on the page
   figure.names.assign(500, "x");
   CHECK(count(picture(figure), ">x<") < 500);
+}
+
+TEST_CASE("a picture lies in the file, with its title and its note") {
+  Image image(40, 30, PixelKind::kRgb);
+  image.row(3)[5] = 200;
+  Figure figure{.title = "seen <by> eye",
+                .picture = std::make_shared<const Image>(image),
+                .note = "40 x 30, RGB"};
+  const std::string svg = picture(figure);
+  CHECK(count(svg, "href=\"data:image/png;base64," + to_base64(plain_png(image)) + '"') == 1);
+  CHECK(count(svg, ">40 x 30, RGB<") == 1);
+  CHECK(count(svg, ">seen &lt;by&gt; eye<") == 2);  // of the file and above the picture
+  CHECK(count(svg, "no values") == 0);
+  CHECK(count(svg, "width=\"684\" height=\"513\"") == 2);  // 40 : 30 in the width of a figure
+  CHECK(svg == picture(figure));
+}
+
+TEST_CASE("pictures of every size have room, one below the other") {
+  std::vector<Figure> figures;
+  for (const auto& [width, height] : {std::pair{1, 1}, {720, 1}, {1, 720}, {720, 720}})
+    figures.push_back({.picture = std::make_shared<const Image>(width, height, PixelKind::kGrey)});
+  const std::string svg = to_svg(figures);
+  static const std::regex image(
+      R"re(<image x="([0-9.]+)" y="([0-9.]+)" width="([0-9.]+)" height="([0-9.]+)")re");
+  int images = 0;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), image), end; it != end; ++it, ++images) {
+    CHECK(std::stod((*it)[3]) >= 2.0);
+    CHECK(std::stod((*it)[4]) >= 2.0);
+    CHECK(std::stod((*it)[1]) + std::stod((*it)[3]) <= 720.0);
+    CHECK(std::stod((*it)[4]) <= 560.0);
+  }
+  CHECK(images == 4);
 }

@@ -67,5 +67,6 @@ struct ImageFrame {
 
 // The FNV-1a hash of the pixels.
 [[nodiscard]] std::uint64_t pixel_hash(const ImageFrame& frame);
+[[nodiscard]] std::uint64_t pixel_hash(std::span<const std::uint8_t> pixels);
 
 }  // namespace armlet

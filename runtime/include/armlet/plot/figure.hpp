@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "armlet/image/image.hpp"
 
 namespace armlet {
 
@@ -40,6 +43,9 @@ struct Figure {
   std::vector<Series> series{};
   // Labels below x = 0, 1, 2, ... instead of values.
   std::vector<std::string> names{};
+  // Shown instead of series: grey or RGB, shared by all copies of the figure. Below it stands `note`.
+  std::shared_ptr<const Image> picture{};
+  std::string note{};
   // Drawn one below the other over one x axis; the figure itself then has only a title.
   std::vector<Figure> panels{};
   bool saved = false;  // the present state is in a file of the program
@@ -47,7 +53,7 @@ struct Figure {
   int index = 0;
 
   bool is_spatial() const { return !series.empty() && !series.front().z.empty(); }
-  bool is_empty() const { return series.empty() && panels.empty(); }
+  bool is_empty() const { return series.empty() && panels.empty() && picture == nullptr; }
 };
 
 // The unit in which values are shown: its text and the factor. Angles in degrees, lengths below 1 m
