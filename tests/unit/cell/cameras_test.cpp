@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "armlet/camera/renderer.hpp"
 #include "armlet/cell/cell.hpp"
@@ -183,6 +184,36 @@ TEST_CASE("what changes its looks is drawn anew, and shapes that are only shown 
     CAPTURE(std::string(to_text(kind)));
     CHECK_FALSE(cell.cameras().color(cell, eye, T) == after);
   }
+}
+
+TEST_CASE("surfaces of what is gone are forgotten, those of the rest are kept") {
+  Cell cell;
+  const int eye = cell.cameras().add(above(1.0));
+  const auto surface_of = [&](const std::string& name) -> std::weak_ptr<const Surface> {
+    for (const SceneBody& body : cell.cameras().scene(cell, eye).bodies)
+      if (body.name == name) return body.surface;
+    return {};
+  };
+  Drawing drawing;
+  drawing.name = "shown";
+  drawing.kind = DrawingKind::kLine;
+  drawing.size = {0.2, 0.01, 0.0};
+  cell.draw(drawing);
+  cell.insert(box_at("table", {1.0, 1.0, 0.02}, {0.5, 0.1, 0.01}));
+  const auto table = surface_of("table"), line = surface_of("shown");
+  std::vector<std::weak_ptr<const Surface>> parts;
+  for (int k = 0; k < 20; ++k) {
+    const std::string name = "part" + std::to_string(k);
+    cell.insert(box_at(name, {0.05, 0.05, 0.05 + 0.01 * k}, {0.5, 0.1, 0.2}));
+    parts.push_back(surface_of(name));
+    CHECK_FALSE(parts.back().expired());
+    cell.remove(name);
+  }
+  cell.undraw("shown");
+  CHECK(surface_of("table").lock() == table.lock());
+  CHECK_FALSE(table.expired());
+  CHECK(line.expired());
+  for (const auto& each : parts) CHECK(each.expired());
 }
 
 TEST_CASE("a camera that cannot be made is refused with its numbers") {

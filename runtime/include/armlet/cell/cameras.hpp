@@ -50,7 +50,7 @@ struct Camera {
 
 // The cameras of a cell. They see the objects, the robots with their grippers, and the shapes that
 // are only shown, except texts; transparent shapes are seen as solid. Surfaces are made when the
-// first picture is taken, and kept.
+// first picture is taken, and kept until one is taken after their objects are gone.
 class Cameras {
  public:
   static constexpr int kMost = 100;

@@ -132,8 +132,10 @@ SurfaceParts parts_of(DrawingKind kind, const Vector3d& size) {
 const SceneBody& Cameras::Surfaces::body_of(const Object& object) {
   const auto found = objects_.find(object.name);
   if (found != objects_.end() && found->second.shape == object.shape &&
-      found->second.color == object.color && found->second.texture == object.texture)
+      found->second.color == object.color && found->second.texture == object.texture) {
+    found->second.scene = scene_;
     return found->second.body;
+  }
   const Material plain{.color = color_of(object.color)};
   SceneBody body{.name = object.name,
                  .surface = std::make_shared<const Surface>(surface_of(object.shape)),
@@ -144,27 +146,30 @@ const SceneBody& Cameras::Surfaces::body_of(const Object& object) {
       body.materials[kPicturedMaterial] = {.color = {1.0F, 1.0F, 1.0F},
                                            .texture = std::make_shared<const Texture>(*picture)};
   }
-  KeptObject kept{object.shape, object.color, object.texture, std::move(body)};
+  KeptObject kept{object.shape, object.color, object.texture, std::move(body), scene_};
   return objects_.insert_or_assign(object.name, std::move(kept)).first->second.body;
 }
 
 const SceneBody* Cameras::Surfaces::body_of(const Drawing& drawing) {
   const auto found = drawings_.find(drawing.name);
   if (found != drawings_.end() && found->second.kind == drawing.kind &&
-      found->second.size == drawing.size && found->second.color == drawing.color)
+      found->second.size == drawing.size && found->second.color == drawing.color) {
+    found->second.scene = scene_;
     return &found->second.body;
+  }
   SurfaceParts parts = parts_of(drawing.kind, drawing.size);
   if (parts.corners.empty()) return nullptr;
   SceneBody body{.name = drawing.name,
                  .surface = std::make_shared<const Surface>(std::move(parts)),
                  .materials = {Material{.color = color_of(drawing.color)}},
                  .casts_shadow = false};
-  KeptDrawing kept{drawing.kind, drawing.size, drawing.color, std::move(body)};
+  KeptDrawing kept{drawing.kind, drawing.size, drawing.color, std::move(body), scene_};
   return &drawings_.insert_or_assign(drawing.name, std::move(kept)).first->second.body;
 }
 
 std::vector<SceneBody> Cameras::Surfaces::bodies_of(const Cell& cell) {
   std::vector<SceneBody> bodies;
+  ++scene_;
   const World& world = cell.world();
   for (std::size_t i = 0; i < world.size(); ++i) {
     bodies.push_back(body_of(world.object(i)));
@@ -177,6 +182,9 @@ std::vector<SceneBody> Cameras::Surfaces::bodies_of(const Cell& cell) {
     bodies.push_back(*body);
     bodies.back().T_world_body = cell.T_world_drawing(name);
   }
+  const auto is_gone = [this](const auto& kept) { return kept.second.scene != scene_; };
+  std::erase_if(objects_, is_gone);
+  std::erase_if(drawings_, is_gone);
   return bodies;
 }
 
