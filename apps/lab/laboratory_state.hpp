@@ -78,6 +78,8 @@ struct Laboratory::State {
   // Begins a run that equals `parent` until a time and then gets the input.
   void begin_fork(RunRecord& parent, std::int64_t t_ns, const GiveInput& input);
   void end_fork();
+  // Must be called when the log of the run has changed, or before the run is dropped.
+  void forget_look(int run);
   // Must be called when the log of the run has changed.
   void forget_looks_of(const RunRecord& run);
   void note_parting(RunRecord& run);

@@ -132,7 +132,7 @@ void Laboratory::State::drop_run(int run) {
     live.reset();
     live_number = 0;
   }
-  if (looker.is_at(run)) looker.forget();
+  forget_look(run);
   if (cursor && cursor->run == run) cursor.reset();
   pages.forget_run(run);
   std::erase_if(runs, [&](const auto& each) { return each->number == run; });
@@ -194,8 +194,16 @@ bool Laboratory::State::advance_run() {
   return goes_on;
 }
 
+// A look that is under way begins again, in the log that the run has then.
+void Laboratory::State::forget_look(int run) {
+  if (!looker.is_at(run)) return;
+  looker.forget();
+  if (looks.now) looks.waiting.push_front(std::move(*looks.now));
+  looks.now.reset();
+}
+
 void Laboratory::State::forget_looks_of(const RunRecord& run) {
-  if (looker.is_at(run.number)) looker.forget();
+  forget_look(run.number);
   if (plots != nullptr && plots->run() == run.number) plots.reset();
   std::erase(runs_with_plots, run.number);
 }
@@ -289,6 +297,9 @@ void Laboratory::State::begin_look() {
     looks.waiting.pop_front();
     RunRecord* run = find_run(looks.now->run);
     if (run == nullptr) {
+      Page* page = pages.find(looks.now->page);
+      if (page != nullptr && !looks.now->picture.empty())
+        refuse(*page, looks.now->seq, "refused", "There is no such run.");
       looks.now.reset();
       continue;
     }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -182,4 +183,53 @@ TEST_CASE("the paths of features are read along the run, and cameras are describ
   CHECK(way[5 * (count - 1)] == doctest::Approx(4.0));
   CHECK(way[5 * (count - 1) + 4] == doctest::Approx(17.6));
   CHECK(way[1] == 0.0);
+}
+
+TEST_CASE("a look that is under way when its run becomes another one begins again") {
+  // The loop takes several slices, so that an input comes in the middle of a look.
+  const std::string slow = R"(robot arm = robots.scara()
+camera eye { at: lookingAt(xyz(), from: xyz(z: 1m)); size: [32, 24] }
+var n = 0
+lab cell {
+    view plain(of: eye)
+    text count(fn() => f"{n}")
+    button more("More", fn() { n += 1 })
+}
+for (i in range(400000)) { n += 1 }
+wait(1s)
+)";
+  for (const bool is_picture : {true, false}) {
+    CAPTURE(is_picture);
+    SeenPage lab(slow);
+    REQUIRE(lab.page.last("run")["state"] == "done");
+    TestJson ask = is_picture ? TestJson{{"type", "picture"}, {"element", "plain"}}
+                              : TestJson{{"type", "goto"}};
+    ask["t"] = 1.0;
+    ask["seq"] = 900;
+    lab.page.send(ask);
+    REQUIRE(lab.laboratory.advance());
+    CHECK(lab.page.ask({{"type", "input"}, {"press", "more"}})["type"] == "taken");
+    if (is_picture) {
+      CHECK(lab.page.pictures.contains(900));
+    } else {
+      CHECK(lab.page.last("instant")["t"] == 1.0);
+      CHECK(lab.page.last("elements")["values"].dump().find("40000") != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("a question for a picture of a run that is dropped is answered") {
+  LaboratoryOptions options = lab_with(kEye);
+  options.most_runs = 1;
+  Laboratory laboratory(std::move(options));
+  TestPage page(laboratory);
+  page.hello();
+  finish_work(laboratory);
+  page.send({{"type", "picture"}, {"element", "plain"}, {"t", 4.0}, {"seq", 900}});
+  page.ask({{"type", "text"}, {"text", "wait(1s)\n"}, {"version", 2}});
+  CHECK(page.pictures.empty());
+  const bool is_refused = std::ranges::any_of(page.told, [](const TestJson& each) {
+    return each.value("to", 0) == 900 && each["type"] == "error";
+  });
+  CHECK(is_refused);
 }
