@@ -31,7 +31,8 @@ JointVector articulated_body(const Robot& robot, JointsIn q, JointsIn qd, Joints
     const Eigen::Index k = static_cast<Eigen::Index>(i);
     U[i] = inertia[i] * arm.axis[i];
     D[i] = arm.axis[i].dot(U[i]) + plan.links[i].motor_inertia;
-    if (!(D[i] > 0.0)) forward_dynamics(robot, q, qd, tau);  // says which joint nothing resists
+    // throws with the joint that moves no inertia
+    if (!(D[i] > 0.0)) forward_dynamics(robot, q, qd, tau);
     u[i] = tau[k] - joint_friction(plan.links[i], qd[k]) - arm.axis[i].dot(p[i]);
     if (i == 0) break;
     const Matrix6d Ia = inertia[i] - U[i] * U[i].transpose() / D[i];

@@ -6,17 +6,17 @@
 #include "armlet/model/joint_arrays.hpp"
 #include "kernels.hpp"
 
-// What the functions of the layer check of their arguments and results.
+// Checks of arguments and results in this layer.
 namespace armlet {
 
-// Whether all are finite: what is not, leaves NaN in the sum of differences with itself.
+// Whether all are finite: a number that is not gives NaN in the sum of differences with itself.
 [[gnu::always_inline]] inline bool all_finite(const double* values, Eigen::Index count) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < count; ++i) sum += values[i] - values[i];
   return sum == 0.0;
 }
 
-// One number per joint, or an ArgumentError that says the name and what is wrong.
+// Checks for one number per joint; the ArgumentError has the name and the sizes.
 [[gnu::always_inline]] inline void check_joint_count(std::string_view name, JointsIn values,
                                                      const Robot& robot) {
   if (values.size() != robot.n()) [[unlikely]]

@@ -6,7 +6,7 @@
 
 namespace armlet {
 
-// The links behind a joint as one rigid body, in the axes of the joint's frame about its origin.
+// The links beyond a joint as one rigid body, in the axes of the joint's frame about its origin.
 struct CompositeBody {
   double mass;
   Triple<Duo<double>> hs;  // first moment beside the last column of the second moment
@@ -85,7 +85,7 @@ struct CompositeBody {
   }
 };
 
-// The same where only what is seen along the axes counts (DynamicsPlan::flat).
+// The same if only rotations about the axis matter (DynamicsPlan::flat).
 struct FlatBody {
   double mass, hx, hy;
   double inertia;  // about the axis
@@ -113,7 +113,7 @@ struct FlatBody {
   }
 };
 
-// The forces and moments that accelerate joints with numbers `two` and `two` + 1, side by side.
+// The forces and moments that accelerate joints with numbers `two` and `two` + 1.
 struct ColumnPair {
   Triple<Duo<double>> f{}, n{};
 
@@ -127,7 +127,7 @@ struct ColumnPair {
     n.z.v[lane] = moment.z;
   }
 
-  // To the frame of the joint before.
+  // Transforms to the frame of the joint before.
   [[gnu::always_inline]] void walk_in(const PlanLink& link, double d, double sine, double cosine) {
     if (link.has_d) {
       n.x = n.x - d * f.y;
@@ -140,19 +140,20 @@ struct ColumnPair {
       n.z = n.z + link.a * f.y;
     }
   }
-  // The same where the axes are parallel: n.x and n.y are left as they are.
+  // The same for parallel axes: n.x and n.y are not updated.
   [[gnu::always_inline]] void walk_in_flat(const PlanLink& link, double sine, double cosine) {
     f = turn_in_z<double>(sine, cosine, f);
     if (link.has_a) n.z = n.z + link.a * f.y;
   }
 };
 
-// The columns of the joints from the last one inward, as they are seen from the joint that the
-// recursion has come to.
+// The columns of the joints from the last one inward, in the frame of the present joint of the
+// recursion.
 template <int N, bool kSlides>
 class Columns {
  public:
-  // Of a joint: what accelerates it, and the elements of its row through give(row, column, value).
+  // Adds a joint: its accelerating force, and the elements of its row through give(row, column,
+  // value).
   template <class Give>
   [[gnu::always_inline]] void add(const PlanLink& link, int i, int behind, const FlatBody& body,
                                   double nx, double ny, const Give& give) {
@@ -173,7 +174,7 @@ class Columns {
     }
   }
 
-  // walk(pair) for those that there are.
+  // Calls walk(pair) for the pairs in use.
   template <class Walk>
   [[gnu::always_inline]] void walk_in(int behind, const Walk& walk) {
     const int pairs = behind / 2 < kPairs ? behind / 2 + 1 : kPairs;

@@ -35,8 +35,8 @@ Result<JointVector> operational_forces(const MatrixXd& M, const MatrixXd& J, con
   const auto L = cholesky(M);
   if (!L.ok())
     throw ArgumentError("`M` is not positive definite; expected the inertia matrix of an arm.");
-  // In the coordinates L' qd every motion has the inertia 1, and directions that the tool does not
-  // see are those at right angles to the rows of J L'^-1.
+  // In the coordinates L' qd every motion has the inertia 1, and self-motions are orthogonal to the
+  // rows of J L'^-1.
   const auto root = solve(L.value(), J.transpose());
   if (!root.ok()) return root.error();
   if (rank(root.value()) < J.rows()) {
@@ -44,7 +44,7 @@ Result<JointVector> operational_forces(const MatrixXd& M, const MatrixXd& J, con
                                          "independently here",
                                          J.rows())};
   }
-  // Of all solutions of (J L'^-1) u = a the smallest: u = L^-1 J' Lambda a.
+  // The smallest of all solutions of (J L'^-1) u = a: u = L^-1 J' Lambda a.
   const auto u = solve(root.value().transpose(), a);
   if (!u.ok()) return u.error();
   VectorXd pushed = u.value();

@@ -21,8 +21,8 @@ Matrix6d force_cross_matrix(const Vector6d& force) {
   return F;
 }
 
-// What an inertia that moves with v adds to a force for a motion of its own: the factor of the
-// Coriolis matrix whose choice makes it that of Christoffel.
+// The matrix that gives the force by which an inertia moving with v acts on a motion of its own;
+// with this choice the Coriolis matrix has the Christoffel symbols.
 Matrix6d coriolis_factor(const Matrix6d& inertia, const Vector6d& v) {
   const Matrix6d cross = spatial_cross_matrix(v);
   return 0.5 * (-cross.transpose() * inertia - inertia * cross + force_cross_matrix(inertia * v));
@@ -36,14 +36,15 @@ double friction_slope(const PlanLink& link, double qd) {
   return friction.viscous - 2.0 * ratio * friction.stribeck_rate * extra * det::exp(-ratio * ratio);
 }
 
-// The arm in motion, from the base to the last link, and the sums over what is behind each joint.
+// The arm in motion, from the base to the last link, and the sums over all links beyond each joint.
 struct MovingArm {
   SpatialArm arm;
   std::size_t n;
-  std::array<Vector6d, kMaxJoints> axis_rate;  // v x S of the joint, seen from its own link
+  // v x S of the joint, for the velocity of its own link
+  std::array<Vector6d, kMaxJoints> axis_rate;
   std::array<Vector6d, kMaxJoints> parent_rate,
       parent_acceleration;                 // Psi' and Psi'' of the source
-  std::array<Vector6d, kMaxJoints> force;  // of a link and all behind it
+  std::array<Vector6d, kMaxJoints> force;  // of a link and all beyond it
   std::array<Matrix6d, kMaxJoints> inertia, factor;
 
   MovingArm(const Robot& robot, JointsIn q, JointsIn qd, const double* qdd)
@@ -70,7 +71,7 @@ struct MovingArm {
   }
 };
 
-// Of an arm whose rows all move on their own, without links beside it.
+// For an arm with independent rows, without links outside of the chain.
 JointMatrix coriolis_of_chain(const Robot& robot, JointsIn q, JointsIn qd) {
   const MovingArm moving(robot, q, qd, nullptr);
   JointMatrix C(robot.n(), robot.n());

@@ -3,8 +3,8 @@
 #include "armlet/model/joint_arrays.hpp"
 #include "armlet/model/joint_coupling.hpp"
 
-// Dynamics of arms with rows that copy others: with the values E q + offset of the rows, their
-// forces tau and their matrices M are E^T tau and E^T M E for the joints.
+// Dynamics of arms with mimic joints: with the values E q + offset of the rows, their forces tau
+// and their matrices M become E^T tau and E^T M E for the joints.
 namespace armlet {
 
 inline JointVector for_joints(const JointCoupling& coupling, const JointVector& of_rows) {

@@ -3,9 +3,9 @@
 #include "chain/batch_arm.hpp"
 #include "chain/lane_parts.hpp"
 
-// Two numbers on which the same is done, such as an angular velocity and an angular acceleration:
+// Two numbers with the same operations, such as an angular velocity and an angular acceleration:
 // one vector register in kernels of one configuration, two where every lane is a configuration of
-// its own. The operations are the same, and so are the bits.
+// its own. Operations and bits are the same.
 namespace armlet {
 
 template <class V>
@@ -47,9 +47,9 @@ template <class V>
   }
 }
 
-// body(i) for i = begin .. end - 1, or the other way round: unrolled in kernels for a number of
-// joints N, a loop in those for any number, whose code would not fit where the processor keeps it
-// decoded.
+// Calls body(i) for i = begin .. end - 1, or in reverse: unrolled in kernels for a number of joints
+// N, a loop in those for any number, whose unrolled code would not fit into the cache of decoded
+// instructions.
 template <int N, class Body>
 [[gnu::always_inline]] inline void upward(int begin, int end, const Body& body) {
   if constexpr (N == 0) {
@@ -81,8 +81,8 @@ struct Triple {
   }
 };
 
-// From the axes of frame i-1 to those of frame i: the inverse of X_i and of the rotation of Z_i. A
-// link is a PlanLink.
+// Transforms from the axes of frame i-1 to those of frame i: the inverse of X_i and of the rotation
+// of Z_i. A link is a PlanLink.
 template <class V, class T, class Link>
 [[gnu::always_inline]] inline Triple<T> turn_out(const Link& link, V sine, V cosine,
                                                  const Triple<T>& v) {
@@ -98,7 +98,7 @@ template <class V, class T, class Link>
   return {cosine * v.x + sine * y, cosine * y - sine * v.x, z};
 }
 
-// The same of a vector along z.
+// The same for a vector along z.
 template <class V, class T, class Link>
 [[gnu::always_inline]] inline Triple<T> turn_axis_out(const Link& link, V sine, V cosine,
                                                       const T& axis) {
@@ -109,7 +109,8 @@ template <class V, class T, class Link>
   return {sine * y, cosine * y, constant<V>(link.cos_alpha) * axis};
 }
 
-// From the axes of frame i to those of frame i-1, in the two steps between which the origin moves.
+// Transforms from the axes of frame i to those of frame i-1, in two steps between which the origin
+// moves.
 template <class V, class T>
 [[gnu::always_inline]] inline Triple<T> turn_in_z(V sine, V cosine, const Triple<T>& v) {
   return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};

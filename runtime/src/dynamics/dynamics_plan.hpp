@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-// An arm as the recursions of dynamics read it; nothing but plain data, because sources for larger
+// An arm in the form of the dynamic recursions; plain data only, because sources for larger
 // instruction sets include it.
 namespace armlet {
 
@@ -12,10 +12,10 @@ inline constexpr std::size_t kPlanJoints = 12;
 struct PlanFriction {
   double viscous, coulomb_plus, coulomb_minus;
   double static_extra_plus, static_extra_minus;  // static minus Coulomb friction
-  double stribeck_rate;                          // 1 / the joint's speed of Stribeck, or 0
+  double stribeck_rate;                          // 1 / the joint's Stribeck speed, or 0
 };
 
-// What gravity pulls at: of a link and all behind it, regrouped as in PlanLink.
+// The masses of a link and all beyond it for gravity, regrouped as in PlanLink.
 struct PlanGravity {
   double mass;
   // First moment, including the masses beyond the next joint that have a constant position in the
@@ -23,13 +23,13 @@ struct PlanGravity {
   double h[3];
 };
 
-// One joint and the link that it moves, seen from frame i of the WalkPlan (after Z_i), whose z axis
-// is the joint's.
+// One joint and the link that it moves, in frame i of the WalkPlan (after Z_i), whose z axis is the
+// joint's.
 //
-// Mass that lies on the axis of a revolute joint may be counted to the link before without
-// changing any torque. It is: the mass, the z component of the first moment and the zz entry of the
-// second moment of such a link are zero, and seven numbers are left of ten. Links of sliding joints
-// keep all ten.
+// Mass on the axis of a revolute joint may be moved to the link before without changing any torque.
+// This is done: the mass, the z component of the first moment and the zz entry of the second moment
+// of such a link are zero, which leaves seven of ten numbers. Links of prismatic joints keep all
+// ten.
 struct PlanLink {
   double sin_alpha, cos_alpha, a;  // X_i before joint i > 0
   double d;                        // Z_i, without the joint's value
@@ -60,7 +60,7 @@ struct DynamicsPlan {
   FrictionKind friction;
   PlanLink links[kPlanJoints];
 
-  // Whether kernels have to look at each joint, whether it slides and whether it is one of `flat`.
+  // Whether kernels have to distinguish joints: prismatic ones, and those of `flat`.
   [[nodiscard]] bool is_mixed() const { return any_slides || flat > 1; }
 };
 

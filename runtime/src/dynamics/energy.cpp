@@ -15,7 +15,7 @@ double kinetic_energy(const Robot& robot, JointsIn q, JointsIn qd) {
   return energy;
 }
 
-// Of an arm whose rows all move on their own, without links beside it.
+// For an arm with independent rows, without links outside of the chain.
 static double potential_energy_of_chain(const Robot& robot, JointsIn q) {
   const SpatialArm arm(robot, q);
   const std::array<double, 12>& base = robot.walk_plan().base;

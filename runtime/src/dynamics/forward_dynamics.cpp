@@ -34,8 +34,8 @@ JointMatrix mass_matrix(const Robot& robot, JointsIn q) {
   return M;
 }
 
-// From M qdd = tau - friction - bias: the recursions know neither links beside the chain nor rows
-// that copy others.
+// From M qdd = tau - friction - bias: the recursions support neither links outside of the chain nor
+// mimic joints.
 static JointVector accelerations_by_matrix(const Robot& robot, JointsIn q, JointsIn qd,
                                            JointsIn tau) {
   check_joint_values("qd", qd, robot);

@@ -9,7 +9,8 @@ namespace {
 // entries that the composite bodies give first are eliminated first.
 //
 // M        the lower triangle is read and overwritten; element (row, column) at [column * stride +
-// row]. returns  n, or the first row whose pivot is not above zero.
+//          row].
+// returns  n, or the first row whose pivot is not above zero.
 template <int N>
 [[gnu::always_inline]] inline int solve_symmetric(double* M, int n, int stride, double* b) {
   double inverse[kJointCapacity<N>];

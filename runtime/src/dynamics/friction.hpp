@@ -4,14 +4,14 @@
 
 namespace armlet {
 
-// Friction without the effect of Stribeck, one joint per lane or one configuration per lane.
+// Friction without Stribeck effect, one joint per lane or one configuration per lane.
 [[gnu::always_inline]] inline double coulomb_friction(const PlanLink& link, double qd) {
   const PlanFriction& friction = link.friction;
   const double dry = qd > 0.0 ? friction.coulomb_plus : qd < 0.0 ? friction.coulomb_minus : 0.0;
   return friction.viscous * qd + dry;
 }
 
-// Friction of a joint with everything that it has.
+// Friction of a joint with all its terms.
 double joint_friction(const PlanLink& link, double qd);
 
 // Adds the friction of all joints.

@@ -5,8 +5,8 @@
 
 namespace armlet {
 
-// Joint forces that hold an arm still, from the last joint to the first. What hangs on a joint acts
-// as the first moment of all links behind it about the joint's frame.
+// Joint forces that hold an arm at rest, from the last joint to the first. The weight beyond a
+// joint acts by the first moment of all links beyond it about the joint's frame.
 //
 // motion, sines, gravity, give  as for newton_euler().
 template <class V, int N, bool kSlides, class Sines, class Motion, class Give>

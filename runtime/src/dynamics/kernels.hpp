@@ -5,7 +5,7 @@
 
 namespace armlet {
 
-// What a kernel reads. The pointers it does not need may be null.
+// The inputs of a kernel. Pointers that it does not need may be null.
 //
 // q, qd, qdd, tau  n numbers each.
 struct DynamicsInput {
@@ -17,18 +17,18 @@ struct DynamicsInput {
   const double* gravity;  // three numbers, as DynamicsPlan::base_acceleration
 };
 
-// The kernels of dynamics for one configuration: one instance per number of joints, for arms whose
-// joints are all revolute and for others. All leave friction out.
+// The kernels of dynamics for one configuration: one instance per number of joints, for arms with
+// only revolute joints and for others. All leave friction out.
 //
-// forces   writes n joint forces; the inertia of motors counts.
+// forces   writes n joint forces, with the inertia of motors.
 // M        writes n x n numbers.
-// forward  reads n forces at `out` and writes the accelerations over them. Returns n, or the first
+// forward  reads n forces at `out` and replaces them by the accelerations. Returns n, or the first
 //          joint, counted inward from the last, whose pivot is not above zero.
 // throws   ArgumentError if a joint value is not finite.
 using ForceKernel = void(const DynamicsInput& in, double* out);
 using ForwardKernel = int(const DynamicsInput& in, double* out);
 
-// The arms that are met most: SCARA, and six revolute joints.
+// The most frequent arms: SCARA, and six revolute joints.
 constexpr int usual_count(bool slides) { return slides ? 4 : 6; }
 
 // [0] for arms with revolute joints alone whose first two axes are not parallel, [1] for all.

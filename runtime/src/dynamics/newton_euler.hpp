@@ -3,9 +3,9 @@
 #include "duo.hpp"
 #include "dynamics_plan.hpp"
 
-// Inverse dynamics by the recursion of Newton and Euler, of one configuration (V = double) or of
-// one per lane. Everything is inlined by force and needs nothing from the standard library, because
-// sources for larger instruction sets include it.
+// Inverse dynamics by the Newton-Euler recursion, of one configuration (V = double) or of one per
+// lane. All functions are always inlined and need nothing from the standard library, because
+// sources for larger instruction sets include them.
 //
 // With the matrix A = [alpha]x + [omega]x [omega]x of a link, the point r of it accelerates by
 // a + A r, so that the integrals over the link are
@@ -72,8 +72,8 @@ template <class V, bool kSlides>
   return load;
 }
 
-// The same of a link of the plane (DynamicsPlan::flat): its force and n.z, which is all of it that
-// counts.
+// The same for a planar link (DynamicsPlan::flat): its force and n.z, the only component that
+// matters.
 //
 // square, change  of the rate about the axis: its square, and the angular acceleration.
 template <class V, bool kSlides>
@@ -90,14 +90,15 @@ template <class V, bool kSlides>
   return load;
 }
 
-// How far Z_i is shifted along its axis.
+// The shift of Z_i along its axis.
 template <class V, bool kSlides, class Motion>
 [[gnu::always_inline]] inline V shift_along(const PlanLink& link, const Motion& motion, int i) {
   const V d = constant<V>(link.d);
   return kSlides && link.slides ? d + motion.q(i) : d;
 }
 
-// A force and a moment about the origin of frame i, about that of frame i - 1 and in its axes.
+// Moves the reference point of a force and a moment from the origin of frame i to that of frame i -
+// 1, and rotates them to its axes.
 template <class V>
 [[gnu::always_inline]] inline LinkLoad<V> step_in(const PlanLink& link, V sine, V cosine, V d,
                                                   const LinkLoad<V>& load) {
@@ -115,7 +116,7 @@ template <class V>
   return out;
 }
 
-// From the last link to the first: the forces that the loads of the links ask of their joints.
+// From the last link to the first: the joint forces for the loads of the links.
 template <class V, int N, bool kSlides, class Sines, class Motion, class Give>
 [[gnu::always_inline]] inline void bring_in(const DynamicsPlan& plan, const Sines& sines,
                                             const Motion& motion, const LinkLoad<V>* loads,
@@ -155,8 +156,8 @@ template <class V, int N, bool kSlides, class Sines, class Motion, class Give>
   give(0, kSlides && plan.links[0].slides ? sum.f.z : sum.n.z);
 }
 
-// The links of the plane: one rate about the axis, and its change. Afterwards the links behind them
-// follow from `a` and `spin`, which are those of the frame behind.
+// The planar links: one rate about the axis, and its derivative. The links after them follow from
+// `a` and `spin`, which are those of the next frame.
 template <class V, bool kSlides, class Sines, class Rates>
 [[gnu::always_inline]] inline void flat_outward(const DynamicsPlan& plan, int n, int flat,
                                                 const Sines& sines, const Rates& rates,
@@ -193,7 +194,7 @@ template <class V, bool kSlides, class Sines, class Rates>
   spin = turn_axis_out<V>(link, sine, cosine, Duo<V>{rate, change});
 }
 
-// The rates of the joints, and their changes if they accelerate.
+// The rates of the joints, and their accelerations if there are any.
 template <class V, bool kAccel, class Motion>
 struct JointRates {
   const Motion& motion;
@@ -206,11 +207,11 @@ struct JointRates {
 
 // Joint forces of a rigid arm, without motors and friction.
 //
-// kSlides   whether there may be sliding joints, or a second axis parallel to the first.
-// kAccel    whether the joints accelerate; otherwise qdd is not asked for.
+// kSlides   whether there may be prismatic joints, or a second axis parallel to the first.
+// kAccel    whether the joints accelerate; otherwise qdd is not read.
 // sines     sine(i), cosine(i) of the rotation of Z_i.
-// motion    q(i), qd(i), qdd(i), already with the plan's sign; q only of sliding joints.
-// gravity   three numbers: what the base accelerates by, in the axes of B.
+// motion    q(i), qd(i), qdd(i), with the plan's sign; q only of prismatic joints.
+// gravity   three numbers: the acceleration of the base, in the axes of B.
 // give(i, force)  receives the force of joint i, with the plan's sign, from the last to the first.
 template <class V, int N, bool kSlides, bool kAccel, class Sines, class Motion, class Give>
 [[gnu::always_inline]] inline void newton_euler(const DynamicsPlan& plan, const Sines& sines,
@@ -229,7 +230,7 @@ template <class V, int N, bool kSlides, bool kAccel, class Sines, class Motion, 
         const PlanLink& link = plan.links[i];
         const V rate = rates.rate(i);
         if (!kSlides || !link.slides) {
-          const V nothing = constant<V>(-0.0);  // added it leaves every number as it is
+          const V nothing = constant<V>(-0.0);  // adding it changes no number
           spin.x = spin.x + Duo<V>{nothing, spin.y.first() * rate};
           spin.y = spin.y - Duo<V>{-nothing, spin.x.first() * rate};
           spin.z = spin.z + Duo<V>{rate, rates.change(i)};

@@ -12,7 +12,7 @@ using Eigen::Isometry3d;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// X_i of the chain for i > 0, or of the plan, whose twists differ.
+// X_i of the chain for i > 0, or of the plan, whose link twists differ.
 template <class Numbers>
 Isometry3d x_step(const Numbers& numbers, std::size_t i) {
   Isometry3d X = Isometry3d::Identity();
@@ -45,7 +45,7 @@ void put_moments(const Moments& body, PlanLink& link) {
   link.Szz = body.S(2, 2);
 }
 
-// Takes what may lie on the axis of a revolute joint away from its link.
+// Removes from a link the mass on the axis of its revolute joint, and returns it.
 Moments take_axis(Moments& body) {
   Moments axis;
   axis.mass = body.mass;

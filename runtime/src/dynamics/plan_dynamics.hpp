@@ -19,17 +19,18 @@ struct Moments {
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();  // integral of r r' dm
 
   Moments operator+(const Moments& other) const;
-  // Seen from another frame.
+  // The moments in another frame.
   Moments seen_from(const Eigen::Isometry3d& T_to_from) const;
 };
 
-// Of a mass with its centre and its inertia about the centre.
+// The moments of a mass with its centre and its inertia about the centre.
 Moments moments_of(double mass, const Eigen::Vector3d& com, const Eigen::Matrix3d& inertia);
 
 // The frame of link i in the frame after Z_i of the robot's WalkPlan.
 Eigen::Isometry3d link_in_joint(const Robot& robot, int i);
 
-// Of a link, with the payload if it is the last, in its own frame, and in that after Z_i.
+// The moments of a link, with the payload if it is the last, in its own frame, and in that after
+// Z_i.
 Moments moments_in_link(const Robot& robot, int i);
 Moments moments_of_link(const Robot& robot, int i);
 

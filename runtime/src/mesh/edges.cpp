@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// An edge of a triangle: its ends, lower number first, whether it is gone from there, and the
-// corner on the other side of the triangle.
+// An edge of a triangle: its ends, lower number first, whether its direction is from there, and the
+// opposite corner of the triangle.
 struct HalfEdge {
   std::uint64_t ends;
   bool forward;
@@ -65,7 +65,7 @@ class Pieces {
   std::size_t count_;
 };
 
-// Whether a vertex lies behind the plane of a triangle, or in it but for rounding.
+// Whether a vertex is behind the plane of a triangle, or in it within rounding.
 bool is_behind(std::span<const Vector3d> vertices, const Corners& c, std::uint32_t vertex,
                double rounding) {
   const Vector3d &a = vertices[c[0]], u = vertices[c[1]] - a, v = vertices[c[2]] - a;
@@ -116,8 +116,8 @@ EdgeReport look_at(std::span<const Vector3d> vertices, std::span<const Corners> 
 
 namespace {
 
-// Whether each piece at an edge, edges[begin] to edges[end - 1], goes along it as often in one
-// direction as in the other.
+// Whether each piece at an edge, edges[begin] to edges[end - 1], uses it as often in one direction
+// as in the other.
 bool is_balanced(std::span<const HalfEdge> edges, Pieces& pieces) {
   std::map<std::uint32_t, int> balances;
   for (const HalfEdge& each : edges) balances[pieces.root(each.triangle)] += each.forward ? 1 : -1;
@@ -136,7 +136,7 @@ Shells shells_of(std::span<const Corners> triangles) {
     if (end - i == 2) pieces.join(edges[i].triangle, edges[i + 1].triangle);
     if (end - i > 2) busy.emplace_back(i, end);
   }
-  // After a few rounds all that is connected counts as one.
+  // After a few rounds all connected triangles count as one piece.
   constexpr int kRounds = 10;
   bool has_joined = true;
   for (int round = 0; has_joined && round <= kRounds; ++round) {

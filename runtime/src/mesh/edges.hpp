@@ -9,9 +9,9 @@
 
 namespace armlet {
 
-// open_because  empty: every edge is as often gone in one direction as in the other.
-// is_convex     closed, every edge between two triangles and bent outward, or inward by no more
-//               than `rounding`, m, one piece, without holes through it.
+// open_because  empty: every edge is used as often in one direction as in the other.
+// is_convex     closed; every edge between two triangles and convex, or concave by no more than
+//               `rounding`, m; one piece without holes through it.
 // is_one_shell  one piece whose edges belong to two triangles each.
 struct EdgeReport {
   std::string open_because;
@@ -22,8 +22,8 @@ struct EdgeReport {
 EdgeReport look_at(std::span<const Eigen::Vector3d> vertices, std::span<const Corners> triangles,
                    double rounding);
 
-// The shell that each triangle belongs to, from 0 on. Triangles of one shell are connected by
-// edges that belong to two triangles alone; where that leaves a part open, edges of more connect.
+// The shell of each triangle, from 0. Triangles of one shell are connected by edges that belong to
+// exactly two triangles; if that leaves a part open, also by edges of more.
 struct Shells {
   std::vector<std::uint32_t> of;
   std::size_t count = 0;

@@ -1,4 +1,4 @@
-// A node of a file as a file of its own, with what it is drawn by.
+// A node of a file as a file of its own, with its materials.
 #include <map>
 #include <utility>
 
@@ -12,7 +12,7 @@ using glb::Document;
 using glb::Json;
 using glb::refuse;
 
-// From y up, as in files, to z up.
+// Rotates y up, as in files, to z up.
 Eigen::Matrix3d from_file() {
   Eigen::Matrix3d R;
   R << 1, 0, 0, 0, 0, -1, 0, 1, 0;
@@ -24,8 +24,8 @@ bool is_drawn(const std::string& attribute) {
          attribute.starts_with("TEXCOORD_") || attribute.starts_with("COLOR_");
 }
 
-// Copies what a node needs out of a file. Numbers of elements change: each is kept once, in the
-// order in which it is met.
+// Copies the parts of a file that a node needs. Elements get new numbers: each is copied once, in
+// the order of its first use.
 class NodeCut {
  public:
   NodeCut(const Document& document, std::string_view binary)
@@ -57,13 +57,13 @@ class NodeCut {
   }
 
  private:
-  // Elements of one list that are kept, and their new numbers.
+  // The copied elements of one list, and their new numbers.
   struct Kept {
     Json elements = Json::array();
     std::map<std::uint64_t, std::size_t> numbers{};
   };
 
-  // adapt  changes the copy so that it names what is kept.
+  // adapt  changes the references in the copy to the new numbers.
   template <class Adapt>
   std::size_t keep(const char* list, std::uint64_t number, Adapt&& adapt) {
     if (const auto known = lists_[list].numbers.find(number); known != lists_[list].numbers.end())
@@ -88,13 +88,13 @@ class NodeCut {
     return {{"primitives", parts}};
   }
 
-  // As read_glb_things reads them: points and lines are no part of a thing.
+  // Like read_glb_things: points and lines are left out.
   static bool has_triangles(const Json& given) {
     const std::uint64_t mode = Document::number(given, "mode", glb::kTriangles);
     return mode >= glb::kTriangles && mode <= 6;
   }
 
-  // Positions and corners are what the thing is; of all else, what cannot be used is left out.
+  // Positions and corners are required; anything else that cannot be used is left out.
   void add_part(const Json& given, Json& parts) {
     const Json& attributes = Document::member(given, "attributes");
     if (!attributes.is_object() || !attributes.contains("POSITION")) return;
@@ -117,10 +117,10 @@ class NodeCut {
   template <class Take>
   static void if_usable(Take&& take) try {
     take();
-  } catch (const ArgumentError&) {  // it is drawn without that
+  } catch (const ArgumentError&) {  // it is drawn without this
   }
 
-  // Of an array that lies in the binary part as it is.
+  // Whether an array is stored plainly in the binary part.
   [[nodiscard]] bool is_plain(const Json& index) const {
     if (!index.is_number_unsigned()) return false;
     const Json& json = document_.element("accessors", index.get<std::uint64_t>(), "accessor");
@@ -150,7 +150,7 @@ class NodeCut {
     return keep("materials", number, [&](Json& json) { keep_textures(json); });
   }
 
-  // Everything that is called ...Texture, in extensions too.
+  // Copies all members called ...Texture, also in extensions.
   void keep_textures(Json& json) {
     if (!json.is_object()) return;
     for (auto each = json.begin(); each != json.end();) {

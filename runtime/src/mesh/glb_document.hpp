@@ -1,5 +1,5 @@
 #pragma once
-// A GLB file as its parts and a description that is checked at every access.
+// A GLB file as its parts, and its description with checks of every access.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace armlet::glb {
 using Json = nlohmann::json;
 
 inline constexpr std::size_t kMostJson = 8 << 20;       // bytes
-inline constexpr int kDeepest = 64;                     // of values in one another
+inline constexpr int kDeepest = 64;                     // nesting depth of values
 inline constexpr std::uint64_t kMostNumber = 1U << 31;  // of counts, offsets and lengths
 
 [[noreturn]] inline void refuse(const std::string& why) { throw ArgumentError(why); }
@@ -62,9 +62,9 @@ inline Chunks chunks_of(std::string_view bytes) {
   return chunks;
 }
 
-// ---- what the JSON part says
+// ---- the JSON part
 
-// A description with the checks that every access needs.
+// A description, with the checks that every access needs.
 class Document {
  public:
   explicit Document(std::string_view text) {
@@ -78,7 +78,7 @@ class Document {
 
   [[nodiscard]] const Json& root() const { return root_; }
 
-  // Element `index` of a list at the top; `what` as messages call it.
+  // Element `index` of a list at the top level; `what` is its name in messages.
   [[nodiscard]] const Json& element(const char* list, std::uint64_t index, const char* what) const {
     const Json& all = member(root_, list);
     if (!all.is_array() || index >= all.size()) {
@@ -94,13 +94,13 @@ class Document {
     return all.is_array() ? all.size() : 0;
   }
 
-  // Null if it is not there.
+  // Null if there is none.
   [[nodiscard]] static const Json& member(const Json& object, const char* key) {
     static const Json kNothing;
     const auto found = object.find(key);
     return found == object.end() ? kNothing : *found;
   }
-  // A whole number from 0 on, or `otherwise` if it is not there.
+  // An integer from 0 on, or `otherwise` if it is missing.
   [[nodiscard]] static std::uint64_t number(const Json& object, const char* key,
                                             std::optional<std::uint64_t> otherwise = {}) {
     const Json& value = member(object, key);
@@ -113,7 +113,7 @@ class Document {
               : value.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40)));
     return value.get<std::uint64_t>();
   }
-  // `size` finite numbers; false if the list is not there.
+  // Reads `size` finite numbers; false if the list is missing.
   [[nodiscard]] static bool numbers(const Json& object, const char* key, double* out,
                                     std::size_t size) {
     const Json& list = member(object, key);

@@ -1,4 +1,4 @@
-// What a GLB file is made of: a header, a description, a binary part, and notes.
+// The parts of a GLB file: a header, a description, a binary part, and notes.
 
 #include <algorithm>
 #include <array>

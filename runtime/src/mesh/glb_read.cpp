@@ -30,7 +30,7 @@ constexpr std::size_t kMostParts = kMostTriangles;
 
 // ---- the numbers of the binary part
 
-// A list of `count` elements, `stride` bytes apart, all inside of the binary part.
+// A list of `count` elements, `stride` bytes apart, completely inside of the binary part.
 struct Elements {
   const char* bytes = nullptr;
   std::size_t count = 0;
@@ -280,7 +280,7 @@ class SceneReader {
     return value.get<std::uint64_t>();
   }
 
-  // Of the scene that is to be shown; without scenes, all nodes that are below no other.
+  // The root nodes of the scene that is to be shown; without scenes, all nodes without a parent.
   [[nodiscard]] std::vector<std::uint64_t> roots() const {
     std::vector<std::uint64_t> found;
     if (document_.count("scenes") > 0) {
@@ -319,7 +319,7 @@ class SceneReader {
 
   void add_part(const Json& part, std::uint64_t mode, const Affine3d& T) {
     const Json& attributes = Document::member(part, "attributes");
-    if (!attributes.is_object() || !attributes.contains("POSITION")) return;  // as glTF wants it
+    if (!attributes.is_object() || !attributes.contains("POSITION")) return;  // as glTF demands
     const Elements positions =
         binary_.elements(Document::number(attributes, "POSITION"), "VEC3", 3, {glb::kFloat});
     std::optional<Elements> indices;

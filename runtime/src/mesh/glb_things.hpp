@@ -1,5 +1,5 @@
 #pragma once
-// What nodes of a scene are as things of a world.
+// Properties of nodes of a scene as things of a world.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -12,10 +12,11 @@ namespace armlet {
 // flat.
 Eigen::Matrix3d rotation_in(const Eigen::Matrix3d& linear);
 
-// A text that a program can write between quotes, and that is not in `names` yet, where it is put.
+// A name that a program can write between quotes and that is not in `names` yet; it is added to
+// them.
 std::string unique_name(std::string name, std::uint64_t number, std::set<std::string>& names);
 
-// "#rrggbb" of a linear colour, as screens show it.
+// "#rrggbb" of a linear colour, in the encoding of screens.
 //
 // source  IEC 61966-2-1 (sRGB), 1999.
 std::string shown_color(const double linear[3]);

@@ -145,7 +145,7 @@ class Writer {
     return meshes_.size() - 1;
   }
 
-  // target  0: what lies there is no list of vertices or indices.
+  // target  0: the data are neither vertices nor indices.
   std::size_t add_view(std::size_t offset, int target) {
     OrderedJson view = {
         {"buffer", 0}, {"byteOffset", offset}, {"byteLength", binary_.size() - offset}};

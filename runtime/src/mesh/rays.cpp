@@ -11,7 +11,8 @@ int crossing(const Vector3d& p, const Vector3d& d, const Vector3d& a, const Vect
   const double det = u.dot(h);
   const double scale = std::sqrt(u.squaredNorm() * v.squaredNorm());
   if (std::abs(det) <= kClose * scale) {
-    // Seen from the edge: it counts only if the ray comes near, which is not looked at closely.
+    // A triangle seen along its plane: it matters only if the ray comes near, which is tested
+    // roughly.
     if (scale > 0.0 && std::abs((p - a).dot(u.cross(v))) <= kClose * scale * (1.0 + (p - a).norm()))
       doubt = true;
     return 0;

@@ -10,7 +10,7 @@
 
 namespace armlet::rays {
 
-// Directions that no edge of a drawing is likely to have.
+// Directions that edges of a model are unlikely to have.
 inline const std::array<Eigen::Vector3d, 5> kDirections = {
     Eigen::Vector3d(0.531, 0.273, 0.802), Eigen::Vector3d(-0.613, 0.377, -0.694),
     Eigen::Vector3d(0.217, -0.859, 0.464), Eigen::Vector3d(-0.397, -0.661, 0.637),
@@ -22,9 +22,9 @@ int crossing(const Eigen::Vector3d& p, const Eigen::Vector3d& d, const Eigen::Ve
              const Eigen::Vector3d& b, const Eigen::Vector3d& c, bool& doubt);
 bool meets(const TriangleTree::Node& node, const Eigen::Vector3d& p, const Eigen::Vector3d& d);
 
-// Calls visit(triangle, crossing) for all triangles that a ray goes through.
+// Calls visit(triangle, crossing) for all triangles that a ray crosses.
 //
-// returns  whether there was a doubt.
+// returns  whether a crossing was doubtful.
 template <class Visit>
 bool cast(std::span<const Eigen::Vector3d> vertices, std::span<const Corners> triangles,
           const TriangleTree& tree, const Eigen::Vector3d& p, const Eigen::Vector3d& d,

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Triangle = std::array<Vector3d, 3>;
 
-// Where the edge from p to q goes through a triangle.
+// The point at which the edge from p to q intersects a triangle.
 std::optional<Vector3d> piercing(const Vector3d& p, const Vector3d& q, const Triangle& t,
                                  double rounding) {
   const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -38,7 +38,7 @@ class CrossingSearch {
         shell_of_(shell_of),
         rounding_(rounding),
         shell_in_(tree.nodes.size(), kNoShell) {
-    // Children stand behind their parents.
+    // Children come after their parents.
     for (std::size_t i = tree.nodes.size(); i-- > 0;) shell_in_[i] = shell_in(i);
   }
 

@@ -16,11 +16,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What is known of a shell.
+// The properties of a shell.
 //
-// volume   m^3, below 0 if it looks inwards; 0 for a sheet whose two sides are one surface.
+// volume   m^3, negative if its triangles face inwards; 0 for a sheet whose two sides are one
+//          surface.
 // samples  some of its triangles.
-// around   shells that it lies in.
+// around   shells that contain it.
 struct Shell {
   double volume = 0.0;
   std::vector<std::uint32_t> samples{};
@@ -95,7 +96,7 @@ class ShellCheck {
     }
   }
 
-  // A point just inside of a shell, before the middle of one of its triangles.
+  // A point just inside of a shell, next to the centre of one of its triangles.
   [[nodiscard]] std::optional<Vector3d> inner_point(std::uint32_t triangle) const {
     const Vector3d &a = corner(triangle, 0), u = corner(triangle, 1) - a,
                    v = corner(triangle, 2) - a;
@@ -105,7 +106,7 @@ class ShellCheck {
     return Vector3d(a + (u + v) / 3.0 - outward * rounding_ * n.normalized());
   }
 
-  // The other shells around a point.
+  // The other shells that contain a point.
   [[nodiscard]] std::vector<std::uint32_t> around(const Vector3d& p, std::uint32_t own) const {
     std::map<std::uint32_t, int> windings;
     for (const Vector3d& direction : rays::kDirections) {
@@ -121,7 +122,7 @@ class ShellCheck {
     return found;
   }
 
-  // Where two points of a shell disagree, it crosses another one.
+  // If two points of a shell give different results, it intersects another one.
   void find_around(std::uint32_t shell) {
     bool is_first = true;
     for (const std::uint32_t sample : shells_[shell].samples) {
@@ -142,7 +143,7 @@ class ShellCheck {
     }
   }
 
-  // From the largest shell, so that those around it have their side already.
+  // Begins with the largest shell, so that the shells around a shell are processed before it.
   std::string turn() {
     std::vector<std::uint32_t> order(shells_.size());
     std::iota(order.begin(), order.end(), 0U);

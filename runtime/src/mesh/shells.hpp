@@ -1,4 +1,4 @@
-// The closed shells of a surface: which side of each is outside, and which of them overlap.
+// The closed shells of a surface: the outside of each, and overlaps between them.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Whether vertices and triangles are a mesh.
+// Checks whether vertices and triangles form a mesh.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace armlet {
 
-// throws  ArgumentError for all that TriangleMesh refuses, in time that grows with their number.
+// throws  ArgumentError for all that TriangleMesh refuses, in time proportional to their number.
 void check_surface(const std::vector<Eigen::Vector3d>& vertices,
                    const std::vector<Corners>& triangles);
 

@@ -22,8 +22,8 @@ bool comes_before(const Vector3d& p, const Vector3d& q) {
   return p.z() < q.z();
 }
 
-// Whether no vertex is farther than `rounding` before the plane of a triangle; of very many
-// triangles, every so-manieth is looked at. Slivers have no plane.
+// Whether no vertex is farther than `rounding` in front of the plane of a triangle; of very many
+// triangles only a sample is tested. Degenerate triangles have no plane.
 bool lies_behind_all(const TriangleMesh& mesh, double rounding) {
   constexpr std::size_t kMostLooks = 5'000;
   const std::size_t step = mesh.triangles().size() / kMostLooks + 1;
@@ -64,7 +64,7 @@ TriangleMesh::TriangleMesh(std::vector<Vector3d> vertices, std::vector<Corners> 
   }
 }
 
-// Vertices in order of their coordinates; those that are used, once each.
+// Sorts vertices by their coordinates, and keeps each used one once.
 void TriangleMesh::drop_doubles() {
   std::vector<bool> used(vertices_.size(), false);
   for (const Corners& each : triangles_) {
@@ -93,7 +93,7 @@ void TriangleMesh::drop_doubles() {
 }
 
 void TriangleMesh::look_at_edges() {
-  // Files have single precision: corners that should lie in one plane miss it by as much.
+  // Files have single precision: corners of one plane differ from it by rounding.
   const double rounding = 4e-7 * reach_;
   const EdgeReport report = look_at(vertices_, triangles_, rounding);
   open_because_ = report.open_because;
@@ -205,7 +205,7 @@ TriangleMesh TriangleMesh::moved(const Eigen::Isometry3d& T) const {
     mesh.source_ = {.bytes = source_.bytes, .T_mesh_file = T * source_.T_mesh_file};
     return mesh;
   }
-  // Rounding keeps the order of numbers, so the boxes stay those of their triangles.
+  // Rounding is monotone, so the boxes still contain their triangles.
   const Vector3d p = T.translation();
   TriangleMesh mesh = *this;
   mesh.source_.T_mesh_file = T * source_.T_mesh_file;

@@ -34,7 +34,7 @@ class TreeMaker {
     return vertices_[c[0]].cwiseMax(vertices_[c[1]]).cwiseMax(vertices_[c[2]]);
   }
 
-  // Depth is that of halving by number: 18 for a million triangles.
+  // The depth is that of halving the number: 18 for a million triangles.
   void add(std::uint32_t begin, std::uint32_t end) {
     TriangleTree::Node node;
     node.begin = begin;
@@ -48,8 +48,8 @@ class TreeMaker {
     const std::size_t at = tree_.nodes.size();
     tree_.nodes.push_back(node);
     if (end - begin <= kLeaf) {
-      // Which triangles are here follows from their middles; what order nth_element leaves them in
-      // depends on the library.
+      // The set of triangles here follows from their centres, but the order in which nth_element
+      // leaves them depends on the library.
       std::sort(tree_.order.begin() + begin, tree_.order.begin() + end);
       return;
     }

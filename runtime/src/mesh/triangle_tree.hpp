@@ -1,4 +1,4 @@
-// How a tree of boxes is made.
+// Construction of a tree of boxes.
 #pragma once
 
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace armlet {
 
-// Halves the triangles by the middles of their boxes along the longest side, in order of their
-// numbers where middles coincide, down to kLeaf triangles.
+// Halves the triangles by the centres of their boxes along the longest side, in the order of their
+// numbers if centres coincide, down to kLeaf triangles.
 TriangleTree make_tree(std::span<const Eigen::Vector3d> vertices,
                        std::span<const Corners> triangles);
 

@@ -9,7 +9,7 @@
 
 #include "armlet/model/robot.hpp"
 
-// How the catalogue writes its arms down.
+// The rows of the catalogue of arms.
 namespace armlet::catalog {
 
 inline constexpr double kDeg = std::numbers::pi / 180.0;
@@ -21,7 +21,7 @@ struct Rates {
 };
 
 // A joint and its link. The inertia is about the centre of mass: xx, yy, zz, xy, xz, yz. A speed,
-// effort, acceleration or jerk of 0 is one that the source does not give.
+// effort, acceleration or jerk of 0 is not given by the source.
 struct Row {
   JointKind kind = R;
   DhRow dh{};
@@ -35,10 +35,10 @@ struct Row {
   Rates rates{};
 };
 
-// An arm: a row of the catalogue. What lists show of it comes first.
+// An arm: a row of the catalogue. The members that lists show come first.
 struct Arm {
   std::string_view name;
-  std::string_view second_name{};  // empty: it has none
+  std::string_view second_name{};  // empty: none
   std::string_view source;
   std::string_view help;  // of robots.NAME
   std::span<const Row> joints;

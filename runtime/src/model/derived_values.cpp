@@ -6,8 +6,8 @@
 
 namespace armlet {
 
-// A list to which slots are only added, so that looking for one takes no lock. It has as many as
-// there are types that somebody asked for, which are few.
+// An append-only list of slots, so that searching it needs no lock. It has one slot for each
+// requested type, which are few.
 struct DerivedValues::Slots {
   struct Slot {
     explicit Slot(const void* type) : key(type) {}
@@ -42,7 +42,7 @@ struct DerivedValues::Slots {
 
 DerivedValues::DerivedValues() : slots_(std::make_shared<Slots>()) {}
 
-// The lock belongs to one slot: while its value is made, those of other types can be had.
+// Each slot has its own lock: while its value is made, values of other types are available.
 const void* DerivedValues::find(const void* key, Make* make, const void* source) const {
   Slots::Slot* found = slots_->look_for(key);
   if (found != nullptr) {

@@ -14,7 +14,7 @@ double snapped(double x) {
   return std::abs(x - nearest) < 1e-12 ? nearest : x;
 }
 
-// Rx(alpha) Tx(a)
+// Returns Rx(alpha) Tx(a).
 Eigen::Isometry3d x_part(const DhRow& row) {
   const SinCos alpha = snapped_sin_cos(row.alpha);
   Eigen::Matrix3d R;
@@ -22,7 +22,7 @@ Eigen::Isometry3d x_part(const DhRow& row) {
   return make_pose(R, {row.a, 0.0, 0.0});
 }
 
-// Rz(theta) Tz(d)
+// Returns Rz(theta) Tz(d).
 Eigen::Isometry3d z_part(const DhRow& row) {
   return make_pose(rot_z(row.theta), {0.0, 0.0, row.d});
 }

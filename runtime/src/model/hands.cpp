@@ -13,7 +13,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Dimensions of a finger, m: how far out and up its first joint lies, and its two links.
+// Dimensions of a finger, m: distance and height of its first joint, and its two links.
 constexpr double kPalmHeight = 0.0415, kSpreadOffset = 0.025;
 constexpr double kOut = 0.05, kUp = 0.0339, kMedial = 0.06994, kDistal = 0.05;
 
@@ -84,7 +84,7 @@ namespace {
 
 constexpr double kBendSpeed = kPi * 140.0 / 180.0, kSpreadSpeed = 2.0 * kPi;  // rad/s
 constexpr double kGraspPoint =
-    0.165;  // m, from the flange to between the tips that close on a ball
+    0.165;  // m, from the flange to between the fingertips that close on a ball
 
 // Small motors behind worm gears: at full speed, or at rest, within 3 ms.
 Joint driven(const DhRow& dh, double upper, double speed) {
@@ -120,7 +120,7 @@ FingeredHand make_barrett_robots(const std::string& name) {
           driven({.theta = side * 0.5 * kPi, .d = side * kUp, .a = kOut, .alpha = side * 0.5 * kPi},
                  kPi, kSpreadSpeed)};
     } else {
-      // Outwards is -y of the palm; the finger bends about -x.
+      // The outward direction is -y of the palm; the finger bends about -x.
       Eigen::Matrix3d R_palm_finger;
       R_palm_finger << 0, 0, -1, -1, 0, 0, 0, 1, 0;
       finger.T_world_base = make_pose(R_palm_finger, {0.0, -kOut, kPalmHeight + kUp});
@@ -171,7 +171,7 @@ const std::vector<std::string_view>& hand_names() {
 }
 
 std::optional<Hand> make_hand(std::string_view name) {
-  // The palm to the middle of a ball that the closed fingers hold.
+  // The distance from the palm to the centre of a ball that the closed fingers hold.
   if (name == "barrett_hand") return hand_of(make_barrett_hand(), point_tool(0.1));
   if (name == "parallel_gripper") {
     return hand_of(make_parallel_gripper(), parallel_gripper(0.080, 0.1034, 70.0));

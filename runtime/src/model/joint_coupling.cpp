@@ -11,7 +11,7 @@
 namespace armlet {
 namespace {
 
-// The joint of each row, counted from 0.
+// The joint that moves each row, from 0.
 std::vector<int> joints_of(const std::vector<Joint>& rows) {
   std::vector<int> joint_of(rows.size(), -1);
   int n = 0;

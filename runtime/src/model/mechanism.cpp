@@ -52,7 +52,7 @@ void check_joint_geometry(MechanismSpec& spec, std::size_t i) {
          fmt::format("has a joint with the axis {}, which has no direction",
                      format_vector(body.axis, 6)));
   }
-  // Written as a unit vector, a basis vector stays exact.
+  // A vector of length 1 is not divided, so a basis vector stays exact.
   if (length != 1.0) body.axis /= length;
 }
 

@@ -27,7 +27,7 @@ void fill_default_rates(Joint& joint) {
   if (joint.max_jerk == 0.0) joint.max_jerk = joint.max_accel / kDefaultTimeToAccel;
 }
 
-// A row that copies another one moves within its limits, at its rates times the ratio.
+// Limits and rates of a mimic joint: those of its source joint times the ratio.
 void follow(const Joint& joint, const RowDrive& drive, Joint& row) {
   const double one = drive.ratio * joint.lower + drive.offset,
                other = drive.ratio * joint.upper + drive.offset;
@@ -42,7 +42,7 @@ void follow(const Joint& joint, const RowDrive& drive, Joint& row) {
 
 bool copies(const Joint& row) { return row.drive.of >= 0; }
 
-// The rows that copy others, of which none may copy another one.
+// Sets the rows of mimic joints; the source of a mimic joint must not be one itself.
 void follow_drives(RobotSpec& spec) {
   for (Joint& row : spec.joints) {
     if (copies(row)) follow(spec.joints[static_cast<std::size_t>(row.drive.of)], row.drive, row);
@@ -80,8 +80,8 @@ bool has_same_bits(const Numbers& a, const Numbers& b) {
          0;
 }
 
-// To the last bit, 0 and -0 apart, so that nothing worked out from one is a bit different for the
-// other.
+// Equality to the last bit, with 0 and -0 different, so that values derived from one have the same
+// bits for the other.
 bool is_same_chain(const Chain& a, const Chain& b) {
   return a.n == b.n && a.standard == b.standard && a.coupled == b.coupled &&
          a.revolute == b.revolute && has_same_bits(a.theta, b.theta) && has_same_bits(a.d, b.d) &&
@@ -92,7 +92,7 @@ bool is_same_chain(const Chain& a, const Chain& b) {
          has_same_bits(a.T_flange_tool.matrix(), b.T_flange_tool.matrix());
 }
 
-// Farthest that one row can carry the next frame, within the limits.
+// Largest distance by which one row can move the next frame, within the limits.
 double row_reach(const Joint& joint) {
   double d = std::abs(joint.dh.d);
   if (!joint.is_revolute()) {

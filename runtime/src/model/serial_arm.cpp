@@ -73,7 +73,7 @@ Matrix3d R_with_z(const Vector3d& axis) {
   return R;
 }
 
-// What is known of the chain while it is followed.
+// The state while the chain is followed.
 struct Walk {
   const Mechanism* mechanism;
   std::vector<int> path;  // bodies from the base to the tip
@@ -93,9 +93,9 @@ Result<Walk> walk_to(const Mechanism& m, std::string_view tip) {
   return walk;
 }
 
-// Where each body is in the frame of the nearest body of the chain that moves, if any.
+// The pose of each body in the frame of the nearest moving body of the chain, if there is one.
 struct Carried {
-  std::vector<int> row;  // of the arm, or -1: it stands still with the base
+  std::vector<int> row;  // of the arm, or -1: it is fixed to the base
   std::vector<Isometry3d> T_row_body;
 };
 
@@ -123,10 +123,10 @@ Carried carried_by(const Mechanism& m, const std::vector<int>& chain, const Eige
   return carried;
 }
 
-// The fixed poses between the joints of the path: before the first, between, after the last. Frames
-// at joints have the axis as z.
+// The constant poses between the joints of the path: before the first, between, after the last.
+// Frames at joints have the axis as z.
 struct Legs {
-  std::vector<int> chain;                 // bodies whose joints move
+  std::vector<int> chain;                 // bodies with moving joints
   std::vector<Isometry3d> T_before_axis;  // one per joint
   Isometry3d T_axis_tip = Isometry3d::Identity();
 };
@@ -148,7 +148,7 @@ Legs legs_of(const Walk& walk) {
   return legs;
 }
 
-// The rows of the arm and what moves them.
+// The rows of the arm and their drives.
 Result<ChainDrives> check_chain(const Mechanism& m, const Legs& legs) {
   if (legs.chain.empty()) {
     return Error{"no_chain",
@@ -164,7 +164,7 @@ Result<ChainDrives> check_chain(const Mechanism& m, const Legs& legs) {
   return drives_of_chain(m, legs.chain);
 }
 
-// What follows from an inertia that no body has.
+// Notes the consequences of an inertia that no body has.
 void note_inertia(const Mechanism& m, const Body& body, bool is_moved, RobotSpec& spec) {
   if (body.inertia_fault.empty()) return;
   spec.notes.push_back(fmt::format("link `{}` {}; {}", body.name, body.inertia_fault,
@@ -182,8 +182,8 @@ Link named(Link link, const std::string& name) {
 
 // The base and the links, each with what is fixed to it.
 //
-// T_row_axis  of each row, the frame with the joint's axis as z.
-// follows     of each body, whether its joint copies one of the arm.
+// T_row_axis  for each row, the frame with the joint's axis as z.
+// follows     for each body, whether a mimic joint of the arm moves it.
 // zero        values of the joints of the mechanism while the arm is at zero.
 struct LinkFrames {
   const std::vector<int>& chain;
@@ -241,7 +241,7 @@ Result<RobotSpec> serial_arm(const Mechanism& m, std::string_view tip) {
   if (!walk->note.empty()) spec.notes.push_back(walk->note);
   spec.joints = joints_of_chain(m, legs.chain, *drives, spec.notes);
 
-  // The rest of each normal commutes with the joint and goes into the next leg.
+  // The rest of each normal commutes with the joint and becomes a part of the next leg.
   const std::size_t n = spec.joints.size();
   std::vector<Isometry3d> T_row_axis(n, Isometry3d::Identity());  // of the frame with the axis as z
   Isometry3d rest = Isometry3d::Identity();
@@ -278,7 +278,7 @@ MechanismSpec mechanism_of(const Robot& robot) {
                          .T_parent_joint = robot.T_world_base(),
                          .link = moved(robot.spec().base, Isometry3d::Identity())});
   const bool standard = robot.spec().convention == DhConvention::kStandard;
-  // What comes after the joint's own motion: the constants of Z, and the X that follows.
+  // The part after the joint's own motion: the constants of Z, and the X that follows.
   Isometry3d T_link_next = Isometry3d::Identity();
   for (int i = 0; i < robot.rows(); ++i) {
     const Joint& joint = robot.row(i);

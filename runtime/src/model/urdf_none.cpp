@@ -1,4 +1,4 @@
-// In place of urdf_read.cpp where urdfdom cannot be had.
+// Replaces urdf_read.cpp where urdfdom is not available.
 
 #include "armlet/model/serial_arm.hpp"
 #include "armlet/model/urdf.hpp"

@@ -99,7 +99,7 @@ std::vector<std::string> meshes_of(const urdf::Link& link) {
   return names;
 }
 
-// Collects the bodies from the root outwards and what drives them.
+// Collects the bodies from the root outwards and their actuators.
 class Reader {
  public:
   Reader(const urdf::ModelInterface& model, const UrdfOptions& options)
@@ -130,7 +130,7 @@ class Reader {
     return options_.has_mesh && !options_.has_mesh(mesh);
   }
 
-  // Nothing but pictures and collisions needs a shape.
+  // Missing meshes are only noted, since only drawing and collision checks need shapes.
   void note_meshes(const urdf::Link& link) {
     for (const std::string& mesh : meshes_of(link)) {
       const auto [at, is_new] = looked_for_.insert(mesh);
@@ -142,7 +142,7 @@ class Reader {
     }
   }
 
-  // Mass, centre and inertia are left out if no body has them: only forces need them.
+  // Mass, centre and inertia that no body has are ignored: only forces need them.
   void check_inertia(Body& body) const {
     Link inertial;
     inertial.mass = body.link.mass;
@@ -157,8 +157,8 @@ class Reader {
     body.link = without_mass(body.link);
   }
 
-  // The shapes for collisions and those for pictures. Where a link has only one kind, or the shapes
-  // of the other kind cannot be used, those of the one are for both.
+  // The shapes for collision checks and those for drawing. If a link has usable shapes of only one
+  // kind, they serve both purposes.
   void load_bodies(const urdf::Link& link, Link& body) {
     for (const auto& each : link.collision_array)
       add_shape(link, body, *each, LinkSolidUse::kCollision);
@@ -169,7 +169,8 @@ class Reader {
     for (LinkMesh& each : body.bodies) each.use = LinkSolidUse::kBoth;
   }
 
-  // A visual or a collision element. What is there for the other use already is for both.
+  // Adds a visual or a collision element. A shape that is already there for the other use serves
+  // both.
   void add_shape(const urdf::Link& link, Link& body, const auto& element, LinkSolidUse use) {
     if (!element.geometry) return;
     const Isometry3d T = pose_of(element.origin);
@@ -216,7 +217,7 @@ class Reader {
     body.bodies.push_back(std::move(placed));
   }
 
-  // From the root outwards without recursion: chains may be long.
+  // From the root outwards without recursion, since chains may be long.
   std::optional<Error> add_children(const urdf::Link& root) {
     std::vector<std::pair<const urdf::Link*, int>> open{{&root, -1}};
     while (!open.empty()) {
@@ -293,7 +294,7 @@ class Reader {
     return actuator;
   }
 
-  // Follows a mimic joint to the one that moves on its own: value = ratio q + shift.
+  // Follows a mimic joint to its independent source: value = ratio q + shift.
   struct Followed {
     const urdf::Joint* joint;
     double ratio = 1.0, shift = 0.0;
@@ -345,19 +346,19 @@ class Reader {
   const urdf::ModelInterface& model_;
   const UrdfOptions& options_;
   MechanismSpec spec_;
-  std::set<std::string> looked_for_;  // meshes that were looked for
+  std::set<std::string> looked_for_;  // meshes whose existence was checked
   UrdfMeshes meshes_;
-  std::vector<const urdf::Joint*> joints_;  // those that move, in the order of the bodies
+  std::vector<const urdf::Joint*> joints_;  // moving joints, in the order of the bodies
 };
 
-// Why a text is none; the model if it is one.
+// The model of a text, or the reason why there is none.
 Result<std::shared_ptr<urdf::ModelInterface>> model_of(std::string_view text) {
   if (const std::string fault = xml_fault(text); !fault.empty()) return broken(fault);
-  // urdfdom would hold on to links in a circle for ever.
+  // Checked first, since links in a circle would keep each other in memory for ever.
   if (const std::string fault = structure_fault(text); !fault.empty()) return broken(fault);
   if (const std::string fault = xacro_fault(text); !fault.empty()) return broken(fault);
   ParsedUrdf parsed = parse_urdf(std::string(text));
-  // urdfdom reports some faults and goes on without what it could not read.
+  // urdfdom reports some errors and continues without what it could not read.
   if (parsed.model == nullptr || !parsed.reason.empty()) {
     if (const std::string fault = number_fault(text); !fault.empty()) return broken(fault);
     return broken(

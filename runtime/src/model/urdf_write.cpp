@@ -73,7 +73,7 @@ std::string link_text(const std::string& name, const Link& link) {
   return text + "  </link>\n";
 }
 
-// What drives a joint alone: value = ratio q_a + shift.
+// The only actuator of a joint: value = ratio q_a + shift.
 struct Drive {
   Eigen::Index actuator = -1;
   double ratio = 0.0, shift = 0.0;
@@ -98,8 +98,8 @@ Drive drive_of(const Mechanism& m, int joint) {
   return drive;
 }
 
-// Joint limits from those of the actuator: the first joint that it drives stands for it. A joint
-// that copies it may have limits of its own.
+// Joint limits from those of the actuator: the first joint that it drives represents it. Its mimic
+// joints may have limits of their own.
 std::string limit_text(const Mechanism& m, const Drive& drive, const Body& body) {
   if (drive.actuator < 0) {
     return fmt::format("    <limit lower=\"{0}\" upper=\"{0}\" effort=\"0\" velocity=\"0\"/>\n",
@@ -123,7 +123,7 @@ std::string limit_text(const Mechanism& m, const Drive& drive, const Body& body)
                      number(a.max_speed * std::abs(drive.ratio)));
 }
 
-// The joints that stand for the actuators, -1 where none does yet.
+// The joints that represent the actuators, -1: none yet.
 class Leaders {
  public:
   explicit Leaders(const Mechanism& m) : leader_(m.actuators().size(), -1) {
@@ -139,7 +139,7 @@ class Leaders {
   std::vector<int> leader_;
 };
 
-// A joint that nothing drives copies the first actuator by a factor of 0.
+// A joint without an actuator becomes a mimic joint of the first actuator with a factor of 0.
 std::string mimic_text(const Mechanism& m, const Leaders& leaders, int joint) {
   const Drive drive = drive_of(m, joint);
   if (m.actuator_count() == 0) return {};
@@ -161,7 +161,7 @@ bool is_continuous(const Mechanism& m, int joint, const Body& body) {
   return is_no_limit(a.lower, a.upper);
 }
 
-// What a description cannot say of a motor and of friction.
+// The data of a motor and of friction that a URDF cannot express.
 std::string lost_text(const Link& link) {
   std::vector<std::string> lost;
   const double gear = std::abs(link.gear);
@@ -233,7 +233,7 @@ std::string write_urdf(const Mechanism& m) {
   return text + "</robot>\n";
 }
 
-// A file of a package that is not around the URDF.
+// The file of a package outside of the folders around the URDF.
 static std::string in_packages(const PackageFolders& packages, const std::string& package,
                                const std::string& file) {
   namespace fs = std::filesystem;

@@ -83,7 +83,7 @@ std::string inertia_fault(const Eigen::Matrix3d& inertia, InertiaCheck check) {
   return {};
 }
 
-// A joint sticks at least as firmly as it slides.
+// Static friction is at least as large as sliding friction.
 std::string stribeck_fault(const Friction& friction) {
   if (friction.stribeck_speed == 0.0) {
     if (friction.static_torque == 0.0) return {};

@@ -7,7 +7,7 @@
 
 namespace armlet {
 
-// All throw ArgumentError with a sentence that names the joint or link, counted from 1.
+// All throw ArgumentError with a sentence that names the joint or link, from 1.
 void check_joints(const RobotSpec& spec);
 void check_links(const RobotSpec& spec);   // one link per row
 void check_drives(const RobotSpec& spec);  // Joint::drive, after the links
@@ -16,8 +16,8 @@ void check_payload(const RobotSpec& spec);
 void check_home(const RobotSpec& spec, std::span<const int> rows);
 void check_link_pairs(const RobotSpec& spec);  // RobotSpec::allow and watch
 
-// What is wrong with the mass, the inertia or the motor of a link, as the end of a sentence that
-// begins with its name; empty if nothing is.
+// The error in the mass, the inertia or the motor of a link, as the end of a sentence that begins
+// with its name; empty if there is none.
 std::string link_fault(const Link& link, InertiaCheck check);
 
 }  // namespace armlet

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 constexpr int kFinest = -20;      // cubes of a micrometre
 constexpr double kMargin = 1e-9;  // of a distance, for rounding
 constexpr std::size_t kFew = 16;  // balls of a part that is not divided
-constexpr int kDeepest = 12;      // so often a cube is divided at most
+constexpr int kDeepest = 12;      // largest number of divisions of a cube
 
 int level_of(double radius) {
   int exponent = 0;
@@ -57,7 +57,7 @@ const BallGrid::Ball& BallGrid::ball_of(std::uint32_t id) const {
   return levels_.at(place.level).balls[place.index];
 }
 
-// Columns have no centre along z: all their balls count as above it.
+// Columns have no centre along z: all their balls are put into the upper half.
 void BallGrid::divide(Part& part) const {
   part.children.resize(8);
   for (std::size_t index = 0; index < 8; ++index) {
@@ -178,8 +178,8 @@ void BallGrid::find_in(const Part& part, double width, const Query& query,
   for (const Part& child : part.children) find_in(child, width, query, found);
 }
 
-// Where a query covers more cubes than there are, all balls of the level are looked at; or all
-// cubes, since most balls may be left out with a look at their cube.
+// A query that covers more cubes than exist tests all balls of the level, or all cubes, since most
+// balls can be excluded by their cube.
 void BallGrid::find_in(const Level& level, double width, const Query& query,
                        std::vector<std::uint32_t>& found) const {
   const Vector3d around = Vector3d::Constant((query.radius + 0.5 * width) * (1.0 + kMargin));

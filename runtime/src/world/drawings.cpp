@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLongestText = 1000;  // bytes
 
-// How many numbers of the size say something.
+// Number of elements of `size` that a shape uses.
 int size_count(DrawingKind kind) {
   switch (kind) {
     case DrawingKind::kText:

@@ -11,7 +11,7 @@
 namespace armlet {
 namespace {
 
-// A sheet that lies on a surface carries what comes down there.
+// A sheet that lies on a surface carries what falls onto it.
 constexpr double kSameHeight = 1e-9;  // m
 
 }  // namespace
@@ -22,7 +22,7 @@ std::optional<double> World::rests_at(const Object& falling, const Object& below
   return resting_height(falling, below);
 }
 
-// How far a part is above a body that it would come down on.
+// Distance of a part from a body below it onto which it would fall.
 std::optional<double> World::gap_above(const Object& part, const Object& below) const {
   const auto z_rest = rests_at(part, below);
   if (!z_rest) return std::nullopt;
@@ -30,8 +30,8 @@ std::optional<double> World::gap_above(const Object& part, const Object& below) 
   return gap < -kRestTolerance ? std::nullopt : std::optional(gap);
 }
 
-// Of a body with what is fastened on it, down to the first surface; `falls` are the bodies that
-// count for none.
+// The fall of a body with what is fastened on it, down to the first surface; the bodies `falls` are
+// ignored.
 std::optional<Drop> World::fall(const Body& falling, const std::set<std::uint32_t>& falls) const {
   const std::vector<const Body*> parts = compound(falling);
   std::set<std::uint32_t> own;
@@ -103,7 +103,7 @@ std::vector<World::Landing> World::land(const std::vector<std::size_t>& roots) c
   for (const std::vector<Above>& each : above) {
     for (const Above& upper : each) has_below[upper.who] = true;
   }
-  // What nothing is below stays.
+  // A body with nothing below it does not fall.
   for (std::size_t i = 0; i < n; ++i) {
     if (!drops[i] && !has_below[i]) drops[i] = Drop{};
   }
@@ -148,8 +148,8 @@ void World::ride(Body& body) {
                          .mounted = lower->attachment->mounted});
 }
 
-// Puts a body where it comes to rest. The sum of gaps is right to rounding; on its support it lies
-// where it would lie if it had come down there alone.
+// Moves a body to where it comes to rest. The sum of gaps is exact to rounding; on its support it
+// gets the height that it would have if it had fallen alone.
 void World::put_down(Body& body, const Drop& drop) {
   double& z = body.object.T_world_obj.translation().z();
   z -= drop.distance;
@@ -161,7 +161,7 @@ void World::put_down(Body& body, const Drop& drop) {
   has_moved(body);
 }
 
-// All at once, from the one that falls least.
+// Lets all bodies fall together, beginning with the smallest distance.
 std::vector<Fall> World::settle(const std::vector<std::string>& names) {
   std::vector<std::size_t> roots;
   for (const std::string& name : names) {
@@ -199,7 +199,7 @@ Drop World::drop(std::string_view name) {
   for (const Fall& each : settle(falling)) {
     if (each.name == name) return each.drop;
   }
-  // It lies there already, to the tolerance.
+  // It rests there already, within the tolerance.
   const Drop drop = fall(dropped).value_or(Drop{});
   put_down(dropped, drop);
   bring_fastened(dropped);

@@ -97,8 +97,8 @@ void World::bring_fastened(const Body& lower) {
   }
 }
 
-// What was fastened on a body that is removed belongs to nothing any more. What is fixed stays
-// where it is, so that it does not count among what falls.
+// Releases what was fastened on a removed body. Fixed bodies do not move, so they are not among
+// those that fall.
 void World::let_loose(const Body& removed, std::vector<std::string>& above) {
   const std::vector<std::uint32_t> loose = removed.fastened;
   for (const std::uint32_t id : loose) {

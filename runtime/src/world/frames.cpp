@@ -1,4 +1,4 @@
-// Frames with names, which move with what they are on.
+// Named frames, which move with what they are mounted on.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The lists and grids by which bodies of a world find one another.
+// The lists and grids that find neighbouring bodies of a world.
 #include <algorithm>
 #include <utility>
 
@@ -8,7 +8,7 @@
 namespace armlet {
 namespace {
 
-// Bodies that rest on one another come this near, and not nearer than rounding allows.
+// Largest distance of bodies that rest on one another, with rounding.
 constexpr double kTouch = 0.001 + kRestTolerance;  // m
 
 void put_in_order(std::vector<std::uint32_t>& ids, std::uint32_t id) {
@@ -69,7 +69,7 @@ bool World::unfasten(Body& body) {
   return true;
 }
 
-// Bodies that lie deep in one another neither carry each other nor fall on each other.
+// Bodies that overlap deeply neither carry each other nor fall on each other.
 std::vector<std::uint32_t> World::touching(const Object& object) const {
   return near_.touching(object.T_world_obj.translation(), resting_reach(object.shape) + kTouch,
                         resting_core(object.shape) - kTouch);

@@ -13,7 +13,7 @@
 namespace armlet {
 namespace {
 
-// Of the box around it.
+// The size of its bounding box.
 Eigen::Vector3d size_of(const Mesh& mesh) { return mesh.triangles->high() - mesh.triangles->low(); }
 
 void check_size(const Object& object, const char* what, double value) {
@@ -52,7 +52,7 @@ struct CheckShape {
       throw ArgumentError(fmt::format("\"{}\" needs a closed mesh.", object.name));
     for (const double side : size_of(mesh)) check_size(object, "size", side);
   }
-  // Cylinders and cones.
+  // For cylinders and cones.
   void operator()(const auto& round) const {
     check_size(object, "radius", round.radius);
     check_size(object, "height", round.height);
@@ -60,7 +60,7 @@ struct CheckShape {
 };
 
 struct InertiaPerMass {
-  // About its own axes; a mesh has none.
+  // About its own axes; not used for a mesh.
   Eigen::Vector3d operator()(const Mesh&) const { return Eigen::Vector3d::Zero(); }
   Eigen::Vector3d operator()(const Box& box) const {
     const Eigen::Vector3d square = box.size.cwiseAbs2();
@@ -85,7 +85,7 @@ struct InertiaPerMass {
   }
 };
 
-// How far a shape extends along a unit vector of its own axes, from end to end.
+// The extent of a shape along a unit vector of its own axes.
 struct WidthAlong {
   Eigen::Vector3d n;
   double operator()(const Box& box) const { return n.cwiseAbs().dot(box.size); }
@@ -99,7 +99,7 @@ struct WidthAlong {
   double operator()(const Cylinder& cylinder) const {
     return 2.0 * cylinder.radius * n.head<2>().norm() + cylinder.height * std::abs(n.z());
   }
-  // From the tip, or the rim of the base, to the rim on the other side.
+  // From the tip, or the rim of the base, to the rim on the opposite side.
   double operator()(const Cone& cone) const {
     const double rim = cone.radius * n.head<2>().norm(), tip = cone.height * std::abs(n.z());
     return rim + std::max(rim, tip);

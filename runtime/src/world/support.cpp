@@ -9,13 +9,14 @@
 namespace armlet {
 namespace {
 
-// Overlap that a flat face needs to carry another one: less is touching sides and rounding.
+// Least overlap with which a flat face carries another one: a smaller one is touching sides and
+// rounding.
 constexpr double kOverlap = 1e-6;  // m
-// cos of the angle up to which an axis counts as vertical or level.
+// cos of the largest angle at which an axis counts as vertical or horizontal.
 constexpr double kUpright = 1.0 - 1e-9;
 
-// A body seen from above: a rectangle or a point, grown by a flat radius (cylinder) or a round one
-// (sphere), and its half height.
+// A body projected along z: a rectangle or a point, enlarged by a flat radius (cylinder) or a round
+// one (sphere), and its half height.
 struct Footprint {
   Eigen::Vector2d centre{0.0, 0.0};
   Eigen::Vector2d axis{1.0, 0.0};       // of the rectangle's first side
@@ -28,7 +29,7 @@ struct Footprint {
   [[nodiscard]] Eigen::Vector2d across() const { return {-axis.y(), axis.x()}; }
 };
 
-// A box whose frame has one axis vertical keeps its true rectangle; any other is boxed.
+// A box with a vertical axis has its exact rectangle; any other box has its bounding rectangle.
 Footprint box_footprint(const Eigen::Matrix3d& R, const Eigen::Vector3d& half) {
   Footprint print;
   for (int up = 0; up < 3; ++up) {
@@ -48,14 +49,14 @@ Footprint box_footprint(const Eigen::Matrix3d& R, const Eigen::Vector3d& half) {
 struct MakeFootprint {
   const Eigen::Matrix3d& R;
   Footprint operator()(const Box& box) const { return box_footprint(R, 0.5 * box.size); }
-  // The box around it.
+  // The bounding box.
   Footprint operator()(const Mesh& mesh) const {
     return box_footprint(R, 0.5 * (mesh.triangles->high() - mesh.triangles->low()));
   }
   Footprint operator()(const Plane& plane) const {
     return box_footprint(R, {0.5 * plane.size.x(), 0.5 * plane.size.y(), 0.0});
   }
-  // The cylinder around it.
+  // The bounding cylinder.
   Footprint operator()(const Cone& cone) const {
     return (*this)(Cylinder{cone.radius, cone.height});
   }
@@ -66,7 +67,7 @@ struct MakeFootprint {
       return {.flat_radius = r, .half_height = h};
     }
     if (std::abs(R(2, 2)) > 1e-6) return box_footprint(R, {r, r, h});
-    // Lying: the axis is level, and rotating about it changes nothing.
+    // A lying cylinder: the axis is horizontal, and a rotation about it changes nothing.
     return {.axis = R.col(2).head<2>().normalized(), .half_size = {h, r}, .half_height = r};
   }
   Footprint operator()(const Sphere& sphere) const {
@@ -124,7 +125,7 @@ bool has_plain_footprint(const Object& object) {
 
 namespace {
 
-// Of bodies that lean.
+// For tilted bodies.
 struct Lowest {
   Eigen::Vector3d up;  // in the frame of the body
   double operator()(const Box& box) const { return up.cwiseAbs().dot(0.5 * box.size); }
@@ -151,7 +152,7 @@ double half_height(const Object& object) {
 
 namespace {
 
-// Half of the diagonal of the box around a shape; a ball is round from all sides.
+// Half of the diagonal of the bounding box of a shape; for a ball its radius.
 struct Diagonal {
   double operator()(const Box& box) const { return 0.5 * box.size.norm(); }
   double operator()(const Plane& plane) const { return 0.5 * plane.size.norm(); }
@@ -159,7 +160,7 @@ struct Diagonal {
   double operator()(const Mesh& mesh) const {
     return 0.5 * (mesh.triangles->high() - mesh.triangles->low()).norm();
   }
-  // Cylinders and cones.
+  // For cylinders and cones.
   double operator()(const auto& round) const {
     return Eigen::Vector3d(round.radius, round.radius, 0.5 * round.height).norm();
   }
@@ -167,8 +168,8 @@ struct Diagonal {
 
 }  // namespace
 
-// A body that leans counts as the box around it along the world's axes: each side of that is as
-// long as the diagonal at most.
+// A tilted body counts as its bounding box along the world's axes, whose sides are at most as long
+// as the diagonal.
 double resting_reach(const Shape& shape) {
   const double half = std::visit(Diagonal{}, shape);
   return std::holds_alternative<Sphere>(shape) ? half : std::numbers::sqrt3 * half;
@@ -184,7 +185,7 @@ struct Core {
   double operator()(const Cylinder& cylinder) const {
     return std::min(cylinder.radius, 0.5 * cylinder.height);
   }
-  // Half way up; to the base, and across to the side.
+  // Half of the height, up to the tip or down to the base, and across to the rim.
   double operator()(const Cone& cone) const {
     const double side = 0.5 * cone.radius * cone.height / std::hypot(cone.radius, cone.height);
     return std::min(0.5 * cone.height, side);
@@ -201,7 +202,8 @@ std::optional<double> resting_height(const Object& falling, const Object& below)
   const double gap = gap_between(upper, lower);
   const double round = upper.round_radius + lower.round_radius;
   if (gap > round - kOverlap) return std::nullopt;
-  // A sphere's centre stands above an edge at distance g by sqrt(r^2 - g^2), above a face by r.
+  // A sphere's centre is above an edge at the horizontal distance g by sqrt(r^2 - g^2), above a
+  // face by r.
   const double aside = std::max(gap, 0.0);
   const double rise = std::sqrt(std::max(round * round - aside * aside, 0.0));
   const double flat_upper = upper.round_radius > 0.0 ? 0.0 : upper.half_height;

@@ -129,7 +129,7 @@ std::vector<std::string> World::stacked_on(std::string_view name) const {
   return names;
 }
 
-// Of the bodies that travel along, the first one that another body is carried on.
+// Of the bodies that move along, the first one that another body is carried on.
 const World::Body& World::lower_in(const std::set<std::uint32_t>& stack, const Body& upper) const {
   std::vector<std::uint32_t> ids = touching(upper.object);
   for (const std::string* on :
@@ -151,7 +151,7 @@ void World::attach(std::string_view name, int carrier, const Eigen::Isometry3d& 
                            .T_carrier_obj = T_carrier_world * body.object.T_world_obj,
                            .on = std::move(on)});
   };
-  // What each one rests on is asked before any of them counts as carried.
+  // The supports are determined before any body counts as carried.
   std::set<std::uint32_t> stack = {taken.id};
   for (const std::string& each : above) stack.insert(body(each).id);
   std::vector<std::string> lower;

@@ -5,10 +5,10 @@
 #include "dynamics/newton_euler.hpp"
 
 // Inverse dynamics of many motions, one per lane. Compiled once per instruction set, in sources
-// that include nothing else; the bits are the same.
+// that include nothing else; all give the same bits.
 namespace armlet {
 
-// Times the sign of a joint, which is 1 or -1: the same bits without a multiplication.
+// Multiplication by the sign of a joint, 1 or -1: the same bits without a multiplication.
 template <class V>
 [[gnu::always_inline]] inline V signed_by(const PlanLink& link, V value) {
   return link.sign < 0.0 ? -value : value;
@@ -46,8 +46,8 @@ template <class V>
   return all_lanes<V>(link.friction.viscous) * qd + dry;
 }
 
-// Whether all forces are finite. Their sums by lane are, unless one is not, or unless so large ones
-// are added that each has to be asked.
+// Whether all forces are finite. If their sums by lane are finite, all are; sums of very large
+// forces may overflow, and then each force is tested.
 template <class V>
 [[gnu::always_inline]] inline bool are_finite(const MotionBatch& batch, V sums, const double* tau) {
   double doubt = 0.0;

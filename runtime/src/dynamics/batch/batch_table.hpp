@@ -13,8 +13,8 @@ struct MotionBatch {
   std::size_t count;
 };
 
-// Writes the joint forces of all motions, friction included unless the plan has that of Stribeck;
-// `count` is at least the number of lanes. Gives whether all of them are finite.
+// Writes the joint forces of all motions, with friction unless the plan has Stribeck friction;
+// `count` is at least the number of lanes. Returns whether all of them are finite.
 using MotionKernel = bool(const MotionBatch& batch, double* tau);
 
 struct DynamicsBatchKernels {
@@ -23,7 +23,7 @@ struct DynamicsBatchKernels {
 };
 #if defined(__x86_64__)
 extern const DynamicsBatchKernels kBaselineDynamics, kAvx2Dynamics, kAvx512Dynamics;
-#else  // other processors are never asked for the wider ones (is_supported)
+#else  // other processors never use the wider ones (is_supported)
 extern const DynamicsBatchKernels kBaselineDynamics;
 inline const DynamicsBatchKernels& kAvx2Dynamics = kBaselineDynamics;
 inline const DynamicsBatchKernels& kAvx512Dynamics = kBaselineDynamics;

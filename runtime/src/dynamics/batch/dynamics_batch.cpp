@@ -18,7 +18,7 @@ const DynamicsBatchKernels& kernels_for(InstructionSet set, std::size_t count) {
   return kernels_for(set, count, kAvx512Dynamics, kAvx2Dynamics, kBaselineDynamics);
 }
 
-// The baseline has two lanes, of which a single motion fills one.
+// The baseline has two lanes, of which a single motion uses one.
 bool one_motion(const Robot& robot, const DynamicsPlan& plan, const MotionBatch& batch,
                 double* tau) {
   kernel_for(kInverseKernels, plan)(
@@ -36,7 +36,7 @@ bool add_stribeck(const DynamicsPlan& plan, const MotionBatch& batch, double* ta
   return all_finite(tau, static_cast<Eigen::Index>(plan.n * batch.count));
 }
 
-// Forces of an arm with rows that copy others, without links beside it.
+// Forces of an arm with mimic joints, without links outside of the chain.
 void coupled_forces(const JointCoupling& coupling, std::span<const double> q,
                     std::span<const double> qd, std::span<const double> qdd, std::span<double> tau,
                     InstructionSet set) {

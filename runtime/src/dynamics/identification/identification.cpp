@@ -19,9 +19,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// A few motions through all positions, at all speeds, and at rest: there gravity still acts, and
-// dry friction does not. While a joint moves, the friction of both directions and a constant force
-// depend on each other.
+// Random motions in all configurations, at all speeds, and some at rest: there gravity acts without
+// dry friction. While a joint moves, the friction of both directions and a constant force are
+// linearly dependent.
 class RandomMotions {
  public:
   explicit RandomMotions(const Robot& robot) : robot_(robot) {}
@@ -41,23 +41,23 @@ class RandomMotions {
   }
 
  private:
-  static constexpr int kRests = 4;  // one motion of so many
+  static constexpr int kRests = 4;  // one motion of this many is at rest
   const Robot& robot_;
   Random random_{1991};
   int made_ = 0;
 };
 
-// An orthonormal basis of columns that are offered one after the other, by the Gram-Schmidt process
-// with each projection taken twice.
+// An orthonormal basis of a sequence of columns, by the Gram-Schmidt process with each projection
+// applied twice.
 // source  G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., 2013, section 5.2.
 class ColumnBasis {
  public:
   explicit ColumnBasis(Index rows, Index most) : Q_(rows, most), R_(MatrixXd::Zero(most, most)) {}
 
-  // Takes a column, of length 1, if it does not depend on those that were taken. Otherwise it is
-  // the sum of these by `factors`.
+  // Adds a column, of length 1, if it is linearly independent of the earlier ones. Otherwise it is
+  // their sum with `factors`.
   bool take(const VectorXd& column, VectorXd& factors) {
-    constexpr double kIndependent = 1e-7;  // of the length that the others leave
+    constexpr double kIndependent = 1e-7;  // of the length that remains after projection
     const auto Q = Q_.leftCols(size_);
     VectorXd along = Q.transpose() * column;
     VectorXd left = column - Q * along;
@@ -85,7 +85,7 @@ class ColumnBasis {
   Index size_ = 0;
 };
 
-// Of an arm whose rows all move on their own, without links beside it.
+// For an arm with independent rows, without links outside of the chain.
 MatrixXd regressor_of_chain(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd) {
   const SpatialArm arm(robot, q);
   MatrixXd Y = MatrixXd::Zero(robot.n(), kLinkParameters * robot.n());
@@ -149,7 +149,7 @@ MatrixXd dynamics_regressor(const Robot& robot, JointsIn q, JointsIn qd, JointsI
 
 BaseParameters base_parameters(const Robot& robot) {
   const Index n = robot.n(), parameters = dynamic_parameters(robot).size();
-  const Index links = parameters / kLinkParameters;  // and those beside the arm
+  const Index links = parameters / kLinkParameters;  // including those outside of the arm
   const Index motions = 3 * kLinkParameters * ((links + n - 1) / n);
   RandomMotions random(robot);
   MatrixXd W(motions * n, parameters);
@@ -158,7 +158,7 @@ BaseParameters base_parameters(const Robot& robot) {
   BaseParameters base;
   ColumnBasis basis(W.rows(), parameters);
   MatrixXd grouping = MatrixXd::Zero(parameters, parameters);  // its first rows
-  VectorXd lengths(parameters), factors;                       // of the columns that were taken
+  VectorXd lengths(parameters), factors;                       // of the independent columns
   const double largest = W.colwise().norm().maxCoeff();
   for (Index c = 0; c < parameters; ++c) {
     const double length = W.col(c).norm();

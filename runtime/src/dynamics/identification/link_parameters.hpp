@@ -2,15 +2,15 @@
 
 #include "dynamics/plan_dynamics.hpp"
 
-// The first ten of the parameters of a link (identification.hpp): of its mass, in its own frame.
+// The first ten parameters of a link (identification.hpp): those of its mass, in its own frame.
 namespace armlet {
 
 inline constexpr int kMassParameters = 10;
 
-// Of a body with these moments: m, m c and the inertia about the origin, row by row.
+// The parameters of a body with these moments: m, m c and the inertia about the origin, row by row.
 Eigen::Matrix<double, kMassParameters, 1> mass_parameters(const Moments& body);
 
-// A body with 1 for the parameter k of them, and 0 for the others.
+// A body with 1 for parameter k, and 0 for the others.
 Moments unit_body(int k);
 
 }  // namespace armlet

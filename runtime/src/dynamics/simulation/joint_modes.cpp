@@ -60,8 +60,8 @@ bool JointModes::accelerate(const double* q, const double* qd, const double* tau
   return bad_joint_ == n;
 }
 
-// Solves the rows of M x = b of the joints that move for their elements of x; the other elements
-// are given. False: nothing resists bad_joint().
+// Solves the rows of M x = b of the moving joints for their elements of x; the other elements are
+// given. False: joint bad_joint() moves no inertia.
 template <class Moves>
 bool JointModes::solve_part(const JointMatrix& M, const Moves& moves, const JointVector& b,
                             JointVector& x) {
@@ -123,7 +123,7 @@ double JointModes::margin_of(Eigen::Index i, const double* q, const double* qd) 
     const Range range = range_of(i);
     return std::min(range.highest - hold_[i], hold_[i] - range.lowest);
   }
-  // A joint that leaves a stop may graze it by rounding.
+  // By rounding, a joint that leaves a stop may still touch it.
   const double inside = std::min(robot_->upper()[i] - q[i], q[i] - robot_->lower()[i]);
   return mode.slides == 0 ? inside : std::min(inside, mode.slides * qd[i]);
 }
@@ -155,8 +155,8 @@ bool JointModes::settle(const double* q, const double* qd, const double* tau) {
     any_stands_ = any_may_stand = any_may_stand || mode.stands;
   }
   if (!any_may_stand) return true;
-  // One joint after the other is let go or held, always the first that is wrong; with an inertia
-  // matrix that is positive definite that ends (K. G. Murty, Opsearch 11, 1974).
+  // One joint after the other is released or held, always the first with a wrong mode; for a
+  // positive definite inertia matrix this terminates (K. G. Murty, Opsearch 11, 1974).
   constexpr int kMostRounds = 1000;
   for (int round = 0; round < kMostRounds; ++round) {
     JointVector qdd(n);
@@ -173,7 +173,7 @@ bool JointModes::may_stand(Eigen::Index i, double qd) const {
   return qd == 0.0 && (has_dry_friction(i) || (*this)[i].at_stop != 0);
 }
 
-// Held by more than can hold it, or let go and driven back.
+// Held against a larger force than possible, or released and driven back.
 bool JointModes::is_wrong(Eigen::Index i, double qd, double qdd) const {
   if (!may_stand(i, qd)) return false;
   const Mode& mode = (*this)[i];
@@ -190,7 +190,7 @@ void JointModes::flip(Eigen::Index i) {
       std::any_of(modes_.begin(), modes_.begin() + robot_->n(), std::mem_fn(&Mode::stands));
 }
 
-// Joints that rest at their stops take up impulses as well, as long as these press.
+// Joints at rest at their stops take up impulses as well, if these press them against the stops.
 bool JointModes::strike(Eigen::Index struck, const double* q, double* qd, double restitution) {
   const Eigen::Index n = robot_->n();
   JointMatrix M(n, n);

@@ -24,34 +24,34 @@ class JointModes {
     return modes_[static_cast<std::size_t>(i)];
   }
 
-  // Writes the accelerations of the present modes. False: nothing resists joint bad_joint().
+  // Writes the accelerations of the present modes. False: joint bad_joint() moves no inertia.
   [[nodiscard]] bool accelerate(const double* q, const double* qd, const double* tau, double* qdd);
   [[nodiscard]] int bad_joint() const { return bad_joint_; }
 
-  // What ends the mode of a joint: the smallest of these is below zero when one has ended.
+  // The margin of the modes: the smallest one is below zero when a mode has ended.
   [[nodiscard]] double margin(const double* q, const double* qd, const double* tau);
-  // The margin of one joint after margin() was called.
+  // The margin of one joint, after a call of margin().
   [[nodiscard]] double margin_of(Eigen::Index i, const double* q, const double* qd) const;
 
-  // Chooses the modes that go on from here; joints whose rate is zero may stand. False: nothing
-  // resists joint bad_joint().
+  // Chooses the modes from here on; joints with a rate of zero may be at rest. False: joint
+  // bad_joint() moves no inertia.
   [[nodiscard]] bool settle(const double* q, const double* qd, const double* tau);
 
-  // Changes the rates as an impact of joint i against its stop does. False as above.
+  // Changes the rates by an impact of joint i against its stop. False as above.
   [[nodiscard]] bool strike(Eigen::Index i, const double* q, double* qd, double restitution);
 
   // The force of friction in joint i in its mode.
   [[nodiscard]] double friction(Eigen::Index i, double qd) const;
 
  private:
-  // The forces with which friction and stop can hold a joint, against the motor's.
+  // The range of forces with which friction and stop can hold a joint, against the motor's.
   struct Range {
     double lowest, highest;
   };
   [[nodiscard]] const PlanLink& motor(Eigen::Index i) const {
     return robot_->derived<RobotDynamics>().plan.links[robot_->row_of(static_cast<int>(i))];
   }
-  // Whether forces are more than those of one chain: there are links beside it, or rows that copy.
+  // Whether the arm is more than one chain: there are links outside of it, or mimic joints.
   [[nodiscard]] bool is_composed() const;
   [[nodiscard]] Range range_of(Eigen::Index i) const;
   [[nodiscard]] bool has_dry_friction(Eigen::Index i) const;
@@ -62,7 +62,7 @@ class JointModes {
   template <class Moves>
   [[nodiscard]] bool solve_part(const JointMatrix& M, const Moves& moves, const JointVector& b,
                                 JointVector& x);
-  // Accelerations with the joints that stand held, and with what; hold_ is of use for those.
+  // Accelerations with the joints at rest held, and the holding forces in hold_.
   [[nodiscard]] bool accelerate_held(const double* q, const double* qd, const double* tau,
                                      double* qdd);
 

@@ -13,9 +13,9 @@
 namespace armlet {
 namespace {
 
-constexpr double kInstant = 1e-12;     // s, how exactly events are located
-constexpr double kRestSpeed = 1e-6;    // per s: slower than this a joint does not leave its stop
-constexpr double kShortFlight = 1e-4;  // s: nor if it were back so soon
+constexpr double kInstant = 1e-12;     // s, accuracy of event times
+constexpr double kRestSpeed = 1e-6;    // per s: a slower joint does not leave its stop
+constexpr double kShortFlight = 1e-4;  // s: nor does one that would be back so soon
 constexpr double kSlack = 1e-9;        // rad or m, beyond a limit by rounding
 constexpr double kFarInOneStep = 1.0;  // rad or m
 constexpr int kMostEventsAtOnce = 100;
@@ -80,7 +80,7 @@ void ArmSimulation::set_robot(std::shared_ptr<const Robot> robot) {
   robot_ = std::move(robot);
   modes_->set_robot(*robot_);
   knows_stiffness_ = false;
-  // What the change of the arm itself does to its energy is no error.
+  // The change of the energy by a change of the arm is not an error.
   received_ += energy_drift() - before;
 }
 
@@ -121,14 +121,14 @@ SimulationOutcome ArmSimulation::advance(JointsIn tau, double h,
   }
   return {SimulationStatus::kDone, t_, 0};
 } catch (const ArgumentError&) {
-  // Kernels refuse positions that are not finite.
+  // Kernels refuse joint values that are not finite.
   if (tau.size() != n_ || !all_finite(tau.data(), n_) || !(h >= 0.0 && std::isfinite(h))) throw;
   Eigen::Index fastest = 0;
   qd().cwiseAbs().maxCoeff(&fastest);
   return failed(SimulationStatus::kNotFinite, static_cast<int>(fastest));
 }
 
-// One step of a method, up to the first event in it.
+// One step of the method, up to the first event in it.
 SimulationOutcome ArmSimulation::step(double h, std::vector<SimulationNode>* nodes, double& done) {
   done = h;
   if (!integrate(h, y_, next_)) {
@@ -166,7 +166,7 @@ bool ArmSimulation::integrate(double h, const Eigen::VectorXd& from, Eigen::Vect
   return last_.status == OdeStatus::kDone;
 }
 
-// The time after which the first mode has ended; next_ becomes the state then.
+// The time at which the first mode has ended; next_ becomes the state then.
 double ArmSimulation::first_event(double h) {
   double before = 0.0, after = h;
   while (after - before > kInstant) {
@@ -182,7 +182,7 @@ double ArmSimulation::first_event(double h) {
   return after;
 }
 
-// What ended at y_: joints that came to rest, ran against their stop, or broke loose.
+// The events at y_: joints that came to rest, hit their stop, or began to slip.
 bool ArmSimulation::take_events() {
   double* q = y_.data();
   double* qd = y_.data() + n_;
@@ -196,7 +196,7 @@ bool ArmSimulation::take_events() {
     struck = struck || q[i] != inside;
     q[i] = inside;
   }
-  // An impact may drive other joints that press against their stops.
+  // An impact may drive other joints that are pressed against their stops.
   for (int round = 0; struck && round < kMostEventsAtOnce; ++round) {
     struck = false;
     for (Eigen::Index i = 0; i < n_; ++i) {
@@ -214,7 +214,7 @@ bool ArmSimulation::take_events() {
   return settle();
 }
 
-// Joints that would be back at their stop at once stay there.
+// Joints that would be back at their stop at once are held there.
 bool ArmSimulation::end_short_flights() {
   double* q = y_.data();
   double* qd = y_.data() + n_;
@@ -229,7 +229,7 @@ bool ArmSimulation::end_short_flights() {
   return true;
 }
 
-// Chooses the modes that go on from here, and notes what begins to stand or to move.
+// Chooses the modes from here on, and notes which joints begin to rest or to move.
 bool ArmSimulation::settle() {
   integrator_.restart();
   if (!modes_->settle(y_.data(), y_.data() + n_, tau_.data())) return false;
@@ -253,7 +253,7 @@ int ArmSimulation::fast_joint() const {
   return static_cast<int>(fastest);
 }
 
-// A rate that decays faster than a step of h follows: explicit methods let it grow instead.
+// A joint whose rate decays faster than a step of h can follow: explicit methods diverge there.
 int ArmSimulation::stiff_joint(double h) {
   if (knows_stiffness_) return -1;
   knows_stiffness_ = true;
@@ -261,14 +261,14 @@ int ArmSimulation::stiff_joint(double h) {
   const DynamicsPlan& plan = robot_->derived<RobotDynamics>().plan;
   JointMatrix M = mass_matrix(*robot_, q());
   for (int i = 0; i < n_; ++i) {
-    // The joint alone, with all others held: its own decay is no slower.
+    // The joint alone, with all others held: its own decay is at least as fast.
     if (plan.links[robot_->row_of(i)].friction.viscous * h > most * M(i, i)) return i;
   }
   return -1;
 }
 
-// The work of the forces, and what friction takes, by Simpson's rule over the cubic between both
-// states.
+// Adds the work of the forces, and the loss by friction, by Simpson's rule over the cubic between
+// both states.
 void ArmSimulation::account(const Eigen::VectorXd& from, const Eigen::VectorXd& to, double h) {
   received_ += tau_.dot(to.head(n_) - from.head(n_));
   if (robot_->derived<RobotDynamics>().plan.friction == FrictionKind::kNone) return;

@@ -33,7 +33,7 @@ VectorXd forces_of(const Robot& robot, const VectorXd& q, const VectorXd& qd, co
   return C.transpose() * joints;
 }
 
-// Of the bodies of the tree those that have a parameter: the links of the arm have none in it.
+// The bodies of the tree with nonzero parameters: the links of the arm have none in it.
 std::vector<int> bodies_with_parameters(const VectorXd& all) {
   std::vector<int> bodies;
   for (Eigen::Index first = 0; first < all.size(); first += kLinkParameters) {

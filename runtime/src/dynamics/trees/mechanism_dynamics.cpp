@@ -29,7 +29,7 @@ void check_result(const Mechanism& mechanism, const VectorXd& result, std::strin
   }
 }
 
-// What the motors at the joints take for themselves.
+// The forces that the motors at the joints need for their own inertia.
 VectorXd motor_forces(const Mechanism& mechanism, const VectorXd& rates,
                       const VectorXd& accelerations) {
   VectorXd tau(mechanism.joint_count());

@@ -10,7 +10,7 @@ namespace armlet {
 
 inline double squared_gear(const Link& link) { return link.gear * link.gear; }
 
-// As Link::friction describes it, at the joint.
+// Friction at the joint, as described in Link::friction.
 double link_friction(const Link& link, double qd);
 
 // Throws ArgumentError unless there is one finite value for each actuator.
@@ -23,18 +23,18 @@ struct BodyMotion {
   Vector6d v, a;
 };
 
-// A tree at one configuration, in spatial vectors about the origin of the base and in its axes, so
-// that no vector is ever moved from body to body.
+// A tree in one configuration, in spatial vectors about the origin of the base and in its axes, so
+// that no vector has to be transformed from body to body.
 class SpatialTree {
  public:
   SpatialTree(const Mechanism& mechanism, const Eigen::VectorXd& q);
 
-  // Of all bodies, for rates of the joints; gravity is an acceleration of the base.
+  // Motions of all bodies, for rates of the joints; gravity is an acceleration of the base.
   [[nodiscard]] std::vector<BodyMotion> motions(const Eigen::VectorXd& rates,
                                                 const Eigen::VectorXd& accelerations,
                                                 const Eigen::Vector3d& gravity) const;
 
-  // The forces of all joints; motors and friction are not in them.
+  // The forces of all joints, without motors and friction.
   [[nodiscard]] Eigen::VectorXd joint_forces(const Eigen::VectorXd& rates,
                                              const Eigen::VectorXd& accelerations,
                                              const Eigen::Vector3d& gravity) const;

@@ -9,7 +9,7 @@
 namespace armlet {
 namespace {
 
-// A mechanism as a tree of the bodies that move.
+// The moving bodies of a mechanism as a tree.
 class Tree {
  public:
   explicit Tree(const Mechanism& mechanism) : m_(mechanism) {
@@ -34,10 +34,10 @@ class Tree {
   const std::vector<int>& children(int body) const {
     return children_[static_cast<std::size_t>(body + 1)];
   }
-  // How many joints are between the base and a body.
+  // Number of joints between the base and a body.
   int joints(int body) const { return body < 0 ? 0 : joints_[static_cast<std::size_t>(body)]; }
 
-  // The children that move or carry what moves.
+  // The children that move or carry moving bodies.
   std::vector<int> moving_children(int body) const {
     std::vector<int> moving;
     for (const int child : children(body)) {
@@ -51,7 +51,7 @@ class Tree {
     return end == body;
   }
 
-  // Whether a joint follows another one instead of a motor of its own.
+  // Whether a joint is a mimic joint.
   bool copies(int body) const {
     const int joint = m_.joint_of(body);
     const Eigen::MatrixXd& C = m_.spec().coupling;
@@ -63,7 +63,7 @@ class Tree {
       driver = a;
     }
     if (drivers != 1) return true;
-    // Its own motor has its name, or drives no joint before it.
+    // A joint with its own motor has the motor's name, or the motor drives no earlier joint.
     const std::string& motor = m_.actuators()[static_cast<std::size_t>(driver)].name;
     const std::string& own = m_.bodies()[static_cast<std::size_t>(body)].joint_name;
     if (motor == own) return false;
@@ -76,7 +76,7 @@ class Tree {
     return false;
   }
 
-  // From a body along what is fixed to it, as far as there is only one link, or one whose name says
+  // Follows links that are fixed to a body, as long as there is only one, or one whose name says
   // that a tool belongs there.
   int end_of_fixed(int body) const {
     constexpr std::string_view kTools[] = {"tool0", "tcp", "tool", "ee", "flange"};
@@ -96,7 +96,7 @@ class Tree {
  private:
   const Mechanism& m_;
   std::vector<std::vector<int>> children_;  // of the base first
-  std::vector<bool> below_;                 // whether it moves or carries what moves
+  std::vector<bool> below_;                 // whether it moves or carries moving bodies
   std::vector<int> joints_;
 };
 
@@ -130,7 +130,7 @@ Error no_chain(const Mechanism& m, const std::string& reason) {
           fmt::format("{}; name the link at the end of the arm: one of {}", reason, leaves)};
 }
 
-// The last bodies that move in all chains beyond a body.
+// The last moving bodies of all chains beyond a body.
 std::vector<int> ends_beyond(const Mechanism& m, const Tree& tree, int body) {
   std::vector<int> ends;
   for (const int moving : m.moving()) {

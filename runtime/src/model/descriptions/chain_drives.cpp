@@ -11,7 +11,7 @@
 namespace armlet {
 namespace {
 
-// value = ratio a + offset
+// The joint value is ratio a + offset, with a the value of the actuator.
 struct RowActuator {
   Eigen::Index actuator = -1;
   double ratio = 0.0, offset = 0.0;
@@ -23,7 +23,7 @@ const Body& body_of(const Mechanism& m, int body) {
   return m.bodies()[static_cast<std::size_t>(body)];
 }
 
-// The actuator that alone moves a body's joint, or nothing.
+// The only actuator of a body's joint; nothing if there are several or none.
 std::optional<RowActuator> actuator_of(const Mechanism& m, int body) {
   const int joint = m.joint_of(body);
   const Eigen::MatrixXd& C = m.spec().coupling;
@@ -38,7 +38,7 @@ std::optional<RowActuator> actuator_of(const Mechanism& m, int body) {
   return found;
 }
 
-// Why a body of the chain cannot belong to an arm, and where an arm without it ends.
+// Why a body of the chain cannot belong to an arm, and the end of an arm without it.
 Error refused(const Mechanism& m, int body) {
   const Body& at = body_of(m, body);
   const Eigen::RowVectorXd row = m.spec().coupling.row(m.joint_of(body));
@@ -61,7 +61,7 @@ Error refused(const Mechanism& m, int body) {
                         at.joint_name, m.name(), drives, before)};
 }
 
-// Of the rows that an actuator moves the one that is its joint.
+// Of the rows that an actuator moves, the row that becomes its joint.
 std::size_t own_row(const Mechanism& m, const std::vector<int>& chain,
                     const std::vector<RowActuator>& rows, Eigen::Index actuator) {
   const std::string& name = m.actuators()[static_cast<std::size_t>(actuator)].name;
@@ -97,15 +97,15 @@ Joint joint_of(const Mechanism& m, const Body& body, const ChainJoint& drive) {
   return joint;
 }
 
-// Limits that say nothing: none were given, or a whole revolution, as descriptions write for joints
-// that need no limits.
+// Whether limits have no information: none were given, or a whole revolution, which descriptions
+// use for joints that need no limits.
 bool says_nothing(const Body& copy, const CopyLimits& limits) {
   if (limits.lower == 0.0 && limits.upper == 0.0) return true;
   constexpr double kRevolution = 2.0 * kPi * (1.0 - 1e-3);  // written with a few digits
   return copy.joint == BodyJoint::kRevolute && std::abs(limits.upper - limits.lower) >= kRevolution;
 }
 
-// Keeps a joint within the limits of a row that copies it.
+// Restricts a joint to the limits of its mimic joint.
 void keep_within(const Body& copy, const Body& own, const RowDrive& drive, Joint& joint,
                  std::vector<std::string>& notes) {
   if (!copy.copy_limits) return;
@@ -138,7 +138,8 @@ void keep_within(const Body& copy, const Body& own, const RowDrive& drive, Joint
                   format_joint_value(joint.kind, upper)));
 }
 
-// Friction that falls with the speed of one joint does not do so with that of another.
+// Stribeck friction depends on the speed of its own joint, so it cannot be transferred to another
+// one.
 bool has_own_stribeck(const Body& copy, const Body& own) {
   const Friction &a = copy.link.friction, &b = own.link.friction;
   const bool is_dry = a.coulomb_plus != 0.0 || a.coulomb_minus != 0.0;
@@ -210,7 +211,7 @@ Eigen::VectorXd values_at_zero(const Mechanism& m, const ChainDrives& drives) {
 }
 
 void add_copied_motor(const Link& copy, double ratio, Link& leader) {
-  // Forces at the joint, seen from the shaft of the leader's motor.
+  // Forces at the joint, as seen at the shaft of the source joint's motor.
   const double gear = std::abs(copy.gear * ratio), shaft = std::abs(leader.gear);
   const double once = gear / shaft, squared = once * once;
   leader.motor_inertia += squared * copy.motor_inertia;

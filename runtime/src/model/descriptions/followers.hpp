@@ -8,9 +8,9 @@
 
 namespace armlet {
 
-// The links of a mechanism that joints carry which copy joints of an arm without belonging to it.
+// The links of a mechanism outside of an arm that are moved by mimic joints of the arm.
 //
-// follows    of each body, whether it is one.
+// follows    of each body, whether it is one of them.
 // mechanism  RobotSpec::followers; null if they have neither mass nor friction.
 struct Followers {
   std::vector<bool> follows;
@@ -18,11 +18,11 @@ struct Followers {
 };
 
 // chain   bodies of the rows of the arm.
-// drives  what moves them.
+// drives  of these rows.
 Followers followers_of(const Mechanism& mechanism, const std::vector<int>& chain,
                        const ChainDrives& drives);
 
-// A link with its shape alone.
+// A link with only its shape.
 Link without_mass(const Link& link);
 
 }  // namespace armlet

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kBlank = " \t\r\n";
 
-// Elements of a link or a joint whose attributes are numbers, but for the name of a joint.
+// Elements of a link or a joint whose attributes are numbers, except the name of a joint.
 constexpr std::string_view kNumeric[] = {"origin", "axis",     "mass", "inertia",
                                          "limit",  "dynamics", "mimic"};
 
@@ -68,8 +68,8 @@ std::string_view value_of(const Tag& tag, std::string_view attribute) {
   return found == tag.attributes.end() ? std::string_view{} : found->value;
 }
 
-// Calls visit(open, tag) for every element, `open` being those around it from <robot> inwards,
-// until it returns true.
+// Calls visit(open, tag) for every element until it returns true; `open` are the enclosing elements
+// from <robot> inwards.
 template <class Visit>
 void for_each_element(std::string_view text, Visit visit) {
   std::vector<Tag> open;
@@ -99,7 +99,7 @@ struct JointEnds {
   std::string_view name, parent, child;
 };
 
-// The library makes something of every link and joint before anybody can count them.
+// Checked first, since the library builds every link and joint before they can be counted.
 std::string too_many(std::string_view text) {
   constexpr std::size_t kMost = Mechanism::kMaxBodies;
   std::size_t links = 0, joints = 0;
@@ -131,7 +131,7 @@ std::vector<JointEnds> joints_of(std::string_view text) {
 
 using JointOfChild = std::map<std::string_view, const JointEnds*>;
 
-// The first links that hang on one another in a circle; empty if there are none.
+// The first links that form a circle of parents; empty if there are none.
 std::vector<std::string_view> circle(const std::vector<JointEnds>& joints,
                                      const JointOfChild& joint_of) {
   std::map<std::string_view, std::size_t> seen;  // and from which joint it was reached

@@ -1,5 +1,5 @@
-// The only door to urdfdom. Its library is loaded when the first robot description is read: it
-// brings four more shared libraries, which no other program should wait for.
+// The only interface to urdfdom. Its library is loaded when the first robot description is read: it
+// loads four more shared libraries, which would delay the start of all other programs.
 
 #include "urdf_library.hpp"
 
@@ -14,7 +14,7 @@
 namespace armlet {
 namespace {
 
-// Keeps what urdfdom would print.
+// Captures the messages of urdfdom, which it would print.
 class Capture : public console_bridge::OutputHandler {
  public:
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
@@ -22,7 +22,7 @@ class Capture : public console_bridge::OutputHandler {
     if (first_.empty()) first_ = text;
     if (owner_.empty()) owner_ = owner_in(text);
   }
-  // What was wrong first, and with which link or joint: the library names it when it gives up.
+  // The first message, and its link or joint: the library names it when it stops.
   std::string reason() const {
     if (first_.empty() || owner_.empty() || first_.find(owner_) != std::string::npos) return first_;
     return fmt::format("{} `{}`: {}", owner_kind_, owner_, first_);
@@ -46,7 +46,7 @@ class Capture : public console_bridge::OutputHandler {
   std::string first_, owner_, owner_kind_;
 };
 
-// urdf::parseURDF, and where console_bridge sends what it reports.
+// urdf::parseURDF, and the message handler of console_bridge.
 struct Library {
   std::shared_ptr<urdf::ModelInterface> (*parse)(const std::string&) = nullptr;
   void (*use_handler)(console_bridge::OutputHandler*) = nullptr;
@@ -73,7 +73,7 @@ const Library& library() {
 
 }  // namespace
 
-// The handler of console_bridge belongs to the process: one text at a time.
+// The handler of console_bridge is global to the process: only one text is parsed at a time.
 ParsedUrdf parse_urdf(const std::string& text) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);

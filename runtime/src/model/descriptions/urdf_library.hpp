@@ -7,8 +7,8 @@
 
 namespace armlet {
 
-// What urdfdom made of a description, and the first fault that it reported, with the name of the
-// link or joint if it says one.
+// The result of urdfdom for a description, and the first error that it reported, with the name of
+// the link or joint if there is one.
 struct ParsedUrdf {
   std::shared_ptr<urdf::ModelInterface> model;
   std::string reason;

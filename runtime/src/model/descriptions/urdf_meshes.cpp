@@ -7,7 +7,7 @@ namespace {
 
 std::array<double, 3> numbers_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-// Without triangles.
+// A mesh without triangles.
 LinkMesh drawn_from(UrdfMeshes::Bytes bytes, const Eigen::Vector3d& factors) {
   LinkMesh mesh;
   mesh.picture.bytes = std::move(bytes);

@@ -21,15 +21,15 @@ class UrdfMeshes {
   // load  as UrdfOptions::load_glb; null: no meshes are read.
   explicit UrdfMeshes(Load load) : load_(std::move(load)) {}
 
-  // A mesh with triangles, for collisions. It has neither triangles nor a picture if the file is of
-  // a kind that is not read.
+  // A mesh with triangles, for collision checks. It has neither triangles nor a picture if the file
+  // type is not supported.
   Result<LinkMesh> body(const std::string& name, const Eigen::Vector3d& factors);
-  // One that is only drawn: without triangles, unless there is a body of the same size. The same
+  // A mesh that is only drawn: without triangles, unless there is a body of the same size. The same
   // files are refused, for the same reasons.
   Result<LinkMesh> picture(const std::string& name, const Eigen::Vector3d& factors);
 
  private:
-  // A file in its size; maps need an order.
+  // A file with its scale; arrays, because map keys need an order.
   using Key = std::pair<std::string, std::array<double, 3>>;
   const Result<Bytes>& bytes_of(const std::string& name);
 

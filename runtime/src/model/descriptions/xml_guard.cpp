@@ -37,7 +37,7 @@ bool is_forbidden(char c) {
   return byte < 0x20 && kBlank.find(c) == std::string_view::npos;
 }
 
-// Whether an entity, without its & and ;, stands for such a character: "#1", "#x1F".
+// Whether an entity, without its & and ;, encodes such a character: "#1", "#x1F".
 bool names_forbidden(std::string_view entity) {
   if (!entity.starts_with('#')) return false;
   const bool is_hex = entity.substr(1).starts_with('x');
@@ -49,7 +49,7 @@ bool names_forbidden(std::string_view entity) {
          is_forbidden(static_cast<char>(code));
 }
 
-// Walks through the text once, from tag to tag, and counts.
+// Scans the text once, from tag to tag, and counts.
 class Walk {
  public:
   explicit Walk(std::string_view text) : text_(text) {}
@@ -76,7 +76,7 @@ class Walk {
     const auto here = text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size()));
     fault_ = fmt::format("{} (line {})", what, 1 + std::count(text_.begin(), here, '\n'));
   }
-  // False, after refusing, if there is too much of something.
+  // False, with an error set, if a count exceeds its limit.
   bool within(std::size_t given, std::size_t most, std::string_view what, std::string_view unit) {
     if (given <= most) return true;
     refuse(fmt::format("{} has {} {}; at most {} are read", what, given, unit, most));
@@ -89,7 +89,7 @@ class Walk {
   [[nodiscard]] char next() const { return at_ < text_.size() ? text_[at_] : '\0'; }
   void skip_blank() { at_ = std::min(text_.find_first_not_of(kBlank, at_), text_.size()); }
 
-  // Up to the next tag.
+  // Scans text up to the next tag.
   void text() {
     const std::size_t end = std::min(text_.find('<', at_), text_.size());
     if (!within(end - at_, kMaxText, "the text between two tags", "bytes")) return;
@@ -97,7 +97,7 @@ class Walk {
     if (fault_.empty()) at_ = end;
   }
 
-  // Those before `end`.
+  // Counts and checks the entities before `end`.
   void entities(std::size_t end) {
     const std::size_t begin = at_;
     const std::string_view here = text_.substr(0, end);
@@ -133,7 +133,7 @@ class Walk {
     at_ = found + last.size();
   }
 
-  // The name at this position; empty after refusing.
+  // The name at this position; empty after an error.
   std::string_view name(std::string_view otherwise) {
     std::size_t end = at_;
     if (starts_name(next())) {
@@ -173,7 +173,7 @@ class Walk {
       refuse(fmt::format("its elements are nested more than {} deep", kMaxDepth));
   }
 
-  // Up to the end of the tag, /> or >.
+  // Scans up to the end of the tag, /> or >.
   std::size_t attributes(std::string_view element) {
     for (std::size_t count = 0;; ++count) {
       const std::size_t before = at_;

@@ -15,7 +15,7 @@ constexpr double kPalmRadius = 0.045, kPalmHeight = 0.066;
 constexpr double kLinkRadius = 0.009, kTipRadius = 0.008;
 
 // A rod from the axis of a joint to that of the next one, round at both ends. The joint's frame
-// moves with it; the link runs along x, behind the offset d along z.
+// moves with it; the link is along x, after the offset d along z.
 LinkShape rod(const Robot& finger, int joint, double radius) {
   const DhRow& row = finger.joint(joint).dh;
   const double turned = row.theta;

@@ -4,7 +4,7 @@
 
 namespace armlet {
 
-// The palm, or a finger: a rod for each of its links. The dimensions are those of hands.cpp.
+// The palm, or a finger: a rod for each of its links, with the dimensions of hands.cpp.
 std::vector<LinkShape> hand_shapes(const Robot& robot);
 
 }  // namespace armlet

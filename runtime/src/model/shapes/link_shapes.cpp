@@ -13,11 +13,11 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Thickness of an arm at its base and at its flange, as parts of its reach.
+// Thickness of an arm at its base and at its flange, as fractions of its reach.
 constexpr double kThickness = 0.060;
 constexpr double kThicknessAtEnd = 0.032;
 
-// A frame whose z axis points from `from` to `to`, in the middle between them.
+// A frame with z from `from` to `to` and the origin in the middle between them.
 Isometry3d between(const Vector3d& from, const Vector3d& to) {
   Isometry3d T = Isometry3d::Identity();
   const Vector3d way = to - from;
@@ -34,7 +34,7 @@ std::array<Vector3d, 4> way_of_link(const Isometry3d& T_joint_next) {
   const Vector3d end = T_joint_next.translation();
   const Vector3d axis = T_joint_next.linear().col(2);
   const double across = 1.0 - axis.z() * axis.z();  // squared sine of the angle between the axes
-  double own = end.z();                             // parallel: straight across at the end
+  double own = end.z();                             // parallel axes: straight across at the end
   double back = 0.0;
   if (across > 1e-6) {
     // (own z) - (end - back axis) is perpendicular to both axes.
@@ -52,7 +52,7 @@ class ShapesOfArm {
     given(0);
     if (!robot_.has_shapes()) base();
     for (int i = 0; i < robot_.n(); ++i) {
-      // Of a link of meshes alone the table's shapes stand in until its meshes are there.
+      // The shapes from the table represent a link that has only meshes until these are loaded.
       if (!robot_.link(i).draws_solid()) link_of_joint(i);
       given(i + 1);
     }
@@ -67,13 +67,13 @@ class ShapesOfArm {
   }
 
  private:
-  // Outer radius of the link behind joint i; -1: of the base.
+  // Outer radius of the link after joint i; -1: of the base.
   [[nodiscard]] double thickness(int i) const {
     const double part = static_cast<double>(std::max(i, 0)) / std::max(1, robot_.n() - 1);
     return robot_.reach() * (kThickness + part * (kThicknessAtEnd - kThickness));
   }
 
-  // From the frame that moves with joint i to that of the next joint at rest, or to the flange.
+  // From the frame that moves with joint i to that of the next joint at zero, or to the flange.
   [[nodiscard]] Isometry3d T_joint_next(int i) const {
     const bool is_standard = robot_.spec().convention == DhConvention::kStandard;
     Isometry3d T = Isometry3d::Identity();
@@ -136,7 +136,7 @@ class ShapesOfArm {
     round(link, LinkShapeKind::kCapsule, LinkShapeRole::kLink, between(from, to), radius, length);
   }
 
-  // What holds the next joint: a sleeve, if that one slides.
+  // The housing of the next joint: a sleeve, if that one is prismatic.
   void seat_of_next(int i) {
     if (i + 1 >= robot_.n() || robot_.is_revolute(i + 1)) return;
     const double r = thickness(i + 1);
@@ -168,13 +168,13 @@ class ShapesOfArm {
     seat_of_next(i);
   }
 
-  // Whether the link before comes to joint i along its axis, from below.
+  // Whether the link before reaches joint i along its axis, from below.
   [[nodiscard]] bool comes_along_axis(int i) const {
     const std::array<Vector3d, 4> way = way_of_link(T_joint_next(i - 1));
     return (way[3] - way[2]).norm() > 0.5 * thickness(i) || way[3].norm() < 0.05 * thickness(i);
   }
 
-  // own  where the link leaves the axis.
+  // own  height at which the link leaves the axis.
   void turning_joint(int i, double own) {
     const double r = thickness(i);
     if (comes_along_axis(i) && std::abs(own) > 0.5 * r) {
@@ -209,7 +209,7 @@ class ShapesOfArm {
     const double length = std::max(tool.length, 0.02);
     switch (tool.kind) {
       case ToolKind::kNone:
-      case ToolKind::kFingers:  // drawn as the robots that it is
+      case ToolKind::kFingers:  // drawn as robots of their own
         break;
       case ToolKind::kParallelGripper:
         gripper(T_tip, length, tool.stroke);

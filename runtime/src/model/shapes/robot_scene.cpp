@@ -31,7 +31,7 @@ Look look_of(LinkShapeRole role) {
   return kTool;
 }
 
-// Those of the page in light surroundings: #e0e4ea, #6a727e, #0072b2, #7b8490.
+// The colours of the page in its light theme: #e0e4ea, #6a727e, #0072b2, #7b8490.
 std::vector<GlbMaterial> looks() {
   return {{.name = "link", .color = {0.7454, 0.7758, 0.8228, 1.0}},
           {.name = "joint", .color = {0.1441, 0.1683, 0.2086, 1.0}},
@@ -45,7 +45,7 @@ Isometry3d moved_by(const Robot& robot, int i, double q) {
   return Isometry3d(Eigen::Translation3d(0.0, 0.0, q));
 }
 
-// Whether the shapes of a link stand in for its meshes.
+// Whether the shapes of a link replace its meshes in other viewers.
 bool is_stand_in(const Robot& robot, int link) {
   return link <= robot.n() && !robot.body(link).draws_solid() && robot.body(link).draws_mesh();
 }
@@ -58,7 +58,7 @@ GlbScene robot_scene(const Robot& arm) {
   const bool standard = robot.spec().convention == DhConvention::kStandard;
   GlbScene scene{.materials = looks()};
   scene.nodes.push_back({.name = "base", .T_parent_node = robot.T_world_base()});
-  Isometry3d T_link_next = Isometry3d::Identity();  // the row of a joint, behind its own motion
+  Isometry3d T_link_next = Isometry3d::Identity();  // the row of a joint, after its own motion
   for (int i = 0; i < n; ++i) {
     const Isometry3d T_row = dh_pose(robot.spec().convention, robot.joint(i).dh);
     const double q = robot.home()[i];

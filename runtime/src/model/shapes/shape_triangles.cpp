@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 constexpr int kFaces = 32;   // of a full circle
 constexpr int kQuarter = 8;  // of a quarter
 
-// A point of a surface's profile and the normal there; x away from the axis, y along it.
+// A point of a surface's profile and the normal there; x is the distance from the axis, y along it.
 struct ProfilePoint {
   Vector2d p;
   Vector2d n;
@@ -23,7 +23,7 @@ class Surface {
  public:
   Surface(const Eigen::Isometry3d& T_link_shape, GlbPart& part) : T_(T_link_shape), part_(part) {}
 
-  // The profile from `from` to `to`, around the axis; the outside is on its right.
+  // Adds the surface of revolution of the profile from `from` to `to`; the outside is on its right.
   void turn(const ProfilePoint& from, const ProfilePoint& to) {
     for (int k = 0; k < kFaces; ++k) {
       const std::uint32_t a = put(from, k), b = put(from, k + 1), c = put(to, k + 1),
@@ -32,7 +32,7 @@ class Surface {
       if (to.p.x() > 0.0) face(a, c, d);
     }
   }
-  // A part of the profile that is straight.
+  // Adds a straight part of the profile.
   void straight(const Vector2d& from, const Vector2d& to) {
     const Vector2d way = (to - from).normalized();
     const Vector2d n(way.y(), -way.x());
@@ -67,8 +67,8 @@ class Surface {
   GlbPart& part_;
 };
 
-// Half a sphere; side -1: from the pole below to its equator, 1: from the equator to the pole
-// above.
+// Adds half a sphere; side -1: from the lower pole to its equator, 1: from the equator to the upper
+// pole.
 void half_sphere(Surface& surface, double radius, double z, double side) {
   const auto at = [&](int j) {
     const int from_pole = side < 0.0 ? j : kQuarter - j;
