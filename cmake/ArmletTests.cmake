@@ -102,9 +102,31 @@ function(armlet_add_opencv_tests)
   add_dependencies(test_opencv armlet_vision)
 endfunction()
 
+# Pictures of runs; and videos, which are read back by OpenCV, where the library that writes them is built.
+function(armlet_add_video_tests)
+  target_sources(test_apps PRIVATE ${PROJECT_SOURCE_DIR}/apps/armlet/video/kept_scenes.cpp)
+  set(with_video "")
+  if(TARGET armlet_video)
+    armlet_add_unit_tests(video armlet::runtime ${PROJECT_SOURCE_DIR}/apps/armlet)
+    target_sources(test_video PRIVATE ${PROJECT_SOURCE_DIR}/apps/armlet/video/video_door.cpp)
+    add_executable(read_video video/read_video.cpp)
+    armlet_compile_options(read_video)
+    target_link_libraries(read_video PRIVATE armlet::runtime)
+    foreach(program test_video read_video)
+      target_include_directories(${program} SYSTEM PRIVATE ${ARMLET_VIDEOIO_HEADERS})
+      target_link_libraries(${program} PRIVATE ${ARMLET_VIDEOIO} ${ARMLET_VIDEOIO_CORE})
+      add_dependencies(${program} armlet_video)
+    endforeach()
+    set(with_video $<TARGET_FILE:armlet_video> $<TARGET_FILE:read_video>)
+  endif()
+  add_test(NAME video.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/video/video_command.py
+           $<TARGET_FILE:armlet> ${with_video})
+endfunction()
+
 # The examples are laid out, and the commands do to files and show of robots what they say.
 function(armlet_add_format_tests)
   armlet_add_opencv_tests()
+  armlet_add_video_tests()
   file(GLOB_RECURSE examples CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.rbt)
   add_test(NAME source.examples COMMAND armlet fmt --check ${examples})
   add_test(NAME fmt.command COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/fmt_command.py

@@ -81,7 +81,8 @@ def libraries():
             names |= set(re.findall(r'_LIBRARY=\\+"(lib[^"\\]+)', line))
     for source in ROOT.glob("apps/armlet/**/*.cpp"):
         names |= set(re.findall(r'LoadedLibrary \w+\{"(lib[^"]+)"', source.read_text(encoding="utf-8")))
-    built = [COMMAND, COMMAND.parent / "armlet-mesh", BUILD / "lib" / "libarmlet_planning.so", BUILD / "lib" / "libarmlet_vision.so"]
+    built = [COMMAND, COMMAND.parent / "armlet-mesh", BUILD / "lib" / "libarmlet_planning.so", BUILD / "lib" / "libarmlet_vision.so",
+             BUILD / "lib" / "libarmlet_video.so"]
     for file in built:
         if file.exists():
             names |= set(re.findall(r"NEEDED.*\[(.*)\]", output("readelf", "-d", str(file))))
@@ -108,7 +109,7 @@ def check_linked():
             check(known, f"{sorted(names)} is linked, but no part of notices/parts.json names it")
             used |= {of_package[name] for name in known}
     optional = {"converter": COMMAND.parent / "armlet-mesh", "planner": BUILD / "lib" / "libarmlet_planning.so",
-                "vision": BUILD / "lib" / "libarmlet_vision.so"}
+                "vision": BUILD / "lib" / "libarmlet_vision.so", "video": BUILD / "lib" / "libarmlet_video.so"}
     for part in PARTS:
         places = set(part["in"] + part.get("loaded", []))
         is_there = any(place not in optional or optional[place].exists() for place in places)

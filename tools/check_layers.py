@@ -50,7 +50,8 @@ FENCES = {
     "zlib": (r"^zlib\.h", ["runtime/src/image/png_frame.cpp", "tests/fuzz/fuzz_picture.cpp"]),
     "stb": (r"^stb/", ["runtime/src/image/stb_decode.cpp", "runtime/src/image/jpeg_write.cpp",
                      "apps/armlet/storyboard/make_glyphs.cpp"]),
-    "OpenCV": (r"opencv2/", ["runtime/src/vision/opencv/", "tests/unit/opencv/", "bench/bench_vision.cpp"]),
+    "OpenCV": (r"opencv2/", ["runtime/src/vision/opencv/", "apps/armlet/video/opencv/", "tests/unit/opencv/", "tests/unit/video/",
+                           "tests/video/read_video.cpp", "bench/bench_vision.cpp"]),
     "the system": (r"^(sys/.*|(dirent|dlfcn|fcntl|poll|pthread|sched|signal|termios|time|ucontext|unistd)\.h"
                    r"|csignal|ctime|fstream|future|semaphore|thread|emscripten.*)$",
                    ["runtime/src/core/posix/", "runtime/src/core/bare/", "apps/", "tests/", "bench/", "examples/"]),

@@ -22,6 +22,7 @@ PLACES = {
     "command": "the command armlet, and libraries of hosts",
     "planner": "the planners around obstacles (libarmlet_planning.so)",
     "vision": "functions of pictures by OpenCV (libarmlet_vision.so)",
+    "video": "videos by OpenCV (libarmlet_video.so)",
     "converter": "the converter of meshes (armlet-mesh)",
     "page": "the page of laboratories",
     "engine": "the engine for pages (WebAssembly), and so every exported laboratory",

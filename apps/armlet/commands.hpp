@@ -38,6 +38,7 @@ struct RunOptions {
   bool plots = false;      // draw the figures in the terminal
   bool hash = false;       // print the hash of the run
   std::string storyboard;  // a .png file; empty: none
+  std::string video;       // an .mp4 or .mkv file, or a folder for its pictures; empty: none
   std::string record;      // the file for the log of the session; empty: none
   std::string inputs;      // input script of a laboratory without a page; empty: no laboratory
 };

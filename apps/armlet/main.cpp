@@ -139,6 +139,11 @@ void add_run_outputs(CLI::App& command, Asked& asked, CLI::Option* needed) {
                                 "draw the cell at the end of each move, on one sheet, a .png file")
                     ->type_name("FILE"));
   all.push_back(command
+                    .add_option("--video", asked.run.video,
+                                "film the cell, 25 pictures a second of virtual time: an .mp4 or "
+                                ".mkv file, or a folder for PNG files, such as frames/")
+                    ->type_name("FILE"));
+  all.push_back(command
                     .add_option("--record", asked.run.record,
                                 "leave what `armlet replay` needs to take the run again in an "
                                 ".arec file; of a laboratory also as a page, an .html file")

@@ -25,6 +25,7 @@
 #include "record.hpp"
 #include "run_report.hpp"
 #include "storyboard/storyboard.hpp"
+#include "video/video.hpp"
 
 namespace armlet::cli {
 namespace {
@@ -81,6 +82,7 @@ class Outputs {
     if (const int exit = trace_.choose(options.trace); exit != kDone) return exit;
     if (const int exit = record_.choose(options.record); exit != kDone) return exit;
     if (const int exit = storyboard_.choose(options.storyboard); exit != kDone) return exit;
+    if (const int exit = video_.choose(options.video); exit != kDone) return exit;
     frames_.choose(options.frames, trace_.backend());
     Backend* traced = frames_.backend() != nullptr ? frames_.backend() : trace_.backend();
     if (traced != nullptr) session.backends.push_back(traced);
@@ -93,11 +95,14 @@ class Outputs {
     if (const int exit = trace_.open(texts); exit != kDone) return exit;
     if (const int exit = record_.open(texts); exit != kDone) return exit;
     if (const int exit = storyboard_.open(texts); exit != kDone) return exit;
+    if (const int exit = video_.open(texts); exit != kDone) return exit;
     return frames_.open();
   }
 
   [[nodiscard]] bool wants_moves() const { return storyboard_.is_wanted(); }
   void take(const MoveReport& move, const Cell& cell) { storyboard_.take(move, cell); }
+  [[nodiscard]] bool wants_time() const { return video_.is_wanted(); }
+  void look(const Cell& cell) { video_.look(cell); }  // before time goes on
 
   // Gives the files their names. Returns whether all of them were written.
   bool finish(const Session& session) {
@@ -109,6 +114,11 @@ class Outputs {
     return storyboard_.finish() == kDone && recorded && is_traced_ && has_frames;
   }
   [[nodiscard]] bool is_traced() const { return is_traced_; }  // valid after finish
+  // Draws and writes the video, which takes longest and is therefore done last. Returns whether it
+  // was written, if one is wanted.
+  bool film(const Session& session, bool talks) {
+    return video_.finish(session.host()->cell(), talks) == kDone;
+  }
 
  private:
   Trace trace_;
@@ -116,6 +126,7 @@ class Outputs {
   Record record_;
   RunMarks marks_;
   Storyboard storyboard_;
+  Video video_;
   bool is_traced_ = false;
 };
 
@@ -126,9 +137,17 @@ std::vector<std::string> texts_of(const RunOptions& options, const SourceSet& so
   return texts;
 }
 
+using Pacing = std::function<bool(std::int64_t)>;
+
+// Ctrl-C sends one stop request.
+Pacing full_speed() {
+  return
+      [told = false](std::int64_t) mutable { return !interrupted() || std::exchange(told, true); };
+}
+
 // Sleeps until wall-clock time has reached virtual time, in short intervals so that Ctrl-C has
 // effect. Ctrl-C sends one stop request; the deceleration after it does not wait for the clock.
-std::function<bool(std::int64_t)> real_time() {
+Pacing real_time() {
   const auto start = std::chrono::steady_clock::now();
   return [start, told = false](std::int64_t t_ns) mutable {
     const auto due = start + std::chrono::nanoseconds(t_ns);
@@ -137,6 +156,17 @@ std::function<bool(std::int64_t)> real_time() {
           due - std::chrono::steady_clock::now(), std::chrono::milliseconds(20)));
     }
     return !interrupted() || std::exchange(told, true);
+  };
+}
+
+// The pacing of a run with these outputs, which must outlive the run, as must `running`. Null: the
+// clock advances at once.
+Pacing pace_of(const RunOptions& options, Outputs& outputs, const Session*& running) {
+  if (!outputs.wants_time()) return options.realtime ? real_time() : Pacing();
+  return [pace = options.realtime ? real_time() : full_speed(), &outputs,
+          &running](std::int64_t t_ns) {
+    outputs.look(running->host()->cell());
+    return pace(t_ns);
   };
 }
 
@@ -204,13 +234,13 @@ int run(const RunOptions& options) {
   if (const int exit = choose_recorded_frames(options.cameras, setup.session); exit != kDone)
     return exit;
   const HostFrames recorded = setup.session.frames;
-  if (options.realtime) setup.session.pace = real_time();
   InputScript script;
   if (const int exit = script.read(options.inputs); exit != kDone) return exit;
   RunHash hash;
   if (options.hash) setup.session.backends.push_back(&hash);
   const bool talks = !json && !options.quiet;
   const Session* running = nullptr;
+  setup.session.pace = pace_of(options, outputs, running);
   if (talks || outputs.wants_moves()) {
     setup.session.on_move = [&](const MoveReport& move) {
       if (talks) show_move(move);
@@ -228,8 +258,7 @@ int run(const RunOptions& options) {
   if (const int exit = check_recorded_frames(recorded, session); exit != kDone) return exit;
   sources = &session.sources();
   running = &session;
-  const std::vector<std::string> texts = texts_of(options, *sources);
-  if (const int exit = outputs.open(texts); exit != kDone) return exit;
+  if (const int exit = outputs.open(texts_of(options, *sources)); exit != kDone) return exit;
 
   RunResult result;
   {
@@ -242,16 +271,17 @@ int run(const RunOptions& options) {
   if (result.error && output_is_read()) show(*result.error, session.sources(), json);
   if (options.plots) draw_figures(session);
   if (options.hash) print_out("hash " + hash.text() + "\n");
-  const bool written = finish_output();
-  const bool left = outputs.finish(session);
+  bool whole = finish_output();
+  whole &= outputs.finish(session);
   Figures figures(session);
   const bool pictured = !outputs.is_traced() || figures.save_beside(options.trace) == kDone;
   if (talks && output_is_read()) {
     show_summary(session, outputs.is_traced() ? options.trace : std::string(), result.status);
     figures.show(options.plots);
   }
+  whole &= outputs.film(session, talks && output_is_read());
   if (result.status == Progress::kCancelled) return kStopped;
-  return result.status == Progress::kDone && written && left && pictured ? kDone : kFailed;
+  return result.status == Progress::kDone && whole && pictured ? kDone : kFailed;
 }
 
 }  // namespace armlet::cli

@@ -8,8 +8,8 @@
 namespace armlet {
 namespace {
 
-// The time between two calls of a host that paces the clock: short enough for a viewer to see
-// motion, and for Ctrl-C to have effect.
+// A host that paces the clock is called at each multiple: short enough for a viewer to see motion,
+// and for Ctrl-C to have effect.
 constexpr std::int64_t kPaceStep = 10'000'000;  // ns
 
 // The longest part of a motion between two checks for a stop request.
@@ -139,7 +139,7 @@ bool Host::pace_to(std::int64_t t_ns) {
   Journal* journal = options_.journal;
   if (!options_.pace || (journal != nullptr && journal->is_silent())) return true;
   while (cell_.now_ns() < t_ns) {
-    const std::int64_t next = std::min(t_ns, cell_.now_ns() + kPaceStep);
+    const std::int64_t next = std::min(t_ns, (cell_.now_ns() / kPaceStep + 1) * kPaceStep);
     if (!options_.pace(next)) {
       if (journal != nullptr) journal->stop_time(cell_.now_ns());
       return false;

@@ -317,6 +317,20 @@ TEST_CASE("until a file is finished its name means the one before") {
   CHECK(files_in(empty.path()) == 1);
 }
 
+TEST_CASE("a library can write an unfinished file by its path, which has the ending of the name") {
+  const Empty empty;
+  Result<NewFile> made = at(empty.path()).create("film.mp4");
+  REQUIRE(made.ok());
+  NewFile file = std::move(made).value();
+  CHECK(file.path().ends_with(".mp4"));
+  std::ofstream(file.path(), std::ios::binary | std::ios::trunc) << "written elsewhere";
+  CHECK_FALSE(fs::exists(empty.path() / "film.mp4"));
+  CHECK(file.finish() == std::nullopt);
+  CHECK(content(empty.path() / "film.mp4") == "written elsewhere");
+  CHECK(file.path().empty());
+  CHECK(files_in(empty.path()) == 1);
+}
+
 TEST_CASE("a stream goes bad when its file cannot be written") {
   const Empty empty;
   Result<NewFile> made = at(empty.path()).create("a.txt", until_full);

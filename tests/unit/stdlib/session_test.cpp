@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "armlet/backend/csv_backend.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
@@ -67,6 +69,55 @@ TEST_CASE("the same program gives the same trace, byte for byte") {
   const std::string first = trace_of(kClassic);
   CHECK(first.size() > 10'000);
   CHECK(first == trace_of(kClassic));
+}
+
+TEST_CASE("who paces a run is asked at every multiple of 10 ms, and it is the same run") {
+  constexpr std::int64_t kStep = 10'000'000;
+  // Moves with tasks, conditions and waits that end between these instants.
+  const std::string program = R"(
+robot arm = robots.scara()
+arm.moveJ(posJ(31deg, 12deg, 20mm, 5deg))
+when (now() > 1.111s) { print("late") }
+parallel {
+    { for (i in range(6)) { wait(137ms); print(i) } }
+    arm.moveJ(posJ(11deg, 2deg, 20mm, 5deg))
+}
+wait(333ms)
+arm.setJoints(posJ(-10deg, 0deg, 0mm, 0deg))
+arm.moveJ(posJ(-20deg, 42deg, 10mm, 0deg), time: 1.2345s)
+)";
+  Recorder alone, paced;
+  std::map<std::int64_t, std::vector<double>> seen;
+  for (Recorder* recorder : {&alone, &paced}) {
+    SessionOptions options = at_the_table();
+    options.backends = {recorder};
+    const Session* running = nullptr;
+    if (recorder == &paced) {
+      options.pace = [&](std::int64_t t_ns) {
+        const Cell& cell = running->host()->cell();
+        CHECK(t_ns > cell.now_ns());
+        CHECK(t_ns <= (cell.now_ns() / kStep + 1) * kStep);
+        const Eigen::VectorXd& q = cell.robot(0).q;
+        seen[cell.now_ns()].assign(q.begin(), q.end());
+        return true;
+      };
+    }
+    Session session(library_engine(), std::move(options));
+    running = &session;
+    REQUIRE(session.compile(program, "paced.rbt"));
+    REQUIRE(session.run().status == Progress::kDone);
+  }
+  CHECK(paced.same_as(alone));
+  CHECK(paced.end_ns() == alone.end_ns());
+  for (std::int64_t t_ns = 0; t_ns < paced.end_ns(); t_ns += kStep) CHECK(seen.contains(t_ns));
+  int compared = 0;
+  for (const RecordedJoints& sample : paced.joints()) {
+    const auto at = seen.find(sample.t_ns);
+    if (sample.t_ns % kStep != 0 || sample.t_ns == 0 || at == seen.end()) continue;
+    CHECK(at->second == sample.q);
+    ++compared;
+  }
+  CHECK(compared > 100);
 }
 
 TEST_CASE("a failed move leaves everything where it was") {

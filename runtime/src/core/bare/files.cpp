@@ -97,6 +97,8 @@ bool NewFile::seek(std::uint64_t offset) {
   return true;
 }
 
+std::string NewFile::path() const { return {}; }
+
 std::optional<Error> NewFile::finish() {
   if (open_ == nullptr) return because("name", "it is finished already");
   const std::unique_ptr<Open> open = std::move(open_);

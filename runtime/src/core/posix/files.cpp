@@ -93,9 +93,14 @@ Unfinished* remember(int folder, const std::string& name) {
   return nullptr;
 }
 
-std::string temporary_name() {
+// With the ending of the final name, from which libraries know the format.
+std::string temporary_name(std::string_view name) {
   static std::atomic<unsigned> count{0};
-  return fmt::format(".armlet-{}-{}.part", getpid(), count.fetch_add(1));
+  constexpr std::size_t kLongestEnding = 8;
+  const std::size_t dot = std::min(name.find_last_of('.'), name.size());
+  const std::string_view ending = name.substr(dot);
+  return fmt::format(".armlet-{}-{}.part{}", getpid(), count.fetch_add(1),
+                     ending.size() <= kLongestEnding ? ending : std::string_view());
 }
 
 bool may_go_without_sync(int number) {
@@ -151,7 +156,7 @@ struct NewFile::Open {
       fail(errno);
     }
     for (int attempt = 0; !failure && file.number() < 0; ++attempt) {
-      temporary = temporary_name();
+      temporary = temporary_name(name);
       forget();
       slot =
           remember(folder.number(), temporary);  // before it exists: a signal may come at any time
@@ -207,6 +212,11 @@ bool NewFile::seek(std::uint64_t offset) {
   if (!open_->failure && lseek(open_->file.number(), static_cast<off_t>(offset), SEEK_SET) < 0)
     open_->fail(errno);
   return !open_->failure;
+}
+
+std::string NewFile::path() const {
+  if (open_ == nullptr) return {};
+  return fmt::format("/proc/self/fd/{}/{}", open_->folder.number(), open_->temporary);
 }
 
 std::optional<Error> NewFile::finish() {

@@ -118,8 +118,8 @@ struct HostOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: no robot
   std::vector<NamedPlanner> planners;  // in addition to the built-in ones
   std::function<void(const MoveReport&)> on_move;
-  // Called before the clock advances to t; may sleep. False: the program must stop. Null: the clock
-  // advances at once.
+  // Called before the clock advances to t, and at each multiple of 10 ms before that; may sleep.
+  // False: the program must stop. Null: the clock advances at once.
   std::function<bool(std::int64_t t_ns)> pace;
   // The folder below which the program may write files; empty: none.
   std::filesystem::path folder{};
