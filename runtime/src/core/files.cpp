@@ -1,4 +1,4 @@
-// What is the same for files of every platform.
+// The common part of files on all platforms.
 #include "armlet/core/files.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 namespace armlet {
 namespace {
 
-constexpr std::size_t kLongestPath = 4096;  // with the zero behind it
+constexpr std::size_t kLongestPath = 4096;  // with the terminating zero
 
 Error because(std::string code, std::string why) { return {std::move(code), std::move(why)}; }
 

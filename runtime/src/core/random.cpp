@@ -46,7 +46,7 @@ double Random::uniform(double low, double high) {
         fmt::format("The range {} to {} is empty; low must not exceed high.", low, high));
   }
   const double value = low + (high - low) * uniform();
-  // Rounding may reach the upper end, which the range excludes.
+  // Rounding may give the upper end, which the range excludes.
   return value < high ? value : low;
 }
 

@@ -14,9 +14,9 @@ bool same_but_for_capitals(std::string_view a, std::string_view b) {
                     [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-// How many edits a mistyped name may be away from what was meant.
+// The largest number of edits between a mistyped name and a candidate.
 std::size_t similar_enough(std::string_view name) {
-  constexpr std::size_t kShort = 4;  // with two edits, any such name is near another
+  constexpr std::size_t kShort = 4;  // with two edits, almost all names of this length are similar
   return name.size() <= kShort ? 1 : std::max<std::size_t>(2, name.size() / 3);
 }
 
@@ -46,7 +46,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> most_similar(std::string_view name,
                                              std::span<const std::string_view> candidates) {
-  constexpr std::size_t kBeginning = 2;  // as far away as a name that is not written to its end
+  constexpr std::size_t kBeginning = 2;  // the distance of a name that is incomplete
   std::optional<std::string_view> best;
   std::size_t best_distance = kLongest;
   for (const std::string_view candidate : candidates) {
@@ -56,7 +56,7 @@ std::optional<std::string_view> most_similar(std::string_view name,
                         (candidate.size() > 2 && name.starts_with(candidate));
     if (begins) distance = std::min(distance, kBeginning);
     if (!begins && distance > similar_enough(name)) continue;
-    // Of equally near ones the one that begins like the name.
+    // Of equally near candidates the one that begins like the name.
     const bool begins_better = best && distance == best_distance &&
                                candidate.starts_with(name.substr(0, 1)) &&
                                !best->starts_with(name.substr(0, 1));

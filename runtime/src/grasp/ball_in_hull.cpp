@@ -10,23 +10,23 @@
 namespace armlet {
 namespace {
 
-// Points of contacts lie on circles and mirror each other, so that many of them share a face.
-// Shaken by this much, no more than as many as there are dimensions do.
+// Points of contacts are on circles and symmetric, so many of them share a facet. After a random
+// displacement of this size, a facet has only as many points as dimensions.
 constexpr double kShake = 1e-8;
-constexpr double kFlat = 1e-6;  // a ball that is smaller comes from shaking
+constexpr double kFlat = 1e-6;  // a smaller ball is an effect of the displacement
 constexpr int kDimensions = 6;  // at most
 
 using Corners = std::array<int, kDimensions>;  // the first `dimensions` of them, in order
 
-// A simplex with a corner less: n . x = offset, n a unit vector that points outwards.
+// A simplex of one dimension less: n . x = offset, n a unit vector that points outwards.
 struct Facet {
   Corners corners{};
   Eigen::VectorXd n;
   double offset = 0.0;
 };
 
-// A polytope that grows towards the hull, where its facets are nearest to the origin first. As
-// van den Bergen's expanding polytope, in up to six dimensions and wherever the origin is.
+// A polytope that grows to the hull, first where its facets are nearest to the origin: van den
+// Bergen's expanding polytope, in up to six dimensions and for any position of the origin.
 class GrowingHull {
  public:
   explicit GrowingHull(const Eigen::MatrixXd& points)
@@ -44,7 +44,7 @@ class GrowingHull {
   }
 
  private:
-  // A first simplex: each corner as far as can be from the flat through those before it.
+  // A first simplex: each corner as far as possible from the affine subspace of those before it.
   bool begin() {
     if (points_.cols() <= dimensions_) return false;
     std::vector<int> corners{0};

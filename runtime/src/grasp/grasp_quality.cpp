@@ -36,7 +36,8 @@ void check_contacts(std::span<const GraspContact> contacts, double scale) {
   }
 }
 
-// Two unit vectors across n: the first lies along the axis that n is least along.
+// Two unit vectors orthogonal to n: the first is computed from the axis on which n has its smallest
+// component.
 std::array<Vector3d, 2> across(const Vector3d& n) {
   Eigen::Index least = 0;
   n.cwiseAbs().minCoeff(&least);
@@ -51,7 +52,7 @@ Vector6d wrench_of(const GraspContact& contact, const Vector3d& force, const Vec
   return wrench;
 }
 
-// What the contact exerts along each edge of its pyramid while it presses with 1 N.
+// The wrench of a contact with a normal force of 1 N, along each edge of its pyramid.
 MatrixXd edges_of(const GraspContact& contact, const Vector3d& center, double scale) {
   const auto [t, b] = across(contact.inward);
   const int count = contact.friction > 0.0 ? kConeEdges : 1;
@@ -75,7 +76,7 @@ MatrixXd edges_of(std::span<const GraspContact> contacts, const Vector3d& center
 }
 
 double smallest_singular(const MatrixXd& G) {
-  if (G.cols() < G.rows()) return 0.0;  // some load is withstood by no force
+  if (G.cols() < G.rows()) return 0.0;  // some load cannot be balanced by any forces
   const Eigen::VectorXd s = singular_values(G).s;
   const double least = s[s.size() - 1];
   return least > 1e-9 * s[0] ? least : 0.0;
@@ -89,7 +90,7 @@ GraspQuality quality_of(const MatrixXd& edges, const MatrixXd& G, std::size_t co
   return quality;
 }
 
-// The numbers x >= 0 for which |A x - b| is least, and that distance.
+// The smallest distance |A x - b| over all x >= 0.
 //
 // source  C. L. Lawson, R. J. Hanson, Solving Least Squares Problems, 1974, chapter 23.
 double nonnegative_distance(const MatrixXd& A, const Eigen::VectorXd& b) {
@@ -179,7 +180,8 @@ double load_factor(std::span<const GraspContact> contacts, std::span<const doubl
   constexpr double kMost = 1000.0;
   const double size = scaled.norm();
   if (!(size > 0.0)) return kMost;
-  // Edges weighted by x >= 0, and for each contact what is left of its pressing force.
+  // Unknowns: weights x >= 0 of the edges, and for each contact the unused part of its normal
+  // force.
   const auto k = static_cast<Eigen::Index>(contacts.size());
   MatrixXd A = MatrixXd::Zero(6 + k, 0);
   for (Eigen::Index i = 0; i < k; ++i) {
@@ -200,7 +202,7 @@ double load_factor(std::span<const GraspContact> contacts, std::span<const doubl
   };
   if (holds(kMost)) return kMost;
   double held = 0.0, lost = kMost;
-  // First down to the order of magnitude, then by halves.
+  // First the order of magnitude, then bisection.
   while (lost > 1e-6 && !holds(lost / 2.0)) lost /= 2.0;
   if (lost <= 1e-6) return 0.0;
   held = lost / 2.0;

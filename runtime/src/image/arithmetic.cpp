@@ -30,7 +30,7 @@ Image blank_like(const Image& image) {
   return image.is_empty() ? Image() : Image(image.width(), image.height(), image.kind());
 }
 
-// Applies a function to all values of two pictures that are alike.
+// Applies a function to all values of two pictures of equal size and kind.
 template <class OfBytes, class OfDepths>
 Image combined(const Image& a, const Image& b, OfBytes of_bytes, OfDepths of_depths) {
   Image result = blank_like(a);

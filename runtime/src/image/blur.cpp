@@ -27,7 +27,7 @@ void extend_row(const Image& image, int y, int radius, std::vector<std::uint8_t>
 
 int nearest_row(const Image& image, int y) { return std::clamp(y, 0, image.height() - 1); }
 
-// The weights of a bell for the distances 0 ... radius; the sum of all is 65536.
+// Gaussian weights for the distances 0 ... radius; the sum of all is 65536.
 std::vector<std::uint32_t> weights_of(double sigma) {
   const int radius = static_cast<int>(std::ceil(3.0 * sigma));
   std::vector<double> bell;
@@ -39,11 +39,11 @@ std::vector<std::uint32_t> weights_of(double sigma) {
     weights.push_back(static_cast<std::uint32_t>(std::floor(65536.0 * value / sum + 0.5)));
   const std::uint32_t sides =
       2 * std::accumulate(weights.begin() + 1, weights.end(), std::uint32_t{0});
-  weights[0] = 65536 - sides;  // so that a flat picture stays as it is
+  weights[0] = 65536 - sides;  // so that a uniform picture is unchanged
   return weights;
 }
 
-// Sums of rows and columns, in the order of rows; memory for as many rows as the bell is wide.
+// Sums of rows and columns, row by row; stores as many rows as the filter is wide.
 class GaussianBlur {
  public:
   GaussianBlur(const Image& image, double sigma)
@@ -71,7 +71,7 @@ class GaussianBlur {
     return ring_[static_cast<std::size_t>((y + rows) % rows)];
   }
 
-  // Row y, or the nearest of the picture, in 2^-8 grey levels.
+  // Filters row y, or the nearest row of the picture, in 2^-8 grey levels.
   void blur_row(int y) {
     checkpoint(values_ * weights_.size());
     extend_row(image_, nearest_row(image_, y), radius_, extended_);
@@ -91,7 +91,7 @@ class GaussianBlur {
     for (int d = -radius_; d <= radius_; ++d) {
       const std::uint32_t weight = weights_[static_cast<std::size_t>(std::abs(d))];
       const std::uint16_t* from = ring_row(y + d).data();
-      // At most 255 * 2^24 + 2^23, which fits.
+      // At most 255 * 2^24 + 2^23, which does not overflow.
       for (std::size_t i = 0; i < values_; ++i) sums_[i] += weight * from[i];
     }
     for (std::size_t i = 0; i < values_; ++i) out[i] = static_cast<std::uint8_t>(sums_[i] >> 24);
@@ -150,7 +150,7 @@ Image box_blurred(const Image& image, int radius) {
 Image gaussian_blurred(const Image& image, double sigma) {
   check_8_bit("gaussian_blurred", image);
   check_picture_parameter("blur", "sigma", sigma);
-  // Below this every weight but the middle one rounds to 0.
+  // Below this every weight except the central one rounds to 0.
   constexpr double kLeastSigma = 0.2;
   return sigma < kLeastSigma ? image : GaussianBlur(image, sigma).run();
 }

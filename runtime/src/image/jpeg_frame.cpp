@@ -14,14 +14,14 @@ constexpr std::uint8_t kEnd = 0xd9;
 constexpr std::uint8_t kStartOfScan = 0xda;
 constexpr std::uint8_t kQuantisation = 0xdb;
 
-// What the parts of a file have said so far: its frame, and the tables that its scans use.
+// The contents of a file so far: its frame, and the tables that its scans use.
 struct Parts {
   std::size_t file_size;
   bool has_frame = false;
   bool is_progressive = false;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> components{};  // id, its quantisation table
   bool has_quantisers[4] = {};
-  bool has_codes[2][4] = {};  // of mean values, of the others
+  bool has_codes[2][4] = {};  // of DC coefficients, of AC coefficients
 };
 
 std::string fault_of_frame(std::uint8_t marker, std::string_view segment, Parts& parts) {
@@ -58,8 +58,8 @@ std::string fault_of_frame(std::uint8_t marker, std::string_view segment, Parts&
   return {};
 }
 
-// The codes of Huffman tables: 16 counts, then as many symbols. The decoder would write beyond its
-// tables where there are more than 256.
+// Checks Huffman tables: 16 counts, then as many symbols. With more than 256 the decoder would
+// write beyond its tables.
 std::string fault_of_codes(std::string_view segment, std::size_t position, Parts& parts) {
   for (std::size_t at = 2; at < segment.size();) {
     if (segment.size() - at < 17)
@@ -84,7 +84,7 @@ std::string fault_of_codes(std::string_view segment, std::size_t position, Parts
   return {};
 }
 
-// Quantisation tables: 64 numbers of one byte or two.
+// Checks quantisation tables: 64 numbers of one byte or two.
 std::string fault_of_quantisers(std::string_view segment, std::size_t position, Parts& parts) {
   for (std::size_t at = 2; at < segment.size();) {
     const std::uint32_t number = big_endian(segment, at, 1);
@@ -143,7 +143,7 @@ std::string fault_of_scan(std::string_view segment, std::size_t position, const 
   return {};
 }
 
-// Where the next marker is behind compressed pixels, in which ff stands before 0 or a restart.
+// Position of the next marker after compressed pixels, in which ff is followed by 0 or a restart.
 std::size_t next_marker(std::string_view bytes, std::size_t at) {
   for (; at + 1 < bytes.size(); ++at) {
     if (static_cast<std::uint8_t>(bytes[at]) != 0xff) continue;
@@ -172,7 +172,7 @@ std::string fault_of_jpeg(std::string_view bytes) {
     if (first != 0xff)
       return fmt::format("Byte {} of the JPEG file is {:02x}; expected the ff of a marker.", at,
                          first);
-    if (marker == 0xff) {  // any number of them may stand before a marker
+    if (marker == 0xff) {  // any number of them may precede a marker
       ++at;
       continue;
     }

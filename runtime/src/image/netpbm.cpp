@@ -9,12 +9,12 @@ namespace {
 
 bool is_space(char letter) { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
 
-// Numbers in text, with spaces and comments between them.
+// Reads numbers in text, separated by spaces and comments.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
 
-  // The next number, or -1 where there is none below a million.
+  // The next number, or -1 if there is none below a million.
   int number() {
     skip_space();
     const std::size_t first = at_;
@@ -65,7 +65,7 @@ Error too_short(const Header& header, std::size_t needed, std::size_t left) {
       header.format, header.width, header.height, needed, left));
 }
 
-// The value at a channel of the binary file, of one byte or two.
+// The value of a channel in a binary file, of one byte or two.
 int binary_value(std::string_view bytes, std::size_t at, std::size_t size, std::size_t index) {
   return static_cast<int>(big_endian(bytes, at + index * size, static_cast<int>(size)));
 }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kEntries = 1 << 15;
 
-// Quantiles of the upper half of the normal distribution, at the probabilities
-// 1/2 + (i + 1/2) / 65536: the integral of the density is followed from entry to entry.
+// Quantiles of the upper half of the normal distribution, at the probabilities 1/2 + (i + 1/2) /
+// 65536: computed by integrating dz/dp from entry to entry.
 std::vector<float> upper_quantiles() {
   constexpr double kRoot = 2.506628274631000502;                              // sqrt(2 pi)
   const auto slope = [](double z) { return kRoot * det::exp(0.5 * z * z); };  // dz / dp
@@ -23,7 +23,7 @@ std::vector<float> upper_quantiles() {
   quantiles.reserve(kEntries);
   double z = 0.0;
   for (int i = 0; i < kEntries; ++i) {
-    // The slope grows without bound towards the end; eight Runge-Kutta steps keep seven digits.
+    // The slope grows without bound towards the end; eight Runge-Kutta steps give seven digits.
     constexpr int kSteps = 8;
     const double h = (i == 0 ? 0.5 : 1.0) / (2.0 * kEntries * kSteps);
     for (int step = 0; step < kSteps; ++step) {

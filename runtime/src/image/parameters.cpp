@@ -200,7 +200,7 @@ const PictureParameter& picture_parameter(std::string_view function, std::string
 void check_picture_parameter(std::string_view function, std::string_view parameter, double value) {
   const PictureParameter& row = picture_parameter(function, parameter);
   const bool must_be_whole = row.kind != kNumber;
-  // A comparison with NaN is false, so that it is refused too.
+  // Comparisons with NaN are false, so NaN is refused too.
   if (value >= row.least && value <= row.most && (!must_be_whole || value == std::floor(value)))
     return;
   throw ArgumentError(fmt::format("`{}` of `{}` is {}; expected {}{}{}.", parameter, function,

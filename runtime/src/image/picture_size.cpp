@@ -5,7 +5,7 @@
 namespace armlet {
 namespace {
 
-// Whole chunks up to the last one; their checksums are not looked at.
+// Requires complete chunks up to the last one; checksums are not verified.
 std::optional<PictureSize> png_size(std::string_view bytes) {
   const auto header = png_header(bytes);
   if (!header) return std::nullopt;

@@ -19,7 +19,7 @@ void append_word(std::string& out, std::uint32_t word) {
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(word >> shift & 0xffU);
 }
 
-// The remainders of all bytes (PNG, annex D).
+// The CRC remainders of all bytes (PNG, annex D).
 constexpr std::array<std::uint32_t, 256> kRemainders = [] {
   std::array<std::uint32_t, 256> table{};
   for (std::uint32_t n = 0; n < 256; ++n) {
@@ -61,7 +61,7 @@ class FixedCodes {
   void literal(std::uint8_t byte) {
     byte < 144 ? code(0x30U + byte, 8) : code(0x190U + byte - 144U, 9);
   }
-  // The byte before once more, `length` times: 3 to 258.
+  // Repeats the last byte `length` times: 3 to 258.
   void run(unsigned length) {
     if (length == 258) {
       symbol(285);
@@ -89,7 +89,7 @@ class FixedCodes {
   }
 
  private:
-  // Codes begin with their highest bit.
+  // Huffman codes are written from their highest bit.
   void code(unsigned value, unsigned count) {
     unsigned turned = 0;
     for (unsigned k = 0; k < count; ++k) turned |= (value >> k & 1U) << (count - 1 - k);
@@ -104,7 +104,7 @@ class FixedCodes {
 std::string compressed(std::string_view bytes) {
   FixedCodes codes;
   codes.bits(1, 1);  // the last block
-  codes.bits(1, 2);  // of fixed codes
+  codes.bits(1, 2);  // with fixed codes
   for (std::size_t i = 0; i < bytes.size();) {
     unsigned run = 0;
     while (i > 0 && run < 258 && i + run < bytes.size() && bytes[i + run] == bytes[i - 1]) ++run;
@@ -119,7 +119,8 @@ std::string compressed(std::string_view bytes) {
   return codes.take();
 }
 
-// Each row as differences from the one above or from the pixels on the left, whichever are smaller.
+// Filters each row: differences from the row above or from the pixels on the left, whichever are
+// smaller.
 std::string filtered(const Image& image) {
   const auto step = static_cast<std::size_t>(image.channels());
   const std::size_t size = static_cast<std::size_t>(image.width()) * step;

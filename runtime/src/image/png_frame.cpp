@@ -6,7 +6,7 @@
 namespace armlet {
 namespace {
 
-// The checksum of chunks.
+// The CRC of a chunk.
 std::uint32_t checksum(std::string_view bytes) {
   const auto* const first = reinterpret_cast<const Bytef*>(bytes.data());
   return static_cast<std::uint32_t>(crc32(0, first, static_cast<uInt>(bytes.size())));
@@ -21,7 +21,7 @@ std::string fault_of_header(const PngHeader& header, std::string_view bytes) {
                        header.colour);
   }
   const std::uint64_t bits = header.width * header.height * header.depth * kChannels[header.colour];
-  // Deflate makes at most 1032 bytes of one.
+  // Deflate expands a byte to at most 1032.
   if (bits / 8 / 1032 > bytes.size()) {
     return fmt::format("The PNG file says {} x {} pixels, which take at least {} bytes; it has {}.",
                        header.width, header.height, bits / 8 / 1032, bytes.size());
@@ -29,7 +29,7 @@ std::string fault_of_header(const PngHeader& header, std::string_view bytes) {
   return {};
 }
 
-// A name of a chunk, with marks for bytes that are no letters.
+// The name of a chunk, with placeholders for bytes that are not letters.
 std::string name_of(std::string_view chunk) {
   std::string name(chunk);
   for (char& letter : name)

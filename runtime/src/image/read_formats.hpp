@@ -12,7 +12,7 @@ namespace armlet {
 
 inline constexpr const char* kPictureCode = "picture";
 
-// A number of `count` bytes, the highest first.
+// A big-endian number of `count` bytes.
 inline std::uint32_t big_endian(std::string_view bytes, std::size_t at, int count) {
   std::uint32_t value = 0;
   for (int i = 0; i < count; ++i)
@@ -22,7 +22,7 @@ inline std::uint32_t big_endian(std::string_view bytes, std::size_t at, int coun
 
 inline constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1a\n";
 
-// The first chunk of a PNG, behind the signature; nothing if there is another one or it is cut off.
+// The first chunk of a PNG, after the signature; nothing if it is another one or incomplete.
 struct PngHeader {
   std::uint64_t width;
   std::uint64_t height;
@@ -31,21 +31,21 @@ struct PngHeader {
 };
 std::optional<PngHeader> png_header(std::string_view bytes);
 
-// Whether a part of a JPEG says how large it is: 0xc0 to 0xcf, without the tables DHT, JPG and DAC
-// that have numbers among them.
+// Whether a segment of a JPEG contains the size: 0xc0 to 0xcf, except the tables DHT, JPG and DAC
+// in that range.
 inline bool is_jpeg_frame(std::uint8_t marker) {
   return (marker & 0xf0) == 0xc0 && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
 }
 
-// The error for sides that no Image can have, or nothing.
+// The error for a size that no Image can have; empty if it can.
 std::string fault_of_size(std::string_view format, std::uint64_t width, std::uint64_t height);
 
-// What is wrong with the frame of a file around its compressed pixels: lengths, checksums, sizes.
-// Empty if nothing is.
+// The error in the structure of a file around its compressed pixels (lengths, checksums, sizes);
+// empty if there is none.
 std::string fault_of_png(std::string_view bytes);
 std::string fault_of_jpeg(std::string_view bytes);
 
-// The pixels of a file whose frame is sound.
+// Decodes the pixels of a file whose structure has been checked.
 Result<Image> decode_png_or_jpeg(std::string_view format, std::string_view bytes);
 
 Result<Image> read_netpbm(std::string_view bytes);

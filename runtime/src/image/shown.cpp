@@ -13,7 +13,7 @@ namespace {
 
 bool is_seen(float depth) { return std::isfinite(depth) && depth > 0.0F; }
 
-// Where pixel i of `count` begins in a row of `size` pixels.
+// The first pixel of cell i of `count` in a row of `size` pixels.
 int begin_of(int i, int size, int count) {
   return static_cast<int>(std::int64_t{i} * size / count);
 }

@@ -1,7 +1,8 @@
 // The one file in which stb_image is compiled: PNG and JPEG from memory, no files, no other
-// formats. Its vector code is left out so that one path is tested everywhere. Coefficients that no
-// encoder writes overflow in its transforms: the file is compiled with -fwrapv, which defines that.
-// Pixels that a corrupt file leaves out would be whatever the memory held: it is cleared.
+// formats. Its vector code is left out so that one version is tested everywhere. Coefficients that
+// no encoder writes overflow in its transforms: the file is compiled with -fwrapv, which defines
+// that. Memory is cleared, because pixels that a corrupt file leaves out would otherwise be
+// undefined.
 #include <cstdlib>
 #define STBI_MALLOC(size) std::calloc(1, size)
 #define STBI_REALLOC(block, size) std::realloc(block, size)
@@ -32,7 +33,7 @@ std::uint8_t over_white(int value, int alpha) {
   return static_cast<std::uint8_t>((value * alpha + 255 * (255 - alpha) + 127) / 255);
 }
 
-// Copies pixels; the second or fourth channel is an opacity.
+// Copies pixels; the second or fourth channel is the opacity.
 void copy_pixels(const std::uint8_t* from, int channels, Image& image) {
   const bool has_alpha = channels % 2 == 0;
   const int colours = image.channels();

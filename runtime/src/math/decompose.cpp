@@ -26,16 +26,16 @@ Error singular(Index rank, Index needed, std::string_view what) {
                                   what, needed == 1 ? " is" : "s are")};
 }
 
-// The rank as the exchanges of columns show it.
+// The rank by QR with column exchanges.
 Index rank_by_qr(const MatrixXd& A) { return Eigen::ColPivHouseholderQR<MatrixXd>(A).rank(); }
 
-// The factors of a square matrix that is not singular.
+// The LU factors of a square matrix that is not singular.
 Result<Eigen::PartialPivLU<MatrixXd>> factors(const MatrixXd& A) {
   Eigen::PartialPivLU<MatrixXd> lu(A);
   constexpr double kSmallest = std::numeric_limits<double>::epsilon();
   const bool zero_pivot = A.rows() > 0 && !(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0.0);
   if (zero_pivot || !(lu.rcond() >= kSmallest)) {
-    // What rounding hides from the exchanges of columns is one dimension at least.
+    // If QR finds full rank because of rounding, the rank is at most one less.
     const Index seen = rank_by_qr(A);
     return singular(seen < A.rows() ? seen : A.rows() - 1, A.rows(), "row");
   }
@@ -143,8 +143,8 @@ Result<MatrixXd> cholesky(const MatrixXd& A) {
 Result<MatrixXd> exponential(const MatrixXd& A) {
   check_square("A", A);
   if (A.size() == 0) return A;
-  // Beyond this bound every element of the result is infinite or zero, and there are no ends to
-  // the squarings.
+  // Beyond this bound every element of the result is infinite or zero, and the squarings would not
+  // end.
   constexpr double kLargest = 1e5;
   const double size = A.cwiseAbs().colwise().sum().maxCoeff();
   if (!(size <= kLargest)) {

@@ -1,5 +1,5 @@
 #pragma once
-// What the decompositions check before and after.
+// Checks of arguments and results of the decompositions.
 
 #include <Eigen/Core>
 #include <string_view>
@@ -8,14 +8,14 @@
 
 namespace armlet {
 
-// Throws ArgumentError for what is not finite, too large, or not square.
+// Throws ArgumentError for a matrix that is not finite, too large, or not square.
 void check_matrix(std::string_view name, const Eigen::MatrixXd& A);
 void check_square(std::string_view name, const Eigen::MatrixXd& A);
 
 // The error "overflow" instead of infinite or undefined numbers.
 Result<Eigen::MatrixXd> finite(Eigen::MatrixXd result);
 
-// Equal to its transpose but for rounding.
+// Whether it equals its transpose within rounding.
 bool is_symmetric(const Eigen::MatrixXd& A);
 
 }  // namespace armlet

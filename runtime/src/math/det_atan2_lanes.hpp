@@ -2,8 +2,7 @@
 
 #include "det_lanes.hpp"
 
-// Angles of directions, several side by side; for sources of any instruction set like
-// det_lanes.hpp.
+// Angles of directions, several in parallel; for sources of any instruction set like det_lanes.hpp.
 namespace armlet::det {
 
 // The bits of `a` where the mask is set, else those of `b`.

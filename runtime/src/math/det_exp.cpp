@@ -91,7 +91,7 @@ Pair log_pair(double x) {
 
   constexpr double kLn2Rest = -1.90465429995776804525e-09;  // ln 2 = kLn2Head + kLn2Rest
   constexpr double kLn2Head = 6.93147182464599609375e-01;   // 24 bits
-  constexpr double kLn2Tail = 1.66708592083055e-25;         // what both leave out
+  constexpr double kLn2Tail = 1.66708592083055e-25;         // the rest of ln 2
   const double k = scaled.k;
   const Pair rest = two_product(k, kLn2Rest);
   const Pair k_ln2 = add({k * kLn2Head, 0.0}, {rest.hi, rest.lo + k * kLn2Tail});

@@ -82,7 +82,7 @@ double atan2(double y, double x) {
     a = std::isinf(ay) ? Pair{0.5 * kHalfPi.hi, 0.5 * kHalfPi.lo} : Pair{};
   } else {
     const double q = ay / ax;
-    // What the rounded quotient left out; it matters only where the products cannot overflow.
+    // The rounding error of the quotient; it matters only where the products cannot overflow.
     const bool ordinary = ax < 0x1p500 && ay < 0x1p500 && ax > 0x1p-500 && q > 0x1p-100;
     const Pair back = ordinary ? two_product(q, ax) : Pair{ay, 0.0};
     a = atan_kernel(q, ((ay - back.hi) - back.lo) / ax);

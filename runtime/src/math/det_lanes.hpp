@@ -4,16 +4,16 @@
 
 #include "det_polynomials.hpp"
 
-// Sines and cosines of several numbers side by side. Every operation on a vector is the same
-// operation on each lane, so results have the bits of one by one, whatever the width. All is
-// inlined by force: sources that are compiled for a larger instruction set must not leave functions
-// behind that others could be linked to.
+// Sines and cosines of several numbers in parallel. Every vector operation is the same operation on
+// each lane, so the results have the bits of single numbers, whatever the width. All functions are
+// always inlined: sources that are compiled for a larger instruction set must not emit functions
+// that other code could be linked to.
 namespace armlet::det {
 
 // Two numbers, the width that every x86-64 machine has.
 using Lanes = double __attribute__((vector_size(16)));
 
-// Whole numbers of the same width; what a comparison of lanes gives.
+// Integers of the same width, the results of comparisons of lanes.
 template <class V>
 using LaneBits = decltype(V{} < V{});
 
@@ -42,13 +42,13 @@ template <class V>
 #endif
 }
 
-// Remembers over several vectors of angles whether all are settled: within 2^7 right angles, and
-// not so close to a multiple of a right angle that its parts are not enough. Zero is no such
-// multiple. Otherwise sincos(double) has to be asked.
+// Collects over several vectors of angles whether all results are final: within 2^7 right angles,
+// and not so close to a multiple of a right angle that the parts of pi/2 are not exact enough. Zero
+// is not such a multiple. Otherwise sincos(double) has to be called.
 template <class V>
 struct LaneCheck {
-  V nearest = V{} + 1.0;      // the smallest square of a difference, one step down; NaN for zero
-  LaneBits<V> farthest = {};  // bits that no number of right angles should have
+  V nearest = V{} + 1.0;      // smallest square of a difference, minus one step; NaN for zero
+  LaneBits<V> farthest = {};  // bits that are set only for too many right angles
 
   [[gnu::always_inline]] void add(V square, LaneBits<V> count) {
     const V below = V(LaneBits<V>(square) - 1);
@@ -57,7 +57,8 @@ struct LaneCheck {
   }
 
   [[gnu::always_inline]] bool all_settled() const {
-    // Whole numbers are compared one by one, for which the smallest instruction set has nothing.
+    // Integers are compared one by one, since the smallest instruction set has no vector comparison
+    // for them.
     const LaneBits<V> near = nearest >= kNearestSquare;
     auto far = farthest[0];
     auto all_near = near[0];
@@ -75,9 +76,8 @@ struct LaneCheck {
   static constexpr std::int64_t kFarthestCount = 1 << 7;
 };
 
-// Sine and cosine of the rest of an angle, put where its right angles (the lowest bits of
-// `shifted`) want them: the lowest bit swaps them; the next one and the sum of both are their
-// signs.
+// Selects sine and cosine of the remainder by the number of right angles (the lowest bits of
+// `shifted`): the lowest bit exchanges them; the next one and the sum of both are their signs.
 template <class V>
 [[gnu::always_inline]] inline LaneSinCos<V> in_quadrant(V rest_sine, V rest_cosine, V shifted) {
   using Bits = typename PlainBits<V>::type;
@@ -89,7 +89,8 @@ template <class V>
   const Bits upper = quadrant << 62;
   const Bits sign = Bits{} + kSignBit;
   Bits swapped_sine, swapped_cosine;
-  if constexpr (sizeof(V) > sizeof(Lanes)) {  // from AVX2 on, lanes are chosen in one instruction
+  // from AVX2 on, there is an instruction for the selection
+  if constexpr (sizeof(V) > sizeof(Lanes)) {
     const auto lower = LaneBits<V>(quadrant << 63);
     swapped_sine = Bits(lower < 0 ? rest_cosine : rest_sine);
     swapped_cosine = Bits(lower < 0 ? rest_sine : rest_cosine);

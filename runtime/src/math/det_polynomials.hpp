@@ -13,7 +13,7 @@ inline constexpr double kTwoOverPi = 6.36619772367581382433e-01;
 // Adding and subtracting it rounds to the nearest integer, ties to even, below 2^51: 1.5 * 2^52.
 inline constexpr double kRoundingMagic = 6755399441055744.0;
 
-// The numbers that reduction and polynomials need.
+// The constants of range reduction and polynomials.
 //
 // part1, part2, rest2  Cody and Waite: pi/2 in two parts of 33 bits and a rest, so that whole
 //                      multiples below 2^14 of the parts have no rounding error and those of the
@@ -29,7 +29,7 @@ struct SinCosNumbers {
                           C5 = 2.08757232129817482790e-09, C6 = -1.13596475577881948265e-11;
 };
 
-// The parts represent pi/2 to 2^-121: fn pi/2 is good enough for a difference of fn 2^-62. Both
+// The parts represent pi/2 to 2^-121, so fn pi/2 is exact enough for a difference of fn 2^-62. Both
 // bounds hold if (fn 2^-62)^2 is at most the square of the difference and below (2^14 2^-62)^2.
 // Lanes are checked more strictly (det_lanes.hpp), so they never differ from single numbers.
 inline constexpr double kNearestMultiple = 0x1p-62;

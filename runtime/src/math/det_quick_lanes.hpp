@@ -2,9 +2,9 @@
 
 #include "det_lanes.hpp"
 
-// Sines and cosines for batches, where the number of operations counts and not how long one waits
-// for a result: within two units in the last place, in about half the operations of sincos_lanes().
-// Every operation is rounded exactly, so the bits do not depend on the width either.
+// Sines and cosines for batches, for throughput rather than latency: within two units in the last
+// place, with about half the operations of sincos_lanes(). Every operation is rounded exactly, so
+// the bits do not depend on the width either.
 namespace armlet::det {
 
 // Four independent vectors. A processor executes about a hundred operations ahead, which is one
@@ -44,7 +44,7 @@ struct QuickNumbers {
   static constexpr double part1 = 0x1.921fb54442dp+0 * kUnit, part2 = 0x1.8469898cc517p-48 * kUnit;
 };
 
-// Whether quick_sincos() leaves the angle to sincos(double): from 2^8 right angles on, and if it is
+// Whether the angle has to be computed by sincos(double): from 2^8 right angles on, and if it is
 // not finite.
 [[gnu::always_inline]] inline bool is_too_large(double angle) {
   return !(__builtin_fabs(angle * QuickNumbers::per_angle) < 2.0);
@@ -68,8 +68,8 @@ struct QuickCheck {
   }
 };
 
-// What quick_sincos() needs, in every lane, in memory: where the instruction set takes operands
-// from there, no number has to be brought into a register first.
+// The constants of quick_sincos(), in every lane, in memory: instruction sets with memory operands
+// need not load them into registers.
 template <class V>
 struct QuickTable {
   using N = QuickNumbers;
@@ -121,7 +121,7 @@ template <class V>
           in_quadrant(sine.d, root(square.d), shifted.d)};
 }
 
-// The same of one vector.
+// The same for one vector.
 template <class V>
 [[gnu::always_inline]] inline LaneSinCos<V> quick_sincos(V angle, QuickCheck<V>& check,
                                                          const QuickTable<V>& c) {
@@ -131,7 +131,7 @@ template <class V>
   return in_quadrant(sine, root(square), shifted);
 }
 
-// Where the result is waited for, as from one iteration to the next: the same rest of the angle and
+// The version of low latency, as needed between iterations: the same remainder of the angle and
 // both polynomials in pairs of terms, which shortens the chain of operations by a third. Within
 // 2^-52 of the true values.
 template <class V>

@@ -21,8 +21,8 @@ using Eigen::VectorXd;
 using Points = std::vector<VectorXd>;
 
 constexpr std::uint64_t kSeed = 20'001;
-constexpr double kLongest = 0.2;  // of the diagonal of the box, a piece of a tree at most
-constexpr double kFreeRange = std::numbers::pi;  // how far joints without limits go beyond the ends
+constexpr double kLongest = 0.2;  // of the diagonal of the box, largest length of an edge of a tree
+constexpr double kFreeRange = std::numbers::pi;  // range of joints without limits beyond the ends
 constexpr std::uint64_t kStepCost = 2'000;       // operations of a step without its checks
 
 SearchBySampling sampling_search() {
@@ -49,7 +49,7 @@ class Lengths {
       const Eigen::Vector3d from = i > 0 ? frames[static_cast<std::size_t>(i - 1)].translation()
                                          : Eigen::Vector3d(robot.T_world_base().translation());
       reach += (frames[static_cast<std::size_t>(i)].translation() - from).norm();
-      // Rows that one joint moves go together.
+      // The rows of one joint are combined.
       const auto [joint, ratio] = motion_of_row(robot, i);
       scale_[joint] +=
           std::abs(ratio) * (robot.row(i).is_revolute() ? std::max(reach, kLeastReach) : 1.0);
@@ -76,7 +76,7 @@ class Lengths {
   [[nodiscard]] VectorXd joints(const double* x) const {
     return Eigen::Map<const VectorXd>(x, scale_.size()).cwiseQuotient(scale_);
   }
-  // Between two positions of the joints.
+  // The distance of two configurations.
   [[nodiscard]] double distance(const VectorXd& a, const VectorXd& b) const {
     double sum = 0.0;
     for (Eigen::Index i = 0; i < a.size(); ++i) {
@@ -91,7 +91,7 @@ class Lengths {
   VectorXd scale_, lower_, upper_;
 };
 
-// What the search asks; an exception of a checkpoint waits until the search has ended.
+// The callbacks of the search; an exception of a checkpoint is kept until the search has ended.
 class Asked {
  public:
   Asked(SegmentCheck& check, const Lengths& lengths, int iterations)
@@ -325,7 +325,7 @@ Way search_way(const MotionScene& scene, const VectorXd& start, const Points& go
   way.in_the_way = most_often(check.blocked());
   if (!found) return way;
   way.status = WayStatus::kFound;
-  // Scaled and back, ends are off by roundings; they are what was asked for.
+  // Scaling back and forth changes the ends by rounding; the exact ones are restored.
   Points points = asked.points();
   std::size_t nearest = 0;
   for (std::size_t k = 1; k < free.size(); ++k) {

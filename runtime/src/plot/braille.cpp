@@ -12,7 +12,7 @@
 namespace armlet {
 namespace {
 
-// Fields of 2 x 4 dots, one character each.
+// Characters of 2 x 4 dots.
 class Dots {
  public:
   Dots(int columns, int rows)
@@ -76,7 +76,7 @@ struct Scale {
   Ticks ticks;
 };
 
-// In space, x and z as seen from the front.
+// In space, x and z are drawn, the view from the front.
 const std::vector<double>& upward(const Figure& figure, const Series& series) {
   return figure.is_spatial() ? series.z : series.y;
 }
@@ -90,7 +90,7 @@ const Axis& axis_of(const Figure& figure, Side side) {
                                 : figure.y;
 }
 
-// beside  the axis whose ticks have the same heights, if there is one.
+// beside  an axis whose ticks are at the same heights, if there is one.
 Scale scale_of(const Figure& figure, Side side, int wanted, const Ticks* beside = nullptr) {
   std::vector<const std::vector<double>*> lists;
   bool bars = false;
@@ -165,7 +165,7 @@ std::string unit_text(const Axis& axis, const Scale& scale) {
   return axis.label.empty() ? scale.unit.text : fmt::format("{} ({})", axis.label, scale.unit.text);
 }
 
-// How many letters a text shows.
+// Number of visible letters of a text.
 int letters(const std::string& text) {
   int count = 0;
   for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0U) != 0x80U ? 1 : 0;
@@ -205,7 +205,7 @@ std::string legend(const Figure& figure, bool color) {
   return out.empty() ? out : out + '\n';
 }
 
-// Rows of dots, each behind the value of the axis at its height.
+// Rows of dots, each after the axis value at its height.
 std::string field_text(const Dots& dots, const Ticks& ticks, int rows, int widest, bool color) {
   std::string out;
   for (int r = 0; r < rows; ++r) {

@@ -57,7 +57,8 @@ BarSpan bar_span(const Figure& figure, std::size_t series, double pitch) {
     before += s < series ? 1 : 0;
     ++count;
   }
-  constexpr double kGroup = 0.8, kBar = 0.94;  // of the pitch, of the room of each
+  // width of a group relative to the pitch, of a bar to its part of the group
+  constexpr double kGroup = 0.8, kBar = 0.94;
   const double width = kGroup * pitch / static_cast<double>(std::max<std::size_t>(count, 1));
   const double begin = -0.5 * kGroup * pitch + width * static_cast<double>(before);
   return {begin, begin + kBar * width};

@@ -17,8 +17,8 @@ namespace {
 
 // ---- dots -------------------------------------------------------------------------------------
 
-// 1 where a dot is: as many per area as it is bright. What a dot is too bright or too dark is made
-// up for by its neighbours (R. Floyd and L. Steinberg, 1976).
+// 1 for each dot: their density corresponds to the brightness. The error of each dot is distributed
+// to its neighbours (R. Floyd and L. Steinberg, 1976).
 std::vector<std::uint8_t> dots_of(const Image& grey) {
   const int width = grey.width();
   std::vector<int> now(static_cast<std::size_t>(width) + 2, 0), next(now);  // 1/16 grey levels
@@ -74,7 +74,7 @@ std::vector<std::string> dotted_rows(const Image& image, int columns, int rows) 
 
 using Rgb = std::array<int, 3>;
 
-// The nearest of the 256 colours of xterm: a cube of 6 x 6 x 6, or one of 24 greys.
+// The nearest of the 256 colours of xterm: a cube of 6 x 6 x 6, or 24 greys.
 int color_number(const Rgb& rgb) {
   constexpr int kLevels[6] = {0, 95, 135, 175, 215, 255};
   const auto distance = [&rgb](const Rgb& other) {
@@ -102,7 +102,7 @@ int color_at(const Image& image, int x, int y) {
                                : color_number({pixel[0], pixel[0], pixel[0]});
 }
 
-// Upper halves in the colour of the letter, lower ones in that behind it.
+// The upper half of a character has the foreground colour, the lower one the background colour.
 std::vector<std::string> colored_rows(const Image& image, int columns, int rows) {
   const Image pixels = resized(image, columns, 2 * rows);
   std::vector<std::string> out;

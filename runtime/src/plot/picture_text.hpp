@@ -6,8 +6,8 @@
 
 namespace armlet {
 
-// The picture of a figure in a frame, below its title and above its note; `columns` and `rows` at
-// most, in characters that are twice as high as wide.
+// The picture of a figure in a frame, with its title above and its note below; at most `columns`
+// and `rows` characters, which are twice as high as wide.
 std::string picture_text(const Figure& figure, int columns, int rows, bool color);
 
 }  // namespace armlet

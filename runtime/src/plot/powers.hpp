@@ -7,7 +7,8 @@
 
 namespace armlet {
 
-// 10^k, rounded once; no logarithm or power of the C library, whose last bits differ.
+// 10^k, rounded once, without logarithm or power of the C library, whose last bits differ between
+// machines.
 inline double power_of_ten(int k) {
   const std::string text = fmt::format("1e{}", k);
   double value = 0.0;

@@ -12,7 +12,7 @@ namespace svg {
 
 namespace {
 
-// "m/s^2" and "N*s/m" as they are printed.
+// The printed form of units such as "m/s^2" and "N*s/m".
 std::string printed(std::string_view unit) {
   std::string out;
   for (std::size_t i = 0; i < unit.size(); ++i) {
@@ -69,7 +69,7 @@ std::size_t point_count(const Figure& figure) {
   return count;
 }
 
-// One figure with its upper edge at 0; its height is left in `height`.
+// One figure with its upper edge at 0; stores its height in `height`.
 std::string figure_text(const Figure& figure, double& height) {
   double top = 10.0;
   std::string out;

@@ -9,7 +9,7 @@
 namespace armlet::svg {
 namespace {
 
-constexpr std::size_t kLongestName = 20;  // letters of a slanted one
+constexpr std::size_t kLongestName = 20;  // letters of a rotated one
 
 std::string name_beside(double x, const Field& field, int turn, const std::string& name) {
   if (name.empty()) return {};
@@ -34,7 +34,7 @@ std::string right_axis(const Plane& plane) {
          name_beside(kWidth - 13.0, field, 90, axis_text(plane.figure.right, plane.right.unit));
 }
 
-// Every one of a few names, every so many of more.
+// All names if there are few, otherwise every k-th name.
 std::string names_below(const Plane& plane) {
   const std::vector<std::string>& names = plane.figure.names;
   const Field& field = plane.field;
@@ -109,7 +109,7 @@ std::string shortened(const std::string& name) {
 std::string axes(const Plane& plane) {
   const Field& field = plane.field;
   std::string out = x_axis(plane) + y_axis(plane);
-  // Zero stands out where there are values below it.
+  // The zero line is emphasised if there are values below it.
   if (plane.y.ticks.lower < 0.0 && plane.y.ticks.upper > 0.0) {
     const double y = plane.y.at(0.0);
     out += line({field.left, y}, {field.right, y}, "zero");

@@ -11,12 +11,12 @@
 namespace armlet::svg {
 namespace {
 
-// Operations, for who supervises the drawing of many values.
+// Operations per value, for checkpoints.
 constexpr std::uint64_t kValueCost = 32;
 constexpr std::uint64_t kBarCost = 1000;
 
-// In each column of pixels a line keeps its first, lowest, highest and last value: more cannot be
-// seen.
+// Keeps the first, lowest, highest and last value of a line in each column of pixels: more is not
+// visible.
 std::vector<Point> thinned(const std::vector<Point>& points, double width) {
   if (static_cast<double>(points.size()) < 6.0 * width) return points;
   std::vector<Point> kept;

@@ -18,7 +18,7 @@ std::string picture(const Figure& figure, double& bottom) {
   const double height = std::max(kLeast, scale * image.height());
   const double left = 0.5 * (kWidth - width), top = bottom;
   bottom += height + kNote + 6.0;
-  // Pixels that are larger than those of the screen have sharp edges.
+  // Pixels larger than those of the screen are drawn with sharp edges.
   return fmt::format(
              "<image x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" "
              "preserveAspectRatio=\"none\"{4} href=\"data:image/png;base64,{5}\"/>\n"

@@ -25,7 +25,7 @@ PlotUnit unit_of(const Axis& axis, const Extent& extent) {
   return plot_unit(axis.unit, std::max(std::abs(extent.lower), std::abs(extent.upper)));
 }
 
-// Lengths on both axes are drawn to one scale, so that circles are round.
+// Whether both axes are lengths; they are drawn to one scale then, so that circles are round.
 bool is_map(const Figure& figure) {
   return figure.x.unit == "m" && figure.y.unit == "m" && !figure.x.log && !figure.y.log &&
          std::ranges::none_of(figure.series, on_the_right);
@@ -37,14 +37,14 @@ double widest(const std::vector<std::string>& labels) {
   return width;
 }
 
-// Ticks of an axis whose values lie so; `whole` axes begin and end at one.
+// Ticks of an axis for an extent of values; `whole` axes begin and end at a tick.
 void set_ticks(Scale& scale, const Axis& axis, const Extent& extent, int wanted, bool whole) {
   const double lower = extent.lower * scale.unit.factor, upper = extent.upper * scale.unit.factor;
   scale.ticks = axis.log ? make_log_ticks(lower, upper, wanted)
                          : make_ticks(lower, upper, wanted, scale.unit.text == "deg", whole);
 }
 
-// Values of an upright axis; bars stand on zero.
+// Range of values of a vertical axis; bars begin at zero.
 Extent y_extent(const Figure& figure, bool right) {
   const Axis& axis = right ? figure.right : figure.y;
   Extent extent = extent_of(columns(figure, &Series::y, right ? on_the_right : on_the_left), axis);
@@ -57,7 +57,7 @@ Extent y_extent(const Figure& figure, bool right) {
   return extent;
 }
 
-// Ticks of the axis on the right, on the lines of the grid if both axes are straight.
+// Ticks of the axis on the right, at the grid lines if both axes are linear.
 void set_right(Plane& plane, int wanted) {
   const Extent extent = y_extent(plane.figure, true);
   Scale& scale = plane.right;
@@ -69,8 +69,8 @@ void set_right(Plane& plane, int wanted) {
                           plane.y.ticks, scale.unit.text == "deg");
 }
 
-// Ticks of a map; the axes begin and end at one. The shorter side shows more around its middle
-// where the map would be a thin strip.
+// Ticks of a map, whose axes begin and end at a tick. The shorter side is extended around its
+// middle if the map would be a thin strip.
 void set_map_ticks(Plane& plane, Extent x, Extent y) {
   constexpr double kThinnest = 0.25;
   const double longest = std::max(x.upper - x.lower, y.upper - y.lower);
@@ -89,7 +89,7 @@ void set_map_ticks(Plane& plane, Extent x, Extent y) {
 
 double span(const Scale& scale) { return scale.ticks.upper - scale.ticks.lower; }
 
-// The largest field of the map's shape in the room that there is, in its middle.
+// The largest area with the map's aspect ratio, centred in the available room.
 void fit_map(Plane& plane) {
   Field& field = plane.field;
   const double px = std::min(field.width() / span(plane.x), field.height() / span(plane.y));
@@ -117,7 +117,7 @@ double lean_names(Plane& plane, double each) {
   return 24.0 + kSin * longest;
 }
 
-// How much room the values and the name below the field take.
+// The height that the values and the name below the area need.
 double room_below(Plane& plane) {
   if (!plane.named_below) return 8.0;
   const std::vector<std::string>& names = plane.figure.names;

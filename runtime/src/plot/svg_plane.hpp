@@ -7,7 +7,7 @@ namespace armlet::svg {
 
 inline constexpr double kLetter = 12.0;
 
-// From values in SI units to pixels.
+// Maps values in SI units to pixels.
 struct Scale {
   PlotUnit unit;
   Ticks ticks;
@@ -16,7 +16,7 @@ struct Scale {
   double at(double si) const { return from + (to - from) * ticks.position(si * unit.factor); }
 };
 
-// Where the values of a figure lie on the page.
+// The layout of a figure on the page.
 struct Plane {
   const Figure& figure;
   Field field;
@@ -25,11 +25,11 @@ struct Plane {
   double bar = 1.0;
   bool named_below = true;     // the x axis has values and a name
   bool slanted_names = false;  // below bars
-  double name_at = 15.0;       // px, where the name of the axis on the left is written
+  double name_at = 15.0;       // px, position of the name of the axis on the left
 
   const Scale& up(bool on_right) const { return on_right ? right : y; }
   Point at(double px, double py, bool on_right) const { return {x.at(px), up(on_right).at(py)}; }
-  // Where bars begin.
+  // The value at which bars begin.
   double ground(bool on_right) const {
     return up(on_right).ticks.log ? field.bottom : up(on_right).at(0.0);
   }
@@ -38,10 +38,10 @@ struct Plane {
   bool shows(const Series& series, std::size_t i) const;
 };
 
-// What the panels of a figure have in common.
+// The common data of the panels of a figure.
 struct PanelFrame {
   const Extent* x = nullptr;       // null: that of the values
-  double left = 0.0, right = 0.0;  // px of the edges of the field; 0: as the labels need it
+  double left = 0.0, right = 0.0;  // px of the edges of the area; 0: determined by the labels
   bool named_below = true;
 };
 
@@ -50,7 +50,7 @@ Extent x_extent(const Figure& figure);
 double flat_height(const Figure& figure);
 Plane plane_of(const Figure& figure, const Field& outer, const PanelFrame& frame = {});
 
-// A name of at most so many letters, px of which the last ones are left out.
+// A name with at most kLongestName letters.
 std::string shortened(const std::string& name);
 
 // Grid, values and names of the axes.

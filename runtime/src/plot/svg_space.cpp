@@ -13,7 +13,7 @@
 namespace armlet::svg {
 namespace {
 
-// Seen from azimuth -60 deg and elevation 22 deg.
+// Viewed from azimuth -60 deg and elevation 22 deg.
 constexpr double kSinAzimuth = 0.5, kCosAzimuth = 0.8660254037844386;
 constexpr double kSinElevation = 0.374606593415912, kCosElevation = 0.9271838545667874;
 
@@ -21,7 +21,7 @@ struct Place {
   double x = 0.0, y = 0.0, z = 0.0;
 };
 
-// Right, up and towards the viewer.
+// Coordinates to the right, up and towards the viewer.
 struct Seen {
   double right = 0.0, up = 0.0, near = 0.0;
 };
@@ -74,7 +74,7 @@ Box box_of(const Figure& figure, const Field& outer) {
     box.ticks[k] = make_ticks(extent[k].lower * factor, extent[k].upper * factor, 7, false, true);
     longest = std::max(longest, box.ticks[k].upper - box.ticks[k].lower);
   }
-  // One scale for all axes, as long as none becomes too thin to see.
+  // One scale for all axes, unless an axis becomes too short to see.
   const bool alike = figure.x.unit == figure.y.unit && figure.y.unit == figure.z.unit;
   for (int k = 0; k < 3 && alike; ++k) {
     box.size[k] = std::max((box.ticks[k].upper - box.ticks[k].lower) / longest, 0.15);
@@ -92,14 +92,14 @@ std::string edge(const Box& box, std::array<double, 3> from, std::array<double, 
   return line(box.at(from[0], from[1], from[2]), box.at(to[0], to[1], to[2]), css);
 }
 
-// Floor and the two walls behind, with a grid, and the values along the near edges of the floor and
-// the left edge of the wall.
+// The floor and the two back walls, with a grid, and the values along the near edges of the floor
+// and the left edge of the wall.
 std::string axes(const Figure& figure, const Box& box) {
   std::string out;
   for (int k = 0; k < 3; ++k) {
     for (const double value : box.ticks[k].at) {
       const double f = box.ticks[k].position(value);
-      // Lines on the two faces that this coordinate crosses: floor z = 0, walls y = 1 and x = 0.
+      // Grid lines on the two faces that cut this coordinate: floor z = 0, walls y = 1 and x = 0.
       if (k == 0)
         out += edge(box, {f, 0, 0}, {f, 1, 0}, "grid") + edge(box, {f, 1, 0}, {f, 1, 1}, "grid");
       if (k == 1)

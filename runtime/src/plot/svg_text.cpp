@@ -36,7 +36,7 @@ std::string line(Point from, Point to, std::string_view css) {
 }
 
 // Series: M. Okabe and K. Ito, Color universal design, 2008, the yellow darkened. Heights: viridis
-// (S. van der Walt and N. Smith 2015), whose brightness rises evenly.
+// (S. van der Walt and N. Smith 2015), whose brightness rises linearly.
 std::string_view style() {
   return R"(<style>
 text{font-family:system-ui,sans-serif;font-size:12px;fill:#333}

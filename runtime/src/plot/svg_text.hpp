@@ -9,7 +9,7 @@ namespace armlet::svg {
 // A coordinate with at most two decimals, "0" never negative.
 std::string coordinate(double value);
 
-// About how wide a text is, px.
+// Approximate width of a text, px.
 double width_of(std::string_view text, double size);
 
 // A number with a minus sign instead of a hyphen.
@@ -24,7 +24,8 @@ std::string text(Point at, std::string_view anchor, std::string_view css, std::s
                  std::string_view more = {});
 std::string line(Point from, Point to, std::string_view css);
 
-// Colours of series and of heights, the look of axes and text: one style for light and dark pages.
+// Colours of series and of heights, style of axes and text: one style sheet for light and dark
+// pages.
 std::string_view style();
 
 inline constexpr int kSeriesColors = 7;

@@ -13,7 +13,7 @@
 namespace armlet {
 namespace {
 
-// A step may be this much smaller than asked for.
+// A step may be smaller than requested by this factor.
 constexpr double kShare = 0.8;
 
 // The exponent k of the decimal form d.ddd * 10^k.
@@ -26,7 +26,7 @@ int decimal_exponent(double x) {
   return exponent;
 }
 
-// step = digits * 10^exponent
+// The step digits * 10^exponent.
 struct Step {
   double digits = 1.0;
   int exponent = 0;
@@ -54,10 +54,10 @@ Step step_for(double span, int wanted, bool degrees) {
   return {1.0, exponent + 1};
 }
 
-// The values as they are, or room to either side if they are all the same.
+// Widens the range to both sides if all values are the same.
 void make_room(double& lower, double& upper) {
   const double largest = std::max(std::abs(lower), std::abs(upper));
-  // Values that differ by less than their last digits show are the same.
+  // Values that differ by less than their last shown digit count as the same.
   const double room = std::max(largest * 1e-9, 1e-290);
   if (upper - lower >= room) return;
   const double half = largest > 1e-280 ? largest * 0.05 : 1.0;
@@ -95,8 +95,8 @@ Step next(const Step& step, bool degrees) {
   return {2.0 * step.digits, step.exponent};
 }
 
-// Where an axis of so many steps begins that encloses the values, in steps: with its zero at tick
-// `zero`, or anywhere if that is less than 0.
+// The first tick of an axis with this number of steps that encloses the values, in steps: with its
+// zero at tick `zero`, or anywhere if that is less than 0.
 std::optional<double> first_tick(double lower, double upper, double steps, double zero,
                                  const Step& step) {
   const double slack = 1e-9 * (upper - lower);
@@ -135,7 +135,7 @@ Ticks make_parallel_ticks(double lower, double upper, const Ticks& other, bool d
   const double steps = static_cast<double>(other.at.size()) - 1.0;
   const auto found = std::ranges::find(other.at, 0.0);
   const bool has_zero = found != other.at.end() && lower <= 0.0 && upper >= 0.0;
-  // Longer steps are tried for the sake of the zeros, but not if most of the axis stays empty.
+  // Longer steps are tried to align the zeros, but not if most of the axis stays empty.
   constexpr double kMost = 3.0;
   for (const double zero :
        {has_zero ? static_cast<double>(found - other.at.begin()) : -1.0, -1.0}) {

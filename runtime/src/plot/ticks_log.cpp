@@ -13,7 +13,7 @@
 namespace armlet {
 namespace {
 
-// digits * 10^exponent, digits from 1 to 9.
+// The number digits * 10^exponent, digits from 1 to 9.
 struct Decimal {
   int digits = 1;
   int exponent = 0;

@@ -16,7 +16,7 @@
 namespace armlet {
 namespace {
 
-// Sums over the pixels of a region, in whole numbers: below 2^53 for the largest pictures.
+// Sums over the pixels of a region, as integers: below 2^53 for the largest pictures.
 struct Sums {
   std::int64_t first = 0;  // index of its first pixel
   std::int64_t area = 0;
@@ -42,7 +42,7 @@ void add(Sums& to, const Sums& from) {
             std::max(to.box.right, from.box.right), std::max(to.box.bottom, from.box.bottom)};
 }
 
-// Neighbouring pixels of a row, left <= x < right, of one region of the list.
+// Consecutive pixels of a row, left <= x < right, of one region of the list.
 struct Run {
   int left;
   int right;
@@ -68,8 +68,8 @@ Sums sums_of_run(const Image& picture, int y, int left, int right) {
   return sums;
 }
 
-// Moments about the centre, px^2. They are taken about a whole pixel first, so that no digits are
-// lost to large coordinates.
+// Moments about the centre, px^2. They are first computed about a whole pixel, so that no digits
+// are lost with large coordinates.
 struct Spread {
   double xx;
   double xy;
@@ -99,10 +99,10 @@ Blob blob_of(const Sums& sums) {
   const double mean = 0.5 * (m.xx + m.yy);
   const double half = 0.5 * (m.xx - m.yy);
   const double radius = std::sqrt(half * half + m.xy * m.xy);
-  // Rounding alone must not choose an axis.
+  // Rounding must not determine the axis.
   constexpr double kRound = 1e-12;
   if (radius > kRound * mean) blob.angle = 0.5 * det::atan2(m.xy, half);
-  // Pixels are squares, which have a second moment of 1/12 of their own.
+  // Pixels are squares with a second moment of 1/12 of their own.
   blob.width = std::sqrt(12.0 * (mean + radius) + 1.0);
   blob.height = std::sqrt(std::max(12.0 * (mean - radius), 0.0) + 1.0);
   for (std::size_t c = 0; c < 3; ++c) blob.color[c] = static_cast<double>(sums.color[c]) / n;
@@ -110,8 +110,8 @@ Blob blob_of(const Sums& sums) {
   return blob;
 }
 
-// Goes through the rows and joins runs that touch. The regions in the list are those that reach the
-// last row, so that memory does not grow with the picture.
+// Processes the rows and joins runs that touch. The list has only regions that reach the last row,
+// so that memory does not grow with the picture.
 class Regions {
  public:
   Regions(const Image& mask, const Image& picture, const BlobOptions& options)
@@ -131,7 +131,7 @@ class Regions {
   }
 
  private:
-  // The runs of a row, each a region of its own behind those of the row before.
+  // Adds the runs of a row, each as a region of its own after those of the row before.
   void add_runs(int y) {
     const std::uint8_t* row = mask_.row(y);
     runs_.clear();

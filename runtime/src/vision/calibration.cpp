@@ -119,8 +119,8 @@ Result<CameraCalibration> calibrate_camera(std::span<const PlanePoints> views,
 
 namespace {
 
-// The largest angle between the axes of two rotations of the tool by a degree or more, rad; less
-// than 0 if there are no two such rotations.
+// The largest angle between the axes of two rotations of the tool by at least a degree, rad;
+// negative if there are no two such rotations.
 double spread_of_axes(std::span<const Eigen::Isometry3d> T_world_tool) {
   constexpr double kLeast = 0.017;
   std::vector<Eigen::Vector3d> axes;
@@ -134,7 +134,7 @@ double spread_of_axes(std::span<const Eigen::Isometry3d> T_world_tool) {
   return largest < 0.0 ? largest : std::asin(std::min(1.0, largest));
 }
 
-// How far the target is from its mean pose, root of the mean square.
+// Root of the mean square distance of the target from its mean pose.
 void measure_spread(std::span<const Eigen::Isometry3d> T_world_tool,
                     std::span<const Eigen::Isometry3d> T_camera_target, HandEye& found) {
   const auto count = static_cast<double>(T_world_tool.size());

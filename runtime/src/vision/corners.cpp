@@ -77,7 +77,7 @@ PlanePoints find_corners_around(const Image& grey, const PlanePoints& places, do
                                 const CornerOptions& options) {
   if (places.rows() == 0 || !places.allFinite() || !std::isfinite(within))
     throw ArgumentError("Corners are looked for around one place or more, all finite numbers.");
-  // Detectors leave out a border, and corners are compared with their neighbours.
+  // px: detectors leave out a border, and corners are compared with their neighbours.
   constexpr double kBorder = 16.0;
   const double margin = within + kBorder;
   const auto pixel = [](double at, int most) {

@@ -30,8 +30,8 @@ double distance_of(const PlanePoints& a, Index i, const PlanePoints& b, Index j)
   return std::sqrt(dx * dx + dy * dy);
 }
 
-// Assigns every row to a column of its own so that the sum of the costs is smallest; there are at
-// least as many columns as rows. Row and column 0 are helpers.
+// Assigns every row to a different column such that the sum of the costs is smallest; there are at
+// least as many columns as rows. Row and column 0 are auxiliary.
 class Assignment {
  public:
   Assignment(const Eigen::MatrixXd& cost)
@@ -99,7 +99,7 @@ class Assignment {
   const Eigen::MatrixXd& cost_;
   Index rows_, columns_;
   std::vector<double> of_row_, of_column_;
-  std::vector<Index> row_at_;  // the row that a column belongs to; 0: free
+  std::vector<Index> row_at_;  // the row assigned to a column; 0: free
   std::vector<Index> from_;    // the column before it on the path
 };
 

@@ -15,20 +15,20 @@ namespace {
 
 constexpr double kGradientScale = 1.0 / 3060.0;  // Sobel 4, nine pixels, 255 grey levels
 
-// The pixel that is seen at position i of n when the picture is mirrored about its border.
+// The pixel at position i of n of the picture mirrored about its border.
 int mirrored(int i, int n) {
   if (n == 1) return 0;
   return i < 0 ? -i : i >= n ? 2 * n - 2 - i : i;
 }
 
-// Entries of M for one pixel, or for a row their sums.
+// Elements of M for one pixel, or their sums for a row.
 struct Moments {
   std::int32_t xx = 0;
   std::int32_t xy = 0;
   std::int32_t yy = 0;
 };
 
-// Responses row by row; three rows of products of gradients are kept.
+// Computes responses row by row; stores three rows of products of gradients.
 class ResponseRows {
  public:
   ResponseRows(const Image& grey, double sensitivity)
@@ -38,7 +38,7 @@ class ResponseRows {
     for (int y = 0; y < std::min(2, height_); ++y) compute_products(y);
   }
 
-  // To be called for y = 0, 1, 2 ... in turn. Writes `width` responses.
+  // To be called for y = 0, 1, 2 ... in this order. Writes `width` responses.
   void compute(int y, double* responses) {
     if (y > 0 && y + 1 < height_) compute_products(y + 1);
     const auto& above = products_row(mirrored(y - 1, height_));
@@ -77,7 +77,7 @@ class ResponseRows {
     const std::int64_t xx = l.xx + c.xx + r.xx;
     const std::int64_t xy = l.xy + c.xy + r.xy;
     const std::int64_t yy = l.yy + c.yy + r.yy;
-    // Below 2^53, so that both are exact as doubles.
+    // Below 2^53, so both are exact as doubles.
     const auto determinant = static_cast<double>(xx * yy - xy * xy);
     const auto square = static_cast<double>((xx + yy) * (xx + yy));
     constexpr double kScale = kGradientScale * kGradientScale;
@@ -125,8 +125,8 @@ std::vector<HarrisCorner> local_maxima(const Image& grey, const HarrisOptions& o
   return corners;
 }
 
-// Corners in square cells at least as wide as the least distance, so that only nine cells are
-// looked at.
+// Corners in square cells at least as wide as the least distance, so that only nine cells have to
+// be searched.
 class Cells {
  public:
   Cells(const Image& image, double distance)
@@ -152,7 +152,7 @@ class Cells {
     return false;
   }
 
-  // To be called for the corners 0, 1, 2 ... in turn.
+  // To be called for the corners 0, 1, 2 ... in this order.
   void add(const HarrisCorner& corner) {
     int& first = first_[index(corner.x / side_, corner.y / side_)];
     next_.push_back(first);
@@ -160,7 +160,7 @@ class Cells {
   }
 
  private:
-  static constexpr int kLeastSide = 16;  // px; smaller cells would only take memory
+  static constexpr int kLeastSide = 16;  // px; smaller cells would only need memory
 
   [[nodiscard]] std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row * columns_ + column);

@@ -17,11 +17,11 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 
-constexpr Index kBlock = 64;               // points whose equations are taken in at once
-constexpr double kSmallestSecond = 1e-10;  // singular value of the equations, of the largest
+constexpr Index kBlock = 64;               // points whose equations are processed at once
+constexpr double kSmallestSecond = 1e-10;  // relative bound on a singular value of the equations
 
-// Moves the points to their middle and scales them so that they are sqrt(2) away on average; the
-// zero matrix if they all coincide.
+// Moves the points to their centre and scales them to a mean distance of sqrt(2); the zero matrix
+// if they all coincide.
 Matrix3d normaliser(const PlanePoints& points) {
   const Eigen::RowVector2d middle = points.colwise().mean();
   double distance = 0.0;
@@ -34,8 +34,8 @@ Matrix3d normaliser(const PlanePoints& points) {
   return T;
 }
 
-// The triangle that has the singular values of all equations, 9 x 9: they are taken in block by
-// block, so that it takes no more room for more points.
+// The triangular matrix with the singular values of all equations, 9 x 9: computed block by block,
+// so that memory does not grow with the number of points.
 MatrixXd triangle_of_equations(const PlanePoints& a, const PlanePoints& b) {
   MatrixXd triangle = MatrixXd::Zero(9, 9);
   for (Index first = 0; first < a.rows(); first += kBlock) {
@@ -88,7 +88,7 @@ Result<Matrix3d> homography(const PlanePoints& from, const PlanePoints& to) {
   Matrix3d H = back * N * T_from;
   const double last = H(2, 2), size = H.norm();
   H /= std::abs(last) > 1e-12 * size ? last : size;
-  // A map onto a line is none of a plane.
+  // A map onto a line is not a homography.
   if (std::abs(N.determinant()) < kSmallestSecond) return degenerate;
   return H;
 }

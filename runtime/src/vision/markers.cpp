@@ -9,7 +9,7 @@
 namespace armlet {
 namespace {
 
-constexpr std::int64_t kMostMarkerPixels = 2'097'152;  // noise has many squares to look at
+constexpr std::int64_t kMostMarkerPixels = 2'097'152;  // noise has many squares to check
 
 }  // namespace
 

@@ -28,7 +28,7 @@ OpencvResult& result_in(void* context) { return *static_cast<OpencvResult*>(cont
 
 double* room_for_numbers(void* context, std::size_t count) try {
   OpencvResult& result = result_in(context);
-  result.numbers.resize(count + 1);  // so that none is no null
+  result.numbers.resize(count + 1);  // not empty, so that the pointer is not null
   result.numbers.pop_back();
   return result.numbers.data();
 } catch (const std::bad_alloc&) {
@@ -45,7 +45,7 @@ std::uint8_t* room_for_picture(void* context, int width, int height, int channel
 
 void keep_refusal(void* context, const char* why) try {
   result_in(context).refusal = why;
-} catch (const std::bad_alloc&) {  // the end says that there is no result
+} catch (const std::bad_alloc&) {  // the result reports that there is none
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How functions of the runtime call OpenCV through its door.
+// Calls of OpenCV through its interface.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace armlet {
 
-// What came through the door.
+// The results of a call.
 struct OpencvResult {
   std::vector<double> numbers;
   Image picture;
   std::string refusal;
 };
 
-// Pixels of a picture at most, so that a call ends in about half a second.
+// Largest number of pixels of a picture, so that a call ends in about half a second.
 inline constexpr std::int64_t kMostDoorPixels = 4'194'304;
 
 // throws  ArgumentError for a picture that has more than `most` pixels, or is not of 8 bits; grey:
@@ -27,10 +27,10 @@ inline constexpr std::int64_t kMostDoorPixels = 4'194'304;
 void check_door_picture(std::string_view function, const Image& image, bool grey,
                         std::int64_t most = kMostDoorPixels);
 
-// A grey or coloured picture for the door.
+// A grey or colour picture in the form of the interface.
 [[nodiscard]] DoorPicture door_picture(const Image& image);
 
-// Calls a function of the door.
+// Calls a function of the interface.
 //
 // throws  ArgumentError with the reason if OpenCV refuses, or is not installed; std::bad_alloc.
 OpencvResult call_opencv(DoorFunction OpencvDoor::*function, const DoorInput& input,

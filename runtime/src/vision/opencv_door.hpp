@@ -1,6 +1,6 @@
-// The door to OpenCV, which is loaded when one of its functions is first called. Plain numbers and
-// functions go through it: no header of OpenCV is seen outside of its room,
-// runtime/src/vision/opencv, and no exception leaves the room.
+// The interface to OpenCV, which is loaded when one of its functions is first called. It consists
+// of plain numbers and functions: no header of OpenCV is used outside of runtime/src/vision/opencv,
+// and no exception leaves that folder.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,16 @@ struct DoorPicture {
   const std::uint8_t* pixels;
 };
 
-// Numbers in a row.
+// Consecutive numbers.
 struct DoorNumbers {
   const double* values;
   std::size_t count;
 };
 
-// Where results go. Each function is called at most once.
+// Callbacks for results. Each is called at most once.
 //
-// numbers  room for so many numbers; null: there is no memory.
-// picture  room for pixels; null: there is no memory.
+// numbers  memory for this many numbers; null: there is none.
+// picture  memory for pixels; null: there is none.
 // refuse   why there is no result: a sentence without capital and full stop.
 struct DoorResult {
   void* context;
@@ -36,7 +36,7 @@ struct DoorResult {
 
 enum class DoorEnd : int { kDone, kRefused, kNoMemory };
 
-// What a function of the door works on. Each of them says what it reads.
+// The arguments of a function. Each function uses some of them.
 struct DoorInput {
   DoorPicture picture;
   DoorPicture other;

@@ -33,7 +33,7 @@ constexpr int kRefinements = 20;
 struct Plane {
   Isometry3d T_obj_plane = Isometry3d::Identity();
   PlanePoints flat;       // in the plane
-  double size = 0.0;      // the root of the mean square distance from the middle, m
+  double size = 0.0;      // the root of the mean square distance from the centre, m
   double width = 0.0;     // the same across the longest direction
   double farthest = 0.0;  // distance from the plane, m
 };
@@ -59,7 +59,7 @@ Plane plane_of(const Points3& points) {
   return out;
 }
 
-// The translation that explains the points best for an orientation: its equations are linear.
+// The best translation for a given orientation: its equations are linear.
 Vector3d translation_for(const Matrix3d& R, const PlanePoints& flat, const PlanePoints& seen) {
   Matrix3d A = Matrix3d::Zero();
   Vector3d b = Vector3d::Zero();
@@ -74,7 +74,7 @@ Vector3d translation_for(const Matrix3d& R, const PlanePoints& flat, const Plane
   return SymmetricFactors<3>(A).solve(b);
 }
 
-// Root mean square distance in the picture; infinity with a point that is not in front.
+// Root mean square distance in the picture; infinity if a point is not in front of the camera.
 double error_of(const Isometry3d& T, const PlanePoints& flat, const PlanePoints& seen) {
   double sum = 0.0;
   for (Index i = 0; i < flat.rows(); ++i) {
@@ -85,7 +85,7 @@ double error_of(const Isometry3d& T, const PlanePoints& flat, const PlanePoints&
   return std::sqrt(sum / static_cast<double>(flat.rows()));
 }
 
-// Steps of Gauss and Newton while they make the error smaller.
+// Gauss-Newton steps as long as they reduce the error.
 FoundPose refined(const Isometry3d& start, const PlanePoints& flat, const PlanePoints& seen) {
   FoundPose best{start, error_of(start, flat, seen)};
   for (int step = 0; step < kRefinements && std::isfinite(best.error); ++step) {
@@ -113,8 +113,8 @@ FoundPose refined(const Isometry3d& start, const PlanePoints& flat, const PlaneP
   return best;
 }
 
-// The two orientations that the homography of a plane and its derivative in the middle leave, and
-// where the middle is then.
+// The two orientations that the homography of a plane and its derivative in the centre allow, and
+// the position of the centre.
 struct Candidates {
   std::array<Matrix3d, 2> R_camera_plane;
   Vector3d middle;
@@ -126,8 +126,8 @@ std::optional<Candidates> candidates(const Matrix3d& H) {
   const double scale = H(2, 2);
   if (std::abs(scale) < 1e-12 * H.norm()) return std::nullopt;
   const Matrix3d N = H / scale;
-  const double p = N(0, 2), q = N(1, 2);  // where the middle is seen
-  Matrix2d J;                             // how the picture moves with a point near the middle
+  const double p = N(0, 2), q = N(1, 2);  // image of the centre
+  Matrix2d J;                             // derivative of the image of a point near the centre
   J << N(0, 0) - N(2, 0) * p, N(0, 1) - N(2, 1) * p, N(1, 0) - N(2, 0) * q, N(1, 1) - N(2, 1) * q;
   // Rotates the optical axis to the ray of the centre.
   const Vector3d ray = Vector3d(p, q, 1.0).normalized();
@@ -195,7 +195,7 @@ Result<PlanarPose> planar_pose(const Points3& points, const PlanePoints& seen) {
     Isometry3d T = Isometry3d::Identity();
     T.linear() = starts->R_camera_plane[k];
     T.translation() = translation_for(T.linear(), plane.flat, seen);
-    Isometry3d other = T;  // for pictures so noisy that the equations put the object behind
+    Isometry3d other = T;  // for pictures so noisy that the equations give a pose behind the camera
     other.translation() = starts->middle;
     const bool is_worse = error_of(T, plane.flat, seen) > error_of(other, plane.flat, seen);
     found[k] = refined(is_worse ? other : T, plane.flat, seen);

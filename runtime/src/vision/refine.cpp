@@ -14,7 +14,7 @@
 namespace armlet {
 namespace {
 
-// The sums of the normal equations, with positions relative to the middle of the window.
+// The sums of the normal equations, with positions relative to the centre of the window.
 struct NormalEquations {
   double xx = 0.0;
   double xy = 0.0;
@@ -61,7 +61,8 @@ class Window {
  private:
   [[nodiscard]] double bell(int d) const { return bell_[static_cast<std::size_t>(d + half_)]; }
 
-  // Brightness around a point between pixels; all pixels of the window share its fractions.
+  // Brightness around a point between pixels; all pixels of the window have the same fractional
+  // offsets.
   void sample(double x, double y) {
     const double left = std::floor(x);
     const double top = std::floor(y);
@@ -106,7 +107,7 @@ RefinedCorner refined(const Image& grey, Window& window, double x0, double y0,
     const NormalEquations sums = window.equations_at(corner.x, corner.y);
     const double determinant = sums.xx * sums.yy - sums.xy * sums.xy;
     const double trace = sums.xx + sums.yy;
-    // Where all gradients are parallel the determinant is 0 but for rounding.
+    // If all gradients are parallel the determinant is 0 within rounding.
     constexpr double kSingular = 1e-12;
     if (determinant <= kSingular * trace * trace) return {corner.x, corner.y, RefineEnd::kNoCorner};
     const double step_x = (sums.yy * sums.right_x - sums.xy * sums.right_y) / determinant;

@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Singular values that count.
+// The number of singular values above a share of the largest.
 Index rank_of(const VectorXd& s, double share = kSmallSingularValue) {
   Index rank = 0;
   while (rank < s.size() && s[rank] > share * s[0]) ++rank;
@@ -110,7 +110,7 @@ MatrixXd camera_jacobian(const Eigen::Ref<const MatrixXd>& J_world,
   if (J_world.rows() != 6)
     throw ArgumentError(fmt::format("A Jacobian has 6 rows, not {}.", J_world.rows()));
   check_finite("J_world", J_world);
-  // Of the camera's origin in the axes of the world, then in those of the camera.
+  // Velocity of the camera's origin in the axes of the world, then in those of the camera.
   const Vector3d p = R_world_tool * T_tool_camera.translation();
   const Eigen::Matrix3d R_camera_world = (R_world_tool * T_tool_camera.linear()).transpose();
   MatrixXd out(6, J_world.cols());

@@ -20,7 +20,8 @@ Image rows_of(const Image& image, int first, int last) {
   return part;
 }
 
-// work(part) for bands of rows, each with `margin` rows more above and below, put together.
+// Calls work(part) for bands of rows, each with `margin` additional rows above and below, and
+// combines the results.
 //
 // cost  operations for each pixel.
 template <class F>

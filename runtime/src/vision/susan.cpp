@@ -12,8 +12,9 @@
 namespace armlet {
 namespace {
 
-constexpr int kBorder = 5;                    // px
-constexpr int kSuppression = 3;               // half of the square in which one corner stays, px
+constexpr int kBorder = 5;  // px
+// half of the square in which only one corner is kept, px
+constexpr int kSuppression = 3;
 constexpr int kRing = 2 * kSuppression + 1;   // rows
 constexpr int kHalfWidths[4] = {3, 3, 2, 1};  // of the mask, by distance from its middle row
 constexpr int kContiguous = 290;              // of 300
@@ -25,7 +26,7 @@ SusanTable table_of(int threshold) {
     float u = static_cast<float>(d) / static_cast<float>(threshold);
     u *= u;
     u = u * u * u;
-    // Rounding to float makes 100 of what lies just below; the detector of 1997 did so.
+    // Rounding to float makes values just below 100 equal to 100, as in the detector of 1997.
     const float c = static_cast<float>(100.0 * det::exp(-static_cast<double>(u)));
     table.similarity[d] = static_cast<std::uint8_t>(c);
     if (table.similarity[d] == 100) table.last_alike = d;
@@ -35,7 +36,7 @@ SusanTable table_of(int threshold) {
   return table;
 }
 
-// The pixels around one, with its similarities.
+// The pixels around one pixel, with its similarities.
 class Mask {
  public:
   Mask(const Image& grey, const SusanTable& table, int x, int y)
@@ -45,7 +46,7 @@ class Mask {
     return table_->similarity[std::abs(int{nucleus_[dy * stride_ + dx]} - int{*nucleus_})];
   }
 
-  // Sums of the offsets of the pixels that are alike.
+  // Sums of the offsets of similar pixels.
   struct Sums {
     int x = 0;
     int y = 0;
@@ -63,7 +64,7 @@ class Mask {
     return sums;
   }
 
-  // Whether the three pixels from the nucleus towards the centroid are alike.
+  // Whether the three pixels from the nucleus towards the centroid are similar.
   [[nodiscard]] bool is_contiguous(const Sums& sums) const {
     const int x = std::abs(sums.x);
     const int y = std::abs(sums.y);
@@ -77,7 +78,7 @@ class Mask {
   }
 
  private:
-  // The nearest whole number, the larger of two equally near.
+  // The nearest integer, of two equally near ones the larger.
   static int rounded_quotient(int a, int b) { return (2 * a + b) / (2 * b); }
 
   const std::uint8_t* nucleus_;
@@ -92,7 +93,7 @@ int response_at(const Image& grey, const SusanTable& table, int x, int y, int n)
   return is_off_centre && mask.is_contiguous(sums) ? kSusanLimit - n : 0;
 }
 
-// The responses of the last seven rows, as many as are compared with one another.
+// The responses of the last seven rows, which are compared with one another.
 class Responses {
  public:
   explicit Responses(int width) : width_(width), values_(static_cast<std::size_t>(width) * kRing) {}
@@ -100,7 +101,7 @@ class Responses {
   std::uint16_t* row(int y) { return values_.data() + (y % kRing) * width_; }
   void clear(int y) { std::fill_n(row(y), width_, std::uint16_t{0}); }
 
-  // Whether no response around is larger and none before it in the order of rows is equal.
+  // Whether no response around it is larger and no earlier one in the order of rows is equal.
   bool is_largest(int x, int y) {
     const int own = row(y)[x];
     for (int dy = -kSuppression; dy <= kSuppression; ++dy) {

@@ -2,9 +2,10 @@
 
 #include "vision/susan_rows.hpp"
 
-// 32 pixels at once. A table of 256 similarities does not fit into a register, but only differences
-// between the last that is alike and the first that is not need one: they are looked up in pieces
-// of 16 with vpshufb, which gives 0 where the highest bit of an index is set.
+// Processes 32 pixels at once. A table of 256 similarities does not fit into a register, but only
+// differences between the last one of similarity 100 and the first one of similarity 0 need it:
+// these are looked up in pieces of 16 with vpshufb, which gives 0 where the highest bit of an index
+// is set.
 
 namespace armlet {
 namespace {
@@ -54,7 +55,7 @@ inline Bytes load(const std::uint8_t* pixels) {
 inline Bytes larger(Bytes a, Bytes b) { return a > b ? a : b; }
 inline Bytes smaller(Bytes a, Bytes b) { return a < b ? a : b; }
 
-// kPieces is the number of pieces where it is known at compile time, else 0.
+// kPieces is the number of pieces if it is known at compile time, else 0.
 template <int kPieces>
 inline Bytes similarity(Bytes a, Bytes b, const Pieces& pieces) {
   const Bytes difference = larger(a, b) - smaller(a, b);
@@ -62,7 +63,7 @@ inline Bytes similarity(Bytes a, Bytes b, const Pieces& pieces) {
   const int count = kPieces == 0 ? pieces.count : kPieces;
   Bytes sum{};
   for (int piece = 0; piece < count; ++piece) {
-    // 0 to 15 become 112 to 127; all larger ones, wrapped ones included, have the highest bit set.
+    // 0 to 15 become 112 to 127; all larger ones, also after overflow, have the highest bit set.
     const Bytes index = smaller(step, Bytes{} + 0x8f) + 0x70;
     sum |= (Bytes)__builtin_ia32_pshufb256(pieces.entries[piece], (Chars)index);
     step -= 16;
@@ -80,13 +81,13 @@ inline bool has_candidate(const Areas& areas) {
   return (below[0] | below[1] | below[2] | below[3]) != 0;
 }
 
-// Adds the pixels x = -half ... half of the rows above and below, but never the nucleus.
+// Adds the pixels x = -half ... half of the rows above and below, without the nucleus.
 template <int kPieces>
 inline void add_rows(Areas& areas, const std::uint8_t* nucleus, std::ptrdiff_t row, int half,
                      const Pieces& pieces) {
   const Bytes centre = load(nucleus);
   for (int x = -half; x <= half; ++x) {
-    // Two similarities fit into a byte together.
+    // The sum of two similarities fits into a byte.
     add(areas, similarity<kPieces>(centre, load(nucleus + row + x), pieces) +
                    similarity<kPieces>(centre, load(nucleus - row + x), pieces));
   }
@@ -123,7 +124,7 @@ template <int kPieces>
 void compute_row(const std::uint8_t* nucleus, std::ptrdiff_t stride, int count,
                  const Pieces& pieces, std::uint16_t* areas) {
   for (int x = 0; x < count; x += kLanes) {
-    // The last block overlaps the one before, so that nothing behind the row is read.
+    // The last block overlaps the one before, so that no pixel after the row is read.
     const int first = x + kLanes <= count ? x : count - kLanes;
     store(areas_of<kPieces>(nucleus + first, stride, pieces), areas + first);
   }

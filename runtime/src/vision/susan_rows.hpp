@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
-// The part of SUSAN that is compiled for several instruction sets. Plain data only: an inline
-// function would be linked once, with the instructions of whichever file came first.
+// The part of SUSAN that is compiled for several instruction sets. Plain data only: the linker
+// would keep one copy of an inline function, possibly with instructions that the processor does not
+// have.
 namespace armlet {
 
 // Similarities of brightnesses, 0 to 100, by absolute difference.
@@ -19,8 +20,8 @@ struct SusanTable {
 
 inline constexpr int kSusanLimit = 1850;  // half of the mask's area, hundredths of a pixel
 
-// Writes for `count` neighbouring pixels the areas n in hundredths of a pixel; for those of
-// kSusanLimit and above any number that is not below it.
+// Writes for `count` consecutive pixels the areas n in hundredths of a pixel; for areas of at least
+// kSusanLimit, any number that is not below it.
 //
 // nucleus  the first pixel; 3 pixels around all of them are read.
 // stride   bytes from row to row.
@@ -30,7 +31,7 @@ using SusanRow = void(const std::uint8_t* nucleus, std::ptrdiff_t stride, int co
 SusanRow susan_row_scalar;
 #if defined(__x86_64__)
 SusanRow susan_row_avx2;
-#else  // other processors are never asked for it (is_supported)
+#else  // other processors never use it (is_supported)
 inline constexpr SusanRow* susan_row_avx2 = susan_row_scalar;
 #endif
 

@@ -1,4 +1,4 @@
-// Files that lie in memory.
+// Files in memory.
 #include "armlet/core/files.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ std::vector<std::string> list(std::string_view folder) {
 
 }  // namespace memory_files
 
-void remove_unfinished_files() noexcept {}  // they are nowhere but in their NewFile
+void remove_unfinished_files() noexcept {}  // they exist only in their NewFile
 
 // ---- NewFile ----------------------------------------------------------------------------------
 
@@ -162,7 +162,7 @@ std::vector<std::string> Folder::names(std::string_view folder, std::string_view
   return found;
 }
 
-// There is no system whose refusal to write could be tried.
+// There is no system call whose failure could be simulated.
 Result<NewFile> Folder::create(std::string_view name, WriteBytes) const {
   Result<Place> place = place_of(name);
   if (!place.ok()) return place.error();
@@ -172,7 +172,7 @@ Result<NewFile> Folder::create(std::string_view name, WriteBytes) const {
   return NewFile(std::move(open));
 }
 
-// ---- files that a person named ----------------------------------------------------------------
+// ---- files that a user named ------------------------------------------------------------------
 
 Result<std::string> read_file(const std::string& path, std::size_t most) {
   return read_path(real_path(path), most);

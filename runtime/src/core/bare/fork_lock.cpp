@@ -1,4 +1,4 @@
-// Nothing forks in a page.
+// There are no forks in a page.
 #include "armlet/core/fork_lock.hpp"
 
 namespace armlet {

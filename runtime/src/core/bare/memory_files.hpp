@@ -1,6 +1,6 @@
 #pragma once
-// The files of the bare platform, which lie in memory. A host puts there what its programs may
-// read, and takes out what they have written. There is no such thing where there is a file system.
+// The files of the bare platform, which are in memory. A host puts there what its programs may
+// read, and takes out what they have written. Not available on platforms with a file system.
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
-// A machine with nothing but a C++ library: one thread, no libraries to load, and memory that is
-// taken when it is reserved.
+// A platform with only a C++ library: one thread, no libraries to load, and memory that is
+// allocated when it is reserved.
 #include "armlet/core/platform.hpp"
 
 #include <chrono>

@@ -32,8 +32,9 @@ struct Bounds {
   std::uintptr_t high = 0;  // 0: not known
 };
 
-// Of the first thread, which the system lets grow down to its limit from the name of the program,
-// the uppermost of what it leaves there. pthread_getattr_np would read /proc/self/maps for it.
+// Bounds of the first thread's stack, which the system lets grow down to its limit: the end of the
+// highest object that the system puts there, the name of the program. pthread_getattr_np would read
+// /proc/self/maps for it.
 Bounds bounds_of_first_thread() {
   constexpr std::uintptr_t kPage = 4096;
   constexpr std::uintptr_t kMost = std::uintptr_t{8} * 1024 * 1024;  // of a stack without limit
@@ -83,7 +84,8 @@ class Stack {
   }
 
  private:
-  static constexpr std::size_t kGuard = std::size_t{64} * 1024;  // never touched: it would crash
+  // never used: an access would crash
+  static constexpr std::size_t kGuard = std::size_t{64} * 1024;
   void* begin_;
 };
 
@@ -107,7 +109,7 @@ extern "C" void armlet_run_errand(unsigned high, unsigned low) {
 #endif
   try {
     errand.work();
-  } catch (...) {  // it goes on on the other stack
+  } catch (...) {  // rethrown on the other stack
     errand.thrown = std::current_exception();
   }
 #ifdef ARMLET_TELLS_SANITIZER

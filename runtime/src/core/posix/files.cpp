@@ -25,7 +25,7 @@ Error system_says(int number) {
   return because("system", std::strerror(number));
 }
 
-// A file descriptor, closed when it goes.
+// A file descriptor that is closed by the destructor.
 class Handle {
  public:
   explicit Handle(int number = -1) : number_(number) {}
@@ -44,7 +44,7 @@ class Handle {
   int number_;
 };
 
-// Why something is no file; nothing if it is one.
+// Why a file is not a regular one; nothing if it is.
 std::optional<Error> no_file(mode_t mode) {
   if (S_ISREG(mode)) return std::nullopt;
   if (S_ISDIR(mode)) return because("kind", "it is a folder");
@@ -54,12 +54,12 @@ std::optional<Error> no_file(mode_t mode) {
   return because("kind", "it is a device, not a file");
 }
 
-// Links lead on only with 0 for O_NOFOLLOW. Waits for nobody.
+// Links are followed only if O_NOFOLLOW is left out. Does not block.
 Result<std::string> read_at(int folder, const std::string& name, std::size_t most, int no_follow) {
   struct stat info {};
   const int flags = no_follow == 0 ? 0 : AT_SYMLINK_NOFOLLOW;
   if (fstatat(folder, name.c_str(), &info, flags) != 0) return system_says(errno);
-  if (auto error = no_file(info.st_mode)) return *error;  // opening a device may do something
+  if (auto error = no_file(info.st_mode)) return *error;  // opening a device may have effects
   const Handle file(
       openat(folder, name.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | no_follow));
   if (file.number() < 0) return system_says(errno);
@@ -72,7 +72,7 @@ Result<std::string> read_at(int folder, const std::string& name, std::size_t mos
   return read_all(file.number(), most);
 }
 
-// ---- unfinished files, as a signal handler can find them --------------------------------------
+// ---- unfinished files, in a form that a signal handler can use --------------------------------
 
 struct Unfinished {
   static constexpr int kFree = -1, kBusy = -2;
@@ -81,7 +81,7 @@ struct Unfinished {
 };
 std::array<Unfinished, 32> unfinished;
 
-// Null if there are very many.
+// Null if there are too many.
 Unfinished* remember(int folder, const std::string& name) {
   for (Unfinished& one : unfinished) {
     int expected = Unfinished::kFree;
@@ -142,14 +142,14 @@ struct NewFile::Open {
     if (!failure) failure = because("system", std::strerror(number));
   }
 
-  // False, with the failure set, if there cannot be a file of that name.
+  // False, with the error set, if there cannot be a file of that name.
   bool begin() {
     struct stat info {};
     if (fstatat(folder.number(), name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0) {
       failure = S_ISDIR(info.st_mode) ? because("kind", "there is a folder of that name")
                                       : no_file(info.st_mode);
       if (failure) return false;
-      // Renaming would not ask.
+      // rename() would not check this.
       if (faccessat(folder.number(), name.c_str(), W_OK, AT_EACCESS) != 0) fail(errno);
       replaced = info;
     } else if (errno != ENOENT) {
@@ -167,8 +167,8 @@ struct NewFile::Open {
     return !failure;
   }
 
-  // As those of the file that is replaced. Only root may give files away; for everyone else the
-  // owner is right already.
+  // Copies the permissions and the owner of the file that is replaced. Only root may change owners;
+  // for everyone else the owner is right already.
   bool take_over() {
     if (!replaced) return true;
     const int number = file.number();
@@ -180,7 +180,7 @@ struct NewFile::Open {
   void finish() {
     if (!failure && !take_over()) fail(errno);
     if (!failure && fsync(file.number()) != 0 && !may_go_without_sync(errno)) fail(errno);
-    // What the system has kept back it may refuse only now.
+    // An error of delayed writing may be reported only now.
     if (::close(file.release()) != 0) fail(errno);
     const int at = folder.number();
     if (!failure && renameat(at, temporary.c_str(), at, name.c_str()) != 0) fail(errno);
@@ -228,7 +228,7 @@ std::optional<Error> NewFile::finish() {
 
 // ---- Folder -----------------------------------------------------------------------------------
 
-// The folder that a file lies in, opened, and the file's name there.
+// The open folder that contains a file, and the file's name in it.
 struct Folder::Place {
   Handle folder;
   std::string name;
@@ -307,7 +307,7 @@ bool Folder::has_file(std::string_view name) const {
 std::vector<std::string> Folder::names(std::string_view folder, std::string_view ending) const {
   constexpr std::size_t kMost = 1000;
   std::vector<std::string> found;
-  // As if something in the folder were meant.
+  // Checked as the folder of some file.
   const Result<Place> place = place_of(folder.empty() ? "name" : std::string(folder) + "/name");
   if (!place.ok()) return found;
   const int handle =
@@ -340,7 +340,7 @@ Result<NewFile> Folder::create(std::string_view name, WriteBytes write) const {
   return NewFile(std::move(open));
 }
 
-// ---- files that a person named ----------------------------------------------------------------
+// ---- files that a user named ------------------------------------------------------------------
 
 Result<std::string> read_file(const std::string& path, std::size_t most) {
   return read_at(AT_FDCWD, path, most, 0);

@@ -1,8 +1,8 @@
-// The room of OMPL: RRT-Connect.
+// The folder of OMPL: RRT-Connect.
 //
-// The same bits on every run, whatever ran before in the process: positions are sampled by who
-// asks, neighbours are found by looking at all of them in order, the search ends by counting, and
-// there is one thread. Of OMPL's own random numbers none is used; they are seeded all the same,
+// The same bits on every run, whatever ran before in the process: the caller samples
+// configurations, neighbours are found by a linear search, the search ends after a number of steps,
+// and there is one thread. OMPL's own random numbers are not used; they are seeded all the same,
 // before any planner exists.
 //
 // source  J. J. Kuffner, S. M. LaValle, RRT-Connect: an efficient approach to single-query path
@@ -33,7 +33,7 @@ using Numbers = ob::RealVectorStateSpace::StateType;
 double* numbers_of(ob::State* state) { return state->as<Numbers>()->values; }
 const double* numbers_of(const ob::State* state) { return state->as<Numbers>()->values; }
 
-// Its arithmetic is compiled here, without fused operations.
+// Its arithmetic is compiled here, without fused operations, for equal bits.
 class Space : public ob::RealVectorStateSpace {
  public:
   using ob::RealVectorStateSpace::RealVectorStateSpace;
@@ -58,7 +58,7 @@ class Sampler : public ob::StateSampler {
   void sampleUniform(ob::State* state) override {
     search_.sample(search_.context, numbers_of(state));
   }
-  // RRT-Connect asks for neither of these.
+  // RRT-Connect uses neither of these.
   void sampleUniformNear(ob::State* state, const ob::State*, double) override {
     sampleUniform(state);
   }

@@ -1,4 +1,4 @@
-// The room of OpenCV: one thread, no graphics processor, nothing printed.
+// Setup of OpenCV: one thread, no graphics processor, no output.
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/ocl.hpp>

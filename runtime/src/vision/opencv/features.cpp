@@ -10,7 +10,7 @@
 namespace armlet::room {
 namespace {
 
-// Pixels on edges at most, so that a call ends in half a second whatever the options are.
+// Largest number of edge pixels, so that a call ends in half a second whatever the options are.
 constexpr int kMostForLines = 50'000;
 constexpr int kMostForCircles = 30'000;
 
@@ -21,8 +21,8 @@ void limit_edge_pixels(const cv::Mat& edges, int most, const char* advice) {
                 std::to_string(most) + " are possible: " + advice);
 }
 
-// A segment through the white pixels within two pixels of it, by least squares, between the
-// perpendiculars of its ends.
+// A segment fitted to the white pixels within two pixels of it, by least squares, with the
+// projections of its ends.
 cv::Vec4d fitted(const cv::Mat& edges, const cv::Vec4i& found) {
   const cv::Point2d from(found[0], found[1]), to(found[2], found[3]);
   const cv::Point2d along = to - from;
@@ -49,7 +49,7 @@ cv::Vec4d fitted(const cv::Mat& edges, const cv::Vec4i& found) {
   return {a.x, a.y, b.x, b.y};
 }
 
-// A circle through the edge pixels near one, by least squares: x^2 + y^2 + D x + E y + F = 0 about
+// A circle fitted to the edge pixels near it, by least squares: x^2 + y^2 + D x + E y + F = 0 about
 // its centre.
 cv::Vec3d fitted(const std::vector<cv::Point>& edges, const cv::Vec3f& found) {
   constexpr double kNear = 2.5;  // px
@@ -73,7 +73,8 @@ cv::Vec3d fitted(const std::vector<cv::Point>& edges, const cv::Vec3f& found) {
   return cv::norm(better - given) < 2.0 * kNear ? better : given;
 }
 
-// Where the parabola through three values at -1, 0 and 1 is highest, if the middle one is.
+// Position of the maximum of the parabola through three values at -1, 0 and 1, of which the middle
+// one is the largest.
 double peak(double before, double at, double after) {
   const double bend = before - 2.0 * at + after;
   return bend < 0.0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
@@ -113,7 +114,7 @@ void circles(const DoorInput& input, const DoorResult& result) {
   std::vector<cv::Point> points;
   if (cv::countNonZero(edges) > 0) cv::findNonZero(edges, points);
   std::vector<cv::Vec3f> found;
-  // Its gradients are by Scharr's mask, four times as large as Sobel's.
+  // Its gradients use Scharr's mask, which gives four times the values of Sobel's.
   cv::HoughCircles(picture, found, cv::HOUGH_GRADIENT_ALT, 1.5, input.options[2], 4.0 * edge,
                    input.options[4], static_cast<int>(input.options[0]),
                    static_cast<int>(input.options[1]));
@@ -128,7 +129,7 @@ void circles(const DoorInput& input, const DoorResult& result) {
 void match(const DoorInput& input, const DoorResult& result) {
   cv::Mat scores;
   cv::matchTemplate(mat_of(input.picture), mat_of(input.other), scores, cv::TM_CCOEFF_NORMED);
-  // Where the picture has one brightness there is no score.
+  // A part of uniform brightness has no score.
   cv::patchNaNs(scores, -1.0);
   scores.setTo(-1.0, scores > 1.001F);
   double best = 0.0;

@@ -23,7 +23,7 @@ void add_pose(std::vector<double>& numbers, const cv::Matx33d& R, const cv::Vec3
   numbers.insert(numbers.end(), t.val, t.val + 3);
 }
 
-// Rotations by rows, each with a translation behind it.
+// Rotations by rows, each followed by a translation.
 void read_poses(const DoorNumbers& numbers, std::vector<cv::Mat>& R, std::vector<cv::Mat>& t) {
   for (std::size_t i = 0; i + 12 <= numbers.count; i += 12) {
     R.push_back(cv::Mat(cv::Matx33d(numbers.values + i), true));

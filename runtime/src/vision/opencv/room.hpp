@@ -1,5 +1,5 @@
-// What the sources behind the door share: pictures of OpenCV, results, and no exception that
-// leaves.
+// Common parts of the sources that use OpenCV: conversions of pictures, results, and a wrapper that
+// catches all exceptions.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,12 +11,12 @@
 
 namespace armlet::room {
 
-// What cannot be done, as it goes on from other words.
+// An operation that is refused; its message continues a sentence.
 struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The pixels of a picture, not copied and not to be changed.
+// The pixels of a picture, neither copied nor changed.
 inline cv::Mat mat_of(const DoorPicture& picture) {
   return {picture.height, picture.width, picture.channels == 3 ? CV_8UC3 : CV_8UC1,
           const_cast<std::uint8_t*>(picture.pixels)};
@@ -49,11 +49,12 @@ inline std::vector<cv::Point3d> space_points_of(const DoorNumbers& numbers) {
   return points;
 }
 
-// A function of the door: work(input, result), whose exceptions become ends.
+// Wraps work(input, result) as a function of the interface and converts its exceptions to a
+// DoorEnd.
 template <auto kWork>
 DoorEnd guarded(const DoorInput* input, const DoorResult* result) noexcept {
   try {
-    cv::theRNG() = cv::RNG(1);  // what ran before does not matter
+    cv::theRNG() = cv::RNG(1);  // for results that do not depend on earlier calls
     kWork(*input, *result);
     return DoorEnd::kDone;
   } catch (const std::bad_alloc&) {

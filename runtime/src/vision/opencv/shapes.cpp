@@ -15,7 +15,7 @@ void contours(const DoorInput& input, const DoorResult& result) {
   const bool holes = input.options[0] != 0.0;
   cv::findContours(mat_of(input.picture), found, holes ? cv::RETR_LIST : cv::RETR_EXTERNAL,
                    cv::CHAIN_APPROX_NONE);
-  std::reverse(found.begin(), found.end());  // it finds them from the last row to the first
+  std::reverse(found.begin(), found.end());  // OpenCV finds them from the last row to the first
   std::vector<double> numbers{0.0};
   for (const auto& contour : found) {
     if (cv::contourArea(contour) < input.options[1]) continue;
