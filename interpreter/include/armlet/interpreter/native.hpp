@@ -2,26 +2,19 @@
 // How a host adds functions, values and rules to the language.
 //
 // A function is declared by its signature in the notation of the language reference, section 19:
-//
 //     {"run", "(m: motor, to: point, time: time?, speed: speed?) -> Run", help, example, &run}
 //
-//   name: type            required
-//   name: type = literal  default
-//   name: type?           may be left out (absent)
+//   name: type            required;  name: type = literal  default;  name: type?  may be left out
 //   values: number...     any number of trailing numbers, passed as one double[]
 //   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
 //   table                 any table, whatever its columns
 //   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U}
-//
-// A parameter that takes a point or a double[] may be declared as two overloads, "to: point" and
-// "to: double[]".
+//   point or double[]     is declared as two overloads, "to: point" and "to: double[]"
 //
 // Names with a meaning of their own:
-//
-//   "point.x"             the field x of a point
-//   "point[]"             indexing; "point.sharp[]" of one of the kind sharp; "point[:]" a part
-//   "point.x=", "point[]="
-//                         the value that `p.x = v` and `p[i] = v` store, made from the old one
+//   "point.x", "point[]"  the field x of a point; indexing: "point.sharp[]" of one of the kind sharp,
+//                         "point[:]" a part. "point.x=" and "point[]=" give the value that `p.x = v`
+//                         and `p[i] = v` store, made from the old one.
 //   "operator*"           and its like: operators between host types or lists
 //   "motor{}"             what a block declaration of type motor calls. Its parameter `name` gets
 //                         the declared name, a parameter `phase: phaseRow[]` the rows
@@ -29,13 +22,10 @@
 //   "motor.phase.NAME"    makes rows that the program names, `phase u(...)`: it gets the name as
 //                         `name`; its `value`, or else its function, is the variable `m.u` that the
 //                         host may set. "motor{}" gets all of them in order as `rows`.
-//   "motor()"             gives the ambient motor of the host
-//   "Math.sqrt"           is in a namespace
-//   "with.speed"          sets what `with (speed: x)` says, after "with{" has opened the settings
-//                         of the block and before "with}" restores the former ones, however the
-//                         block is left
-//   "path.blend", "path{", "path}"
-//                         likewise for `path`, whose motions "path{move}" makes at its end
+//   "motor()", "Math.sqrt"  the ambient motor of the host; a function in a namespace
+//   "with.speed"          sets what `with (speed: x)` says; "with{" opens the settings of the block,
+//                         "with}" restores the former ones, however the block is left.
+//   "path.blend"          likewise for `path`: "path{", "path}"; "path{move}" makes its motions
 
 #include <cstdint>
 #include <functional>
@@ -72,15 +62,13 @@ struct NativeFunction {
   void (*check)(CheckCall& call) = nullptr;  // rules checked before running
   // Same arguments -> text: why the result was false (for assert). Further lines are how to show
   // the arguments that are not written as literals, in their order. Of a function whose result is
-  // no bool: how the result comes about or why there is none; explain(f(x)) calls this instead of
-  // f.
+  // no bool: how the result comes about or why there is none; explain(f(x)) calls this.
   Thunk explain{};
   bool pauses = false;  // takes virtual time: not allowed in conditions
   // Nothing stands behind it yet: its calls are checked, then refused (E0199). Its help says what
   // is missing, if that is not the whole function.
   bool later = false;
-  // Commands its first argument, a resource, which no other task may command then; what pauses does
-  // too.
+  // Commands its first argument, a resource, as what pauses does: no other task may command it then.
   bool commands = false;
   // Pauses, but is meant for a resource that another task commands.
   bool interrupts = false;

@@ -69,16 +69,14 @@ class Cell {
   // follow. An object that it holds is held by the arm: fingers take an object when their motion
   // ends, they press on it, and friction carries its weight. They release it when one of their
   // motions begins, or a motion of the arm ends, and they would no longer carry it (fingers.hpp).
-  // throws  ArgumentError if `arm` is not an arm, moves, holds something or has such a hand
-  //         already.
+  // throws  ArgumentError if `arm` is not an arm, moves, holds something or has one already.
   int add_hand(int arm, FingeredHand hand);
   // The index of the hand with fingers that an arm carries; -1: none.
   [[nodiscard]] int hand_on(int arm) const;
   [[nodiscard]] int robot_count() const { return static_cast<int>(robots_.size()); }
   [[nodiscard]] const CellRobot& robot(int index) const;
   [[nodiscard]] std::optional<int> find_robot(std::string_view name) const;
-  // Replaces the model of a robot, for example to change its tool point. A held object keeps its
-  // pose.
+  // Replaces the model of a robot, for example its tool point. A held object keeps its pose.
   // throws  ArgumentError while the robot moves, except in a motion under forces, whose next piece
   //         follows the new model; or if the number of joints differs.
   void set_model(int robot, std::shared_ptr<const Robot> model);
@@ -87,18 +85,16 @@ class Cell {
 
   // The tool point of a hand with fingers is that of its arm, whatever its own joint values.
   [[nodiscard]] Eigen::Isometry3d T_world_base(int robot) const;
-  // Pose of the link that joint `frame` moves, 0: the base; or of the flange, kFlange.
-  // throws  ArgumentError for another frame.
+  // Pose of the link that joint `frame` moves, 0: base, kFlange: flange; else ArgumentError.
   [[nodiscard]] Eigen::Isometry3d T_world_link(int robot, int frame) const;
   [[nodiscard]] Eigen::Isometry3d T_world_flange(int robot) const;
   [[nodiscard]] Eigen::Isometry3d T_world_tool(int robot) const;
 
-  // Force and moment about the tool point, in world axes, that objects exert on the robot's
-  // gripper, on what the gripper carries, and on the links. Forces of the held object on its
-  // gripper do not count. An object exerts its stiffness times the depth, along the normal at the
-  // point of first contact, and friction against the sliding. The result does not depend on how
-  // time is divided into slices. For a hand with fingers or a finger: the contact forces of its
-  // fingers, without friction.
+  // Force and moment about the tool point, in world axes, that objects exert on the gripper, what
+  // it carries and the links, without those of the held object on its gripper. An object exerts its
+  // stiffness times the depth, along the normal at the point of first contact, and friction against
+  // the sliding. The result does not depend on how time is divided into slices. For a hand with
+  // fingers or a finger: the contact forces of its fingers, without friction.
   [[nodiscard]] Vector6d contact_wrench(int robot) const;
   // The contacts that make up contact_wrench; those of a hand with fingers are in finger_contacts.
   [[nodiscard]] std::vector<Press> presses(int robot) const;
@@ -156,8 +152,7 @@ class Cell {
   // until a gripper takes it or its pose is set; a frame of the world only gives it its first pose.
   // throws  ArgumentError if there is no such mount.
   void insert(Object object, const Mount& on);
-  // Objects that rested on this object fall straight down to the first surface; returns those that
-  // fell, the lowest first.
+  // What rested on the object falls down to the first surface; returns what fell, the lowest first.
   // throws  ArgumentError if a gripper holds the object.
   std::vector<Fall> remove(std::string_view name);
   std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
@@ -170,16 +165,14 @@ class Cell {
 
   // The robot whose gripper holds an object; nothing if none does.
   [[nodiscard]] std::optional<int> holder_of(std::string_view name) const;
-  // Makes an object part of the task: it is counted, and contact picking considers it. A second
-  // call for the same object has no effect.
+  // Makes an object part of the task, once: it is counted, and contact picking considers it.
   void add_to_task(std::string_view name);
   [[nodiscard]] const std::vector<std::string>& task_objects() const { return task_objects_; }
   // Closes the gripper of a robot on an object, whatever its distance: see gripper.hpp for the
   // rules. An object that two grippers hold follows the one that closed last.
   void take(int robot, std::string_view name);
 
-  // Opens the gripper. An object that no other robot holds falls straight down to the first
-  // surface.
+  // Opens the gripper. An object that no other robot holds falls down to the first surface.
   // throws  ArgumentError if the robot holds nothing.
   Drop let_go(int robot);
 
@@ -191,8 +184,7 @@ class Cell {
   bool undraw(std::string_view name);  // returns false if there is none
   [[nodiscard]] const Drawings& drawings() const { return drawings_; }
   [[nodiscard]] Trails& trails() { return trails_; }
-  // The present pose of a drawing's frame, and of a mount.
-  // throws  ArgumentError if it does not exist.
+  // The present pose of a drawing, and of a mount; ArgumentError if it does not exist.
   [[nodiscard]] Eigen::Isometry3d T_world_drawing(std::string_view name) const;
   [[nodiscard]] Eigen::Isometry3d T_world_mount(const Mount& on) const;
   [[nodiscard]] Cameras& cameras() { return cameras_; }
@@ -200,8 +192,7 @@ class Cell {
   // Cameras::add, and a report to the backend.
   int add_camera(Camera camera);
   // The picture that a camera takes from this pose, or `given` instead of it; it is counted and
-  // reported to the backend. A camera with a rate has one picture at an instant: a second call
-  // returns the same picture.
+  // reported to the backend. A camera with a rate has one picture at an instant.
   // throws  ArgumentError for a given picture of another size, or that is not RGB.
   Image capture(int camera, const Eigen::Isometry3d& T_world_camera,
                 std::optional<Image> given = {});
