@@ -12,9 +12,9 @@
 //   point or double[]     is declared as two overloads, "to: point" and "to: double[]"
 //
 // Names with a meaning of their own:
-//   "point.x", "point[]"  the field x of a point; indexing: "point.sharp[]" of one of the kind sharp,
-//                         "point[:]" a part. "point.x=" and "point[]=" give the value that `p.x = v`
-//                         and `p[i] = v` store, made from the old one.
+//   "point.x", "point[]"  the field x of a point; indexing: "point.sharp[]" of the kind sharp,
+//                         "point[:]" a part. "point.x=" and "point[]=" give the value that
+//                         `p.x = v` and `p[i] = v` store, made from the old one.
 //   "operator*"           and its like: operators between host types or lists
 //   "motor{}"             what a block declaration of type motor calls. Its parameter `name` gets
 //                         the declared name, a parameter `phase: phaseRow[]` the rows
@@ -23,8 +23,8 @@
 //                         `name`; its `value`, or else its function, is the variable `m.u` that the
 //                         host may set. "motor{}" gets all of them in order as `rows`.
 //   "motor()", "Math.sqrt"  the ambient motor of the host; a function in a namespace
-//   "with.speed"          sets what `with (speed: x)` says; "with{" opens the settings of the block,
-//                         "with}" restores the former ones, however the block is left.
+//   "with.speed"          sets what `with (speed: x)` says; "with{" opens the settings of the
+//                         block, "with}" restores the former ones, however the block is left.
 //   "path.blend"          likewise for `path`: "path{", "path}"; "path{move}" makes its motions
 
 #include <cstdint>
@@ -68,7 +68,7 @@ struct NativeFunction {
   // Nothing stands behind it yet: its calls are checked, then refused (E0199). Its help says what
   // is missing, if that is not the whole function.
   bool later = false;
-  // Commands its first argument, a resource, as what pauses does: no other task may command it then.
+  // Commands its first argument, a resource, like what pauses: no other task may command it then.
   bool commands = false;
   // Pauses, but is meant for a resource that another task commands.
   bool interrupts = false;
