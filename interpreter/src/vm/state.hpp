@@ -14,6 +14,7 @@
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/failure.hpp"
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
 #include "vm/entries.hpp"
@@ -38,6 +39,7 @@ struct Fault {
   bool cancelled = false;
   bool is_leaving = false;         // the whole program ends with it
   std::size_t region = kNoRegion;  // kFinally: only as far as this watched block of its task
+  std::shared_ptr<const FailureDetail> detail{};
 };
 using FaultPtr = std::shared_ptr<Fault>;
 

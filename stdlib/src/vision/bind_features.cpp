@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "armlet/image/parameters.hpp"
 #include "armlet/stdlib/host.hpp"
@@ -51,21 +53,21 @@ Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter)
       parameter);
 }
 
-Failed fail_lost(Vm& vm, const std::vector<int>& lost, const std::vector<double>& distance,
-                 double within, int parameter) {
+Failed fail_lost(Vm& vm, FoundCorners found, const std::vector<double>& distance, int parameter) {
   std::string rows;
   std::string distances;
-  for (const int i : lost) {
+  for (const int i : found.lost) {
     rows += fmt::format("{}{}", rows.empty() ? "" : ", ", i);
     const double far = distance[static_cast<std::size_t>(i)];
     distances += fmt::format("{}{}", distances.empty() ? "" : ", ",
                              std::isfinite(far) ? fmt::format("{:.1f} px", far) : "none");
   }
   Failure f;
-  f.headline = {row("R0682"), {rows, fmt::format("{:g} px", within)}};
+  f.headline = {row("R0682"), {rows, fmt::format("{:g} px", found.within)}};
   f.mark_parameter = parameter;
   f.why = fmt::format("the nearest corners are this far from them: {}", distances);
   f.fix = "look from nearer to them, lower `threshold`, or widen the distance that is allowed";
+  f.detail = std::make_shared<const FoundCorners>(std::move(found));
   return fail(vm, std::move(f));
 }
 
@@ -171,11 +173,13 @@ Answer<PlanePoints> corners_near(Vm& vm, const Image& image, const CornerOptions
   if (points->rows() == 0) return fail_none(vm, image, options);
   const auto matches = with_pictures(vm, 0, [&] { return match_points(*points, wanted, within); });
   if (!matches) return Failed{};
-  if (const std::vector<int> lost = matches->lost(); !lost.empty())
-    return fail_lost(vm, lost, matches->distance, within, kNearTo);
-  PlanePoints out(wanted.rows(), 2);
-  for (Eigen::Index i = 0; i < wanted.rows(); ++i)
-    out.row(i) = points->row(matches->index[static_cast<std::size_t>(i)]);
+  PlanePoints out = wanted;
+  for (Eigen::Index i = 0; i < wanted.rows(); ++i) {
+    const int row = matches->index[static_cast<std::size_t>(i)];
+    if (row >= 0) out.row(i) = points->row(row);
+  }
+  if (std::vector<int> lost = matches->lost(); !lost.empty())
+    return fail_lost(vm, {std::move(out), std::move(lost), within}, matches->distance, kNearTo);
   return out;
 }
 

@@ -206,8 +206,9 @@ constexpr std::string_view kServoHelp =
     "point straight through the picture. gain: a number in 1/s or adaptive(...). depth: of the "
     "points along the axis of the camera; without it, and for the last two laws, points: of a flat "
     "object, in a frame in which they rest. It ends when the norm of all differences is at most "
-    "within px. A picture is taken every period; at most patience pictures in which features fails "
-    "with FeatureLost or NoFeatures are bridged. smooth: 1/s, the speeds begin at 0 like 1 - "
+    "within px. A picture is taken every period. Where features fails with FeatureLost or "
+    "NoFeatures, points are predicted for at most patience pictures; those that corners or update "
+    "found in it still count. smooth: 1/s, the speeds begin at 0 like 1 - "
     "exp(-smooth t). The reason of the result is Converged, Timeout, FeatureLost, LocalMinimum, "
     "Singular, JointLimit, OutOfImage or Stopped, and why says it with numbers; t, error, twist, "
     "features, smallest and condition (singular values of L) and qd have a row for each picture.";

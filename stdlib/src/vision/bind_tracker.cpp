@@ -79,9 +79,10 @@ Answer<PlanePoints> update(Vm& vm, const TrackerValue& tracker, const Image& ima
       few_enough(vm, find_corners_around(image, *expected, 2.0 * state.gate, state.corners));
   if (!found) return Failed{};
   const PlanePoints now = state.points.update(*found, *expected);
-  const std::vector<int> lost = state.points.lost();
+  std::vector<int> lost = state.points.lost();
   if (lost.empty()) return now;
-  return fail_lost(vm, lost, match_points(*found, now, state.gate).distance, state.gate, 0);
+  return fail_lost(vm, {now, std::move(lost), state.gate},
+                   match_points(*found, now, state.gate).distance, 0);
 } catch (const ArgumentError& error) {
   return fail_picture(vm, clause_of(error));
 }

@@ -2,9 +2,11 @@
 // Helpers shared by functions of corners.
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "armlet/image/image.hpp"
+#include "armlet/interpreter/failure.hpp"
 #include "armlet/vision/corners.hpp"
 #include "armlet/vision/correspondence.hpp"
 #include "session/bind.hpp"
@@ -18,11 +20,20 @@ Answer<void> searchable(Vm& vm, const Image& image);
 // The detector of that name; R0681 if there is none.
 Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter);
 
-// R0682: these wanted points have no corner within the search radius.
+// What was found of wanted points: one row for each, those that are lost without a meaning.
+struct FoundCorners : FailureDetail {
+  FoundCorners(PlanePoints found, std::vector<int> missing, double px)
+      : points(std::move(found)), lost(std::move(missing)), within(px) {}
+
+  PlanePoints points;
+  std::vector<int> lost;
+  double within;  // px, of each from where it was wanted
+};
+
+// R0682: these wanted points have no corner within the search radius. The failure carries `found`.
 //
 // distance  of each wanted point from the nearest corner, px.
-Failed fail_lost(Vm& vm, const std::vector<int>& lost, const std::vector<double>& distance,
-                 double within, int parameter);
+Failed fail_lost(Vm& vm, FoundCorners found, const std::vector<double>& distance, int parameter);
 
 // Fails if there are more points than match_points accepts.
 Answer<PlanePoints> few_enough(Vm& vm, PlanePoints points);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "motion/motion_torques.hpp"
 #include "robot/grips.hpp"
 #include "values/eigen_results.hpp"
+#include "vision/features.hpp"
 #include "vision/pictures.hpp"
 
 namespace armlet::bind {
@@ -31,6 +33,21 @@ Eigen::MatrixXd jacobian_of_camera(const Robot& robot, const Eigen::VectorXd& q,
   Jacobian J;
   const Eigen::Isometry3d T_world_tool = forward_and_jacobian(robot, q, J);
   return camera_jacobian(J, T_world_tool.linear(), T_tool_camera);
+}
+
+// The points that corners or update found beside those that are lost. They count if they lie where
+// they are expected: `features` may have looked for them in a part of the picture, or for others.
+void take_found(const FailureDetail* detail, const PlanePoints& expected, ServoSight& sight) {
+  const auto* found = dynamic_cast<const FoundCorners*>(detail);
+  if (found == nullptr || found->points.rows() != expected.rows()) return;
+  std::vector<Eigen::Index> missing(found->lost.begin(), found->lost.end());
+  for (Eigen::Index i = 0; i < expected.rows(); ++i) {
+    const bool is_lost = std::find(missing.begin(), missing.end(), i) != missing.end();
+    if (!is_lost && !((found->points.row(i) - expected.row(i)).norm() <= found->within)) return;
+  }
+  if (static_cast<Eigen::Index>(missing.size()) == expected.rows()) return;
+  sight.pixels = found->points;
+  sight.missing = std::move(missing);
 }
 
 // Rows of equal length as a matrix; null: it failed.
@@ -176,9 +193,10 @@ class ServoWaiting : public Waiting {
     release(vm, arguments[0].o);
     if (arguments[1].o != nullptr) release(vm, arguments[1].o);
     if (!done) {
-      const auto words = take_failure(vm, kNotFound);
-      if (!words) return Failed{};
-      sight.lost = *words;
+      auto taken = take_failure(vm, kNotFound);
+      if (!taken) return Failed{};
+      sight.lost = std::move(taken->message);
+      take_found(taken->detail.get(), expected, sight);
       return {};
     }
     auto points = pixels_of(vm, matrix_value(found), kFeatures);

@@ -48,6 +48,73 @@ TEST_CASE("points that are not found are predicted for a while, then the loop en
   CHECK(never.uncontrollable().cols() == 0);
 }
 
+TEST_CASE("of a picture in which one point is missing the others count") {
+  Random random(11);
+  for (int trial = 0; trial < 40; ++trial) {
+    Loop loop;
+    const auto part = [&random](double most) { return random.uniform(-most, most); };
+    loop.T = displaced(loop.wanted, {part(0.05), part(0.05), part(0.15)},
+                       {part(0.03), part(0.03), random.uniform(-0.2, 0.02)});
+    const auto point = static_cast<Eigen::Index>(random.below(4));
+    const int from = 5 + static_cast<int>(random.below(10));
+    const int gap = 1 + static_cast<int>(random.below(5));
+    PlanePoints seen;
+    loop.spoil = [&](ServoSight& sight, int k) {
+      if (k < from || k >= from + gap) return;
+      if (k == from) seen = *sight.pixels;
+      sight.pixels->row(point).setConstant(3.0);  // does not count
+      sight.missing = {point};
+    };
+    const VisualServo servo = loop.run();
+    CAPTURE(trial);
+    REQUIRE(servo.end() == ServoEnd::kConverged);
+    const ServoRow& row = servo.rows()[static_cast<std::size_t>(from)];
+    CHECK(row.held);
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      const double wrong = (row.points.row(i) - seen.row(i)).norm();
+      if (i == point) {
+        CHECK(wrong > 0.0);
+        CHECK(wrong < 1.0);  // by the second derivative of the motion
+      } else {
+        CHECK(wrong == 0.0);
+      }
+    }
+    CHECK_FALSE(servo.rows()[static_cast<std::size_t>(from + gap)].held);
+  }
+}
+
+TEST_CASE("points that take turns to be missing do not end the loop, one that stays away does") {
+  Loop loop;
+  loop.T = displaced(loop.wanted, {0.1, -0.05, 0.2}, {0.03, 0.02, -0.05});
+  const Loop start = loop;
+  loop.spoil = [](ServoSight& sight, int k) {
+    if (k > 5 && k < 60) sight.missing = {k % 4};
+  };
+  const VisualServo turns = loop.run();
+  CHECK(turns.end() == ServoEnd::kConverged);
+  CHECK(turns.rows()[59].held);
+  CHECK_FALSE(turns.rows().back().held);  // a predicted point does not end it
+  loop = start;
+  loop.spoil = [](ServoSight& sight, int k) {
+    if (k > 5) sight.missing = {2};
+    if (k > 8) sight.missing = {0, 2};
+    sight.lost = "too dark";
+  };
+  const VisualServo one = loop.run();
+  CHECK(one.end() == ServoEnd::kFeatureLost);
+  CHECK(one.why() ==
+        "point 2 was not found in 6 pictures one after the other, at most 5 are bridged: too dark");
+  CHECK(one.rows().size() == 12);
+  loop = start;
+  loop.spoil = [](ServoSight& sight, int k) {
+    if (k < 3) sight.missing = {1};
+  };
+  const VisualServo late = loop.run();  // there is nothing to predict from
+  CHECK(late.end() == ServoEnd::kConverged);
+  CHECK(late.rows().front().t == doctest::Approx(0.12));
+  CHECK_FALSE(late.rows().front().held);
+}
+
 TEST_CASE("a picture that no pose gives ends in a local minimum") {
   Loop loop;
   ServoGoal goal = loop.goal();

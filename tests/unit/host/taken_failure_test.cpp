@@ -6,20 +6,37 @@ using namespace armlet;
 
 namespace {
 
-// f(7), or the length of the message of an error of the kinds Lost and Blind.
+struct Found : FailureDetail {
+  std::int64_t number = 0;
+};
+
+// f(7), or what the function left that failed, or the length of the message of an error of the kinds Lost and Blind.
 Answer<std::int64_t> ask(Vm& vm, FunctionValue f) {
   constexpr std::string_view kKinds[] = {"Lost", "Blind"};
   const Slot arguments[] = {slot_of(std::int64_t{7})};
   Slot result;
   if (vm.call(f.object, arguments, result)) return result.i;
-  const auto words = take_failure(vm, kKinds);
-  if (!words) return Failed{};
-  return static_cast<std::int64_t>(words->size());
+  const auto taken = take_failure(vm, kKinds);
+  if (!taken) return Failed{};
+  if (const auto* found = dynamic_cast<const Found*>(taken->detail.get())) return found->number;
+  return static_cast<std::int64_t>(taken->message.size());
+}
+
+// Fails and leaves the number.
+Answer<std::int64_t> lose(Vm& vm, std::int64_t number) {
+  Failure f;
+  f.headline = Headline("R0627", {"it is gone"});
+  f.kind = "Lost";
+  auto found = std::make_shared<Found>();
+  found->number = number;
+  f.detail = std::move(found);
+  return fail(vm, std::move(f));
 }
 
 Engine engine_that_asks() {
   Engine engine;
   engine.define(def("ask(f: fn(int) -> int) -> int", &ask, "Asks.", "ask(fn(i) => i)"));
+  engine.define(def("lose(number: int) -> int", &lose, "Fails.", "lose(3)"));
   return engine;
 }
 
@@ -43,6 +60,18 @@ TEST_CASE("a failure of an expected kind is taken back, and the native function 
   )",
                     {}, engine);
   CHECK(host.printed == "8 4 4\n4000 1002\nOther gone 1003\n");
+}
+
+TEST_CASE("what a function leaves that fails goes with its failure, and not with others") {
+  const Engine engine = engine_that_asks();
+  const Hosted host(R"(
+    print(ask(fn(i) => lose(10 * i)))
+    print(ask(fn(i) { try { return lose(3) } catch (e) { throw e } }))
+    print(ask(fn(i) { try { return lose(3) } catch (e) { throw error("other", kind: "Lost") } }))
+    print(ask(fn(i) { try { return lose(3) } finally { print("left") } }))
+  )",
+                    {}, engine);
+  CHECK(host.printed == "70\n3\n5\nleft\n3\n");
 }
 
 TEST_CASE("a failure that no catch could take stays") {

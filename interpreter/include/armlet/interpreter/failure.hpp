@@ -1,6 +1,7 @@
 #pragma once
 // What a native function says when it fails.
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,14 @@ class CallPlace {
 // Whether `until` guards it.
 [[nodiscard]] bool is_guarded(Vm& vm);
 
+// What a native function that takes a failure back (taken_failure.hpp) can go on with.
+struct FailureDetail {
+  FailureDetail() = default;
+  FailureDetail(const FailureDetail&) = default;
+  FailureDetail& operator=(const FailureDetail&) = default;
+  virtual ~FailureDetail() = default;
+};
+
 // Why a native function failed. The position is added by the interpreter.
 struct Failure {
   Headline headline;  // {"R0606", {index, range}}; its code gives the kind
@@ -49,6 +58,7 @@ struct Failure {
   Resource resource;          // that was commanded
   std::optional<bool> moved;  // whether it had begun to do so
   CallPlace place;            // marks belong to this call instead of the running one
+  std::shared_ptr<const FailureDetail> detail;  // null: none; shared with errors that were caught
 };
 inline constexpr int kMarkCallee = -2;
 

@@ -142,14 +142,14 @@ bool rethrow(VmState& state, Obj* held) {
 
 namespace armlet {
 
-std::optional<std::string> take_failure(Vm& vm, std::span<const std::string_view> kinds) {
+std::optional<TakenFailure> take_failure(Vm& vm, std::span<const std::string_view> kinds) {
   lang::FaultPtr& fault = vm.state().fault;
   if (fault == nullptr || fault->reach != lang::Reach::kHandlers ||
       std::ranges::find(kinds, fault->kind) == kinds.end())
     return {};
-  std::string message = std::move(fault->diagnostic.message);
+  TakenFailure taken{std::move(fault->diagnostic.message), std::move(fault->detail)};
   fault.reset();
-  return message;
+  return taken;
 }
 
 }  // namespace armlet

@@ -122,6 +122,7 @@ bool raise(VmState& state, Diagnostic diagnostic) {
 bool raise(VmState& state, const Failure& failure) {
   raise(state, diagnostic_of(state, failure));
   if (!failure.kind.empty()) state.fault->kind = failure.kind;
+  state.fault->detail = failure.detail;
   return false;
 }
 

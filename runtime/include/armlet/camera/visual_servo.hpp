@@ -75,7 +75,7 @@ struct ServoArm {
 // period    s, between pictures; gain * period is below 2.
 // within    px: the loop has converged when the norm of all errors in the picture is at most this.
 // timeout   s.
-// patience  number of consecutive pictures without the points that are bridged by prediction.
+// patience  number of consecutive pictures without a point that are bridged by its prediction.
 // smooth    1/s: the speeds begin at 0 and reach those of the law like 1 - e^(-smooth t). 0: at
 //           once.
 struct ServoOptions {
@@ -92,12 +92,14 @@ struct ServoOptions {
 //
 // t         s, from the start.
 // pixels    k x 2 in the order of the goal; an error with the reason if they were not found.
+// missing   rows of `pixels` that were not found, whose values do not count, and why in `lost`.
 // J_camera  6 x n, from joint speeds to the twist of the camera in its own axes (camera_jacobian).
 // q, qd     n values.
 // depths    k values of Z if they are known better than from the goal; else empty.
 struct ServoSight {
   double t = 0.0;
   std::optional<PlanePoints> pixels{};
+  std::vector<Eigen::Index> missing{};
   std::string lost{};
   Eigen::MatrixXd J_camera{};
   Eigen::VectorXd q{}, qd{};
@@ -107,7 +109,7 @@ struct ServoSight {
 // One step of the loop.
 //
 // error     px, norm of the differences of all points from their goals.
-// points    k x 2, px; predicted ones if `held`.
+// points    k x 2, px; some or all of them predicted if `held`.
 // twist     of the camera in its own axes, m/s and rad/s, and qd, of the joints: the command.
 // smallest, condition  of the singular values of the law's interaction matrix, or that of the
 //                      points if the law has none, in normalised coordinates.
@@ -137,7 +139,7 @@ class VisualServo {
   VisualServo(const Pinhole& lens, ServoGoal goal, ServoArm arm, const ServoOptions& options);
 
   // Processes the next picture. It ends the loop when the points are at their goals; when `timeout`
-  // is over; when the points were not found for too long; when the speeds no longer change the
+  // is over; when one was not found for too long; when the speeds no longer change the
   // picture while the error has not decreased for 50 pictures; when the arm, or the picture of the
   // points, has lost a direction of motion; when a joint limit or the edge of the picture has
   // stopped the arm for 10 pictures; or when a point is outside of the picture or of the camera's
@@ -185,6 +187,7 @@ class VisualServo {
   void check_sight(const ServoSight& sight) const;
   [[nodiscard]] PlanePoints normalised(const PlanePoints& pixels) const;
   void take_points(const ServoSight& sight);
+  void end_if_lost(const std::string& lost);
   [[nodiscard]] bool find_pose(const PlanePoints& seen);
   [[nodiscard]] std::optional<Task> task_of(const ServoSight& sight);
   void set_errors(Task& task, const ServoSight& sight) const;
@@ -209,7 +212,7 @@ class VisualServo {
   std::optional<Eigen::VectorXd> first_speeds_{};  // for a smooth start
   double t_first_ = 0.0;
   std::deque<double> errors_{};
-  int missed_ = 0;
+  std::vector<int> missed_;  // for each point, pictures one after the other without it
   int stopped_by_edge_ = 0;
   int stopped_by_joint_ = 0;
   ServoEnd end_ = ServoEnd::kNone;

@@ -121,6 +121,11 @@ void VisualServo::check_sight(const ServoSight& sight) const {
           fmt::format("{} points are seen and {} are wanted.", sight.pixels->rows(), k));
     check_finite("pixels", *sight.pixels);
   }
+  for (const Index i : sight.missing) {
+    if (sight.pixels && i >= 0 && i < k) continue;
+    throw ArgumentError(fmt::format("Point {} is missing of {} that are seen.", i,
+                                    sight.pixels ? sight.pixels->rows() : 0));
+  }
   if (sight.depths.size() != 0) {
     if (sight.depths.size() != k)
       throw ArgumentError(

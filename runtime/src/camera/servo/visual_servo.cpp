@@ -74,6 +74,7 @@ VisualServo::VisualServo(const Pinhole& lens, ServoGoal goal, ServoArm arm,
     depths_wanted_ = depths_in(goal_.points, *T_goal_obj_);
   }
   speeds_ = VectorXd::Zero(arm_.lower.size());
+  missed_.assign(static_cast<std::size_t>(wanted_.rows()), 0);
 }
 
 void VisualServo::finish(ServoEnd end, std::string why) {
@@ -98,20 +99,39 @@ PlanePoints VisualServo::expected(const VectorXd& qd) const {
   return points_ + Eigen::Map<const PlanePoints>(moved.data(), points_.rows(), 2);
 }
 
-// Sets the points: found ones or predicted ones.
+// Sets the points, each found or predicted by itself, as soon as all have been found once.
 void VisualServo::take_points(const ServoSight& sight) {
-  if (sight.pixels) {
-    points_ = *sight.pixels;
-    missed_ = 0;
-    return;
+  const bool is_first = points_.rows() == 0;
+  const bool found_none = !sight.pixels || (is_first && !sight.missing.empty());
+  const PlanePoints predicted = expected(sight.qd);
+  std::vector<bool> is_missing(missed_.size(), found_none);
+  for (const Index i : sight.missing) is_missing[static_cast<std::size_t>(i)] = true;
+  if (!found_none) points_ = *sight.pixels;
+  for (Index i = 0; i < goal_.wanted.rows(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    missed_[at] = is_missing[at] ? missed_[at] + 1 : 0;
+    if (is_missing[at] && !is_first) points_.row(i) = predicted.row(i);
   }
-  ++missed_;
-  points_ = expected(sight.qd);
-  if (missed_ <= options_.patience) return;
+  end_if_lost(sight.lost);
+}
+
+void VisualServo::end_if_lost(const std::string& lost) {
+  const int longest = *std::ranges::max_element(missed_);
+  if (longest <= options_.patience) return;
+  std::string rows;
+  Index count = 0;
+  for (std::size_t i = 0; i < missed_.size(); ++i) {
+    if (missed_[i] <= options_.patience) continue;
+    rows += fmt::format("{}{}", rows.empty() ? "" : ", ", i);
+    ++count;
+  }
+  const std::string which = count == goal_.wanted.rows() ? "the points were"
+                            : count == 1                 ? "point " + rows + " was"
+                                                         : "points " + rows + " were";
   finish(ServoEnd::kFeatureLost,
-         fmt::format("the points were not found in {} picture{}, at most {} are bridged{}{}",
-                     missed_, missed_ == 1 ? "" : "s one after the other", options_.patience,
-                     sight.lost.empty() ? "" : ": ", sight.lost));
+         fmt::format("{} not found in {} picture{}, at most {} are bridged{}{}", which, longest,
+                     longest == 1 ? "" : "s one after the other", options_.patience,
+                     lost.empty() ? "" : ": ", lost));
 }
 
 void VisualServo::end_if_outside(const VectorXd& depths, bool depths_are_known) {
@@ -296,7 +316,7 @@ const VectorXd& VisualServo::look(const ServoSight& sight) {
   ServoRow& row = rows_.emplace_back();
   row.t = sight.t;
   row.points = points_;
-  row.held = missed_ > 0;
+  row.held = *std::ranges::max_element(missed_) > 0;
   row.qd = speeds_;
   row.error = (points_ - goal_.wanted).norm();
   if (const auto task = task_of(sight)) {
