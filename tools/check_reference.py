@@ -83,8 +83,7 @@ def names(lists):
 
 # For each file, its blocks and the functions that make their contents.
 BLOCKS = {"docs/armlet.1": {"traces": traces},
-          "docs/language.md": {"later": lambda lists: filled(", ".join(lists["later"]) + "."), "words": words,
-                               "units": units, "planners": planners},
+          "docs/language.md": {"words": words, "units": units, "planners": planners},
           "tests/fuzz/rbt.dict": {"words": lambda lists: entries(row["word"] for row in lists["words"]), "signs": signs,
                                   "units": lambda lists: entries("2" + row["unit"] for row in lists["units"]),
                                   "names": names}}

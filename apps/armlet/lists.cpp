@@ -67,9 +67,9 @@ Json traces() {
 
 int lists() {
   const Json all = {
-      {"words", words()},       {"units", units()},         {"names", help_names(library_engine())},
-      {"chapters", chapters()}, {"robots", robots()},       {"planners", planners()},
-      {"traces", traces()},     {"later", later_features()}};
+      {"words", words()},       {"units", units()},   {"names", help_names(library_engine())},
+      {"chapters", chapters()}, {"robots", robots()}, {"planners", planners()},
+      {"traces", traces()}};
   print_out(all.dump(1) + "\n");
   return finish_output() ? kDone : kFailed;
 }

@@ -305,7 +305,7 @@ void add_help_options(CLI::App& command, Asked& asked) {
                      "for example moveL, or a word to look for; without it, all names");
   command.add_flag("--markdown", asked.markdown, "the whole reference, as in docs/stdlib.md");
   command.add_flag("--lists", asked.lists,
-                   "what there is and what is described but not there yet, as JSON");
+                   "all words, units, functions, robots, planners and traces, as JSON");
 }
 
 struct Command {

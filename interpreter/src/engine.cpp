@@ -109,11 +109,6 @@ Engine& Engine::add_foreign_names(std::span<const ForeignName> rows) {
 
 const MessageTables& Engine::messages() const { return vocabulary().messages(); }
 
-Engine& Engine::add_planned(std::span<const std::string_view> names) {
-  for (const std::string_view name : names) vocabulary().add_planned(name);
-  return *this;
-}
-
 bool is_complete(std::string_view text, std::string_view next_line) {
   const std::string entry(text);
   if (!lang::is_complete(Source("entry", entry))) return false;

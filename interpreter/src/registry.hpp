@@ -9,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,12 +62,10 @@ class Registry {
   [[nodiscard]] const ForeignName* foreign(std::string_view word,
                                            ForeignKind kind = ForeignKind::kName) const;
   // A name of the language reference that nothing stands behind yet.
-  void add_planned(std::string_view name) { planned_.insert(name); }
 
   // All functions of one name, in the order in which they were added.
   [[nodiscard]] std::span<const NativeFunction* const> functions(std::string_view name) const;
   [[nodiscard]] const NativeConstant* constant(std::string_view name) const;
-  [[nodiscard]] bool is_planned(std::string_view name) const { return planned_.contains(name); }
   [[nodiscard]] const HostType* type(std::string_view name) const;
   // Whether names such as "Math.sin" exist for "Math".
   [[nodiscard]] bool is_namespace(std::string_view name) const;
@@ -108,7 +105,6 @@ class Registry {
   std::map<std::string, std::string, std::less<>> records_;
   MessageTables messages_;
   std::map<std::pair<ForeignKind, std::string_view>, ForeignName> foreign_;
-  std::set<std::string_view> planned_;
   std::vector<Chapter> chapters_;
   std::vector<std::span<const NativeFunction>> values_;
   std::deque<NativeFunction> defined_;

@@ -133,7 +133,6 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   for (Checker& file : checkers) check_functions(file);
   for (Checker& file : checkers) close_block(file);
   for (Checker& file : checkers) refuse_active_statements(file);
-  report_later(main);
   if (!sink.has_errors()) finish_usage(main);
   if (!sink.has_errors()) finish_units(main);
   if (options.open || into.entry.is_one) shared.top_level.open(into.sources->first());

@@ -111,7 +111,7 @@ void add_once(std::vector<T>& items, U item) {
 void add_function(const lang::Registry& registry, Section& section,
                   const NativeFunction& function) {
   std::string call = lang::written_call(registry, function);
-  if (call.empty() || function.help.empty() || function.later) return;
+  if (call.empty() || function.help.empty()) return;
   const std::string name = heading(function.name);
   auto page = std::ranges::find(section.pages, name, &Page::name);
   if (page == section.pages.end()) page = section.pages.insert(page, Page{name, {}, {}, {}});

@@ -22,6 +22,7 @@ inline constexpr ForeignName kForeignNames[] = {
     {"open_gripper", "release"},
     {"close_gripper", "grasp"},
     {"pi", "PI"},
+    {"imshow", "show"},
     // the Robotics Toolbox for MATLAB and for Python
     {"ikine6s", "ikine"},
     {"ikunc", "ikine"},

@@ -124,7 +124,7 @@ Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
   if (!log || (current.x.log == x && current.y.log == y)) return {};
   Figure changed = current;
   set_log(changed, x, y);
-  if (x && (changed.is_spatial() || !changed.names.empty())) {
+  if ((x && (changed.is_spatial() || !changed.names.empty())) || changed.picture != nullptr) {
     return failure(vm, "R0626", "only an axis of numbers in the plane can be logarithmic", 1);
   }
   if (!charge_steps(vm, changed.series.size()) || !check_log_of(vm, changed)) return Failed{};
@@ -189,6 +189,7 @@ std::size_t points_of(const Figure& figure) {
   std::size_t count = 0;
   for (const Figure& panel : figure.panels) count += points_of(panel);
   for (const Series& series : figure.series) count += series.x.size();
+  if (figure.picture != nullptr) count += figure.picture->bytes().size();
   return count;
 }
 

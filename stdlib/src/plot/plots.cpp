@@ -19,6 +19,7 @@ std::size_t values_of(const Figure& figure) {
   for (const Figure& panel : figure.panels) count += values_of(panel);
   for (const Series& series : figure.series)
     count += series.x.size() + series.y.size() + series.z.size();
+  if (figure.picture != nullptr) count += figure.picture->bytes().size() / sizeof(double);
   return count;
 }
 
@@ -63,14 +64,14 @@ Figure& current_figure(Host& host) {
   return host.figures().back();
 }
 
-Answer<void> make_room(Vm& vm, std::size_t more) {
+Answer<void> make_room(Vm& vm, std::size_t more, std::string_view fix) {
   if (!charge_steps(vm, more)) return Failed{};
   std::size_t values = more;
   for (const Figure& figure : Host::of(vm).figures()) values += values_of(figure);
   if (values <= kMaxValues) return {};
   return failure(vm, "R0626",
                  fmt::format("the figures of a program hold at most {} values", kMaxValues), 0, {},
-                 "draw fewer points, for example every tenth");
+                 std::string(fix));
 }
 
 Answer<void> check_log(Vm& vm, const Axis& axis, std::span<const double> values, char name,
@@ -85,11 +86,12 @@ Answer<void> check_log(Vm& vm, const Axis& axis, std::span<const double> values,
 }
 
 Answer<void> add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& units) {
-  if (figure.is_spatial() || !figure.panels.empty()) {
-    return failure(
-        vm, "R0626",
-        figure.is_spatial() ? "this figure is drawn in space" : "this figure is drawn in panels",
-        units.x_parameter, {}, "begin another figure(\"...\") before");
+  if (figure.is_spatial() || !figure.panels.empty() || figure.picture != nullptr) {
+    return failure(vm, "R0626",
+                   figure.is_spatial()         ? "this figure is drawn in space"
+                   : figure.picture != nullptr ? "this figure shows a picture"
+                                               : "this figure is drawn in panels",
+                   units.x_parameter, {}, "begin another figure(\"...\") before");
   }
   const bool is_read = units.is_read && !units.y.empty();
   if (is_read && !units.is_side_given && !takes(figure, series.right, units.y) &&

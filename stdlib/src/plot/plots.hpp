@@ -31,8 +31,9 @@ using OptionalItems = std::optional<std::span<const Slot>>;
   return {};
 }
 
-// Counts `more` values as steps and as memory of the host.
-[[nodiscard]] Answer<void> make_room(Vm& vm, std::size_t more);
+// Counts `more` values as steps and as memory of the host; `fix` is what else can be done.
+[[nodiscard]] Answer<void> make_room(
+    Vm& vm, std::size_t more, std::string_view fix = "draw fewer points, for example every tenth");
 
 // Adds a series to a figure or panel. Its axes show these units, or show them from now
 // on.

@@ -63,6 +63,7 @@ std::span<const NativeFunction> table_functions();
 std::span<const NativeFunction> plot_functions();
 std::span<const NativeFunction> plot_line_functions();
 std::span<const NativeFunction> plot_motion_functions();
+std::span<const NativeFunction> show_functions();
 std::span<const NativeFunction> lab_functions();
 std::span<const NativeFunction> lab_picture_functions();
 std::span<const NativeFunction> picture_value_functions();
@@ -77,8 +78,6 @@ std::span<const NativeFunction> opencv_functions();
 std::span<const NativeFunction> marker_functions();
 std::span<const NativeFunction> shape_functions();
 std::span<const NativeFunction> calibration_functions();
-// Functions that have a signature but no implementation yet.
-std::span<const NativeFunction> later_functions();
 
 // R0609: `function` of `value`: the value must `requirement`. Marks argument `parameter`.
 Failed domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,

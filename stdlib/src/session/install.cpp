@@ -1,13 +1,10 @@
 #include "armlet/stdlib/install.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include "armlet/interpreter/later.hpp"
 #include "laboratory/lab_values.hpp"
 #include "messages/foreign_names.hpp"
 #include "messages/library_messages.hpp"
@@ -22,9 +19,6 @@ constexpr NativeConstant kConstants[] = {
     {"E", std::numbers::e, dims::kNone, "The base of natural logarithms."},
 };
 
-// Names of the language reference that do not even have a signature yet.
-constexpr std::span<const std::string_view> kPlanned = {};
-
 }  // namespace
 
 namespace bind {
@@ -38,7 +32,7 @@ Chapter values(std::string_view title, std::span<const NativeFunction> functions
   return {.title = title, .functions = functions, .only_values = true};
 }
 
-// Appends the chapters about pictures and about functions that are not available yet.
+// Appends the chapters about pictures.
 std::vector<Chapter> with_pictures(std::vector<Chapter> chapters) {
   const Chapter more[] = {
       {.title = "Pictures", .functions = picture_value_functions(), .only_values = true},
@@ -53,7 +47,6 @@ std::vector<Chapter> with_pictures(std::vector<Chapter> chapters) {
       values("Pictures: shapes and flow", shape_functions()),
       values("Pictures: markers and solids", marker_functions()),
       values("Cameras: calibration", calibration_functions()),
-      {.title = "Later", .functions = later_functions()},
   };
   chapters.insert(chapters.end(), std::begin(more), std::end(more));
   return chapters;
@@ -105,6 +98,7 @@ std::span<const Chapter> chapters() {
       {.title = "Figures", .functions = plot_functions()},
       {.title = "Figures: several lines", .functions = plot_line_functions()},
       {.title = "Figures: motions and records", .functions = plot_motion_functions()},
+      {.title = "Figures: pictures", .functions = show_functions()},
       {.title = "Laboratories", .functions = lab_functions()},
       {.title = "Laboratories: pictures", .functions = lab_picture_functions()},
   });
@@ -179,7 +173,6 @@ void install(Engine& engine) {
   engine.add_messages(bind::kLibraryMessages);
   engine.add_foreign_names(bind::kForeignNames);
   engine.add_constants(kConstants, "Mathematics");
-  engine.add_planned(kPlanned);
   for (const bind::Chapter& chapter : bind::chapters()) {
     engine.add_functions(chapter.functions, chapter.title);
     if (chapter.only_values) engine.only_values(chapter.functions);
@@ -200,25 +193,6 @@ std::vector<LibraryChapter> library_chapters() {
   for (const bind::Chapter& chapter : bind::chapters())
     list.push_back({chapter.title, chapter.is_mathematics});
   return list;
-}
-
-std::vector<std::string> later_features() {
-  std::vector<std::string> features;
-  const auto add = [&features](std::string feature) {
-    if (std::ranges::find(features, feature) == features.end())
-      features.push_back(std::move(feature));
-  };
-  for (const bind::Chapter& chapter : bind::chapters()) {
-    for (const NativeFunction& function : chapter.functions) {
-      if (function.later) add(later_feature(function));
-    }
-  }
-  for (const std::string_view name : kPlanned) {
-    const std::size_t dot = name.find('.');
-    add(dot == std::string_view::npos ? fmt::format("`{}`", name)
-                                      : fmt::format("the setting `{}`", name.substr(dot + 1)));
-  }
-  return features;
 }
 
 }  // namespace armlet

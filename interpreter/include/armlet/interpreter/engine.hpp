@@ -122,8 +122,6 @@ class Engine {
   //
   // throws  ArgumentError for a word that is known already.
   Engine& add_foreign_names(std::span<const ForeignName> rows);
-  // Names reserved for what is not there yet: a program that uses one is told so. They outlive it.
-  Engine& add_planned(std::span<const std::string_view> names);
 
   [[nodiscard]] Compilation compile(std::string text, std::string name,
                                     const CompileOptions& options = {}) const;

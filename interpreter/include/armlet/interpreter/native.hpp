@@ -65,9 +65,6 @@ struct NativeFunction {
   // no bool: how the result comes about or why there is none; explain(f(x)) calls this.
   Thunk explain{};
   bool pauses = false;  // takes virtual time: not allowed in conditions
-  // Nothing stands behind it yet: its calls are checked, then refused (E0199). Its help says what
-  // is missing, if that is not the whole function.
-  bool later = false;
   // Commands its first argument, a resource, like what pauses: no other task may command it then.
   bool commands = false;
   // Pauses, but is meant for a resource that another task commands.

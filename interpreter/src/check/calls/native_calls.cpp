@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "armlet/interpreter/later.hpp"
 #include "armlet/interpreter/resource.hpp"
 #include "armlet/interpreter/unit.hpp"
 #include "check/calls/over_list.hpp"
@@ -263,7 +262,6 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
     }
   }
   if (function.pauses) note_pause(checker, span);
-  if (function.later) note_later(checker, callee, later_feature(function));
   auto* call = checker.make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, result, span,
                                                  &function, checker.seq(values),
                                                  hir::CallSite{span, callee, checker.seq(spans)});

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, ListVerb>, 9> kVerbs = {
 
 // What a function does as a loop; nothing for those that the library runs.
 std::optional<ListVerb> verb_of(const NativeFunction& function) {
-  if (function.thunk || function.later) return std::nullopt;
+  if (function.thunk) return std::nullopt;
   for (const auto& [name, verb] : kVerbs) {
     if (name == function.name) return verb;
   }

@@ -33,22 +33,6 @@ hir::Expr* Checker::guessed(Span span, const Type* type) {
   return make<hir::AbsentExpr>(hir::ExprKind::kAbsent, type, span);
 }
 
-hir::Expr* not_available(Checker& checker, Span span, std::string_view feature) {
-  checker.report(make_diagnostic("E0199", span, {std::string(feature)}));
-  return checker.failed(span);
-}
-
-void note_later(Checker& checker, Span span, std::string feature) {
-  checker.shared.postponed.add_planned(std::move(feature), span);
-}
-
-void report_later(Checker& checker) {
-  for (const auto& [feature, span] : checker.shared.postponed.planned()) {
-    checker.messages.begin_statement();
-    checker.report(make_diagnostic("E0199", span, {feature}));
-  }
-}
-
 std::string Checker::text_of(Span span) const { return std::string(into.sources->slice(span)); }
 
 int Checker::line_of(Span span) const { return into.sources->position(span).line; }

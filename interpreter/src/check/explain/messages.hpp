@@ -62,11 +62,6 @@ class Messages {
   std::vector<Joined> joined_;               // around the expression that is checked
 };
 
-hir::Expr* not_available(Checker& checker, Span span, std::string_view feature);
-// Something of the language that is checked but cannot run yet (E0199), reported once when all
-// else is checked.
-void note_later(Checker& checker, Span span, std::string feature);
-void report_later(Checker& checker);
 [[nodiscard]] std::string line_name(const Checker& checker, Span span);
 
 }  // namespace armlet::lang

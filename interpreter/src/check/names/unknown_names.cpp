@@ -33,8 +33,7 @@ void unknown_variable(Checker& checker, const ast::Expr& root, const ast::Expr& 
                       Span statement) {
   const std::string_view name = root.as<ast::NameExpr>().name;
   if (!checker.messages.is_news(name)) return;
-  if (checker.names.find_variable(name) != nullptr || checker.registry.foreign(name) != nullptr ||
-      checker.registry.is_planned(name)) {
+  if (checker.names.find_variable(name) != nullptr || checker.registry.foreign(name) != nullptr) {
     checker.messages.forget(name);
     unknown_name(checker, name, root.span);
     return;
@@ -374,7 +373,6 @@ hir::Expr* unknown_name(Checker& checker, std::string_view name, Span span, cons
     checker.report(make_diagnostic("E0219", span, {std::string(name), "module"}));
     return checker.failed(span);
   }
-  if (checker.registry.is_planned(name)) return not_available(checker, span, in_backticks(name));
   Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
   if (const ForeignName* foreign = checker.registry.foreign(name)) {
     diagnostic.why = foreign->note;

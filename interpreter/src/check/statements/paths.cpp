@@ -248,7 +248,7 @@ hir::Stmt* check_path(Checker& checker, const ast::PathStmt& stmt) {
   const std::uint32_t begin = stmt.span.begin;
   const Span word{begin, begin + static_cast<std::uint32_t>(kWord.size()), stmt.span.source};
   if (checker.registry.functions(kMove).empty()) {
-    note_later(checker, word, "`path`");
+    checker.report(make_diagnostic("E0201", word, {std::string(kWord)}));
     return checker.check_block(stmt.body->body, stmt.body->span);
   }
   checker.scopes.open_block();

@@ -1,8 +1,6 @@
 #pragma once
 // What is looked at when the whole program is known, in the order of the text.
 
-#include <map>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -42,21 +40,17 @@ class Postponed {
   void add(const Callback& callback) { callbacks_.push_back(callback); }
   void add(const Units& units) { units_.push_back(units); }
   void add(const Path& path) { paths_.push_back(path); }
-  // Something of the language that is checked but cannot run yet; the first use of each.
-  void add_planned(std::string feature, Span span) { planned_.emplace(std::move(feature), span); }
 
   [[nodiscard]] const std::vector<Condition>& conditions() const { return conditions_; }
   [[nodiscard]] const std::vector<Callback>& callbacks() const { return callbacks_; }
   [[nodiscard]] const std::vector<Units>& units() const { return units_; }
   [[nodiscard]] const std::vector<Path>& paths() const { return paths_; }
-  [[nodiscard]] const std::map<std::string, Span>& planned() const { return planned_; }
 
  private:
   std::vector<Condition> conditions_;
   std::vector<Callback> callbacks_;
   std::vector<Units> units_;
   std::vector<Path> paths_;
-  std::map<std::string, Span> planned_;
 };
 
 // Of one file: tests, and what the top level of an imported file must not do.

@@ -51,10 +51,6 @@ void check_setting(Checker& checker, std::string_view word, const ast::Arg& sett
   const HostType* ambient = checker.registry.type(name);
   const auto setters = checker.registry.functions(full);
   const bool is_ambient = word == kWith && ambient != nullptr && ambient->is_ambient;
-  if (checker.registry.is_planned(full)) {
-    not_available(checker, setting.name.span, "the setting `" + std::string(name) + '`');
-    return;
-  }
   if (name.empty() || (!is_ambient && setters.empty()))
     return unknown_setting(checker, word, setting);
   hir::Expr* value = checker.check_value(*setting.value);

@@ -211,9 +211,6 @@ hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::N
   } else if (type->is(Kind::kEnum)) {
     names = {"name"};
   }
-  const std::string whole = type_name(type) + '.' + std::string(field.text);
-  if (checker.registry.is_planned(whole))
-    return not_available(checker, field.span, '`' + whole + '`');
   Diagnostic diagnostic =
       make_diagnostic("E0208", field.span, {type_phrase(type), std::string(field.text)});
   if (!names.empty()) diagnostic.why = "its fields are " + listed_names(field.text, names);

@@ -58,10 +58,6 @@ const Type* resolve_named(Checker& checker, const ast::TypeExpr& type) {
     name += (name.empty() ? "" : ".") + std::string(part.text);
   if (type.path.size() > 1) return imported_type(checker, type);
   if (!checker.messages.is_news(name)) return checker.types.any();
-  if (checker.registry.is_planned(name)) {
-    not_available(checker, type.span, '`' + name + '`');
-    return checker.types.any();
-  }
   if (refuse_foreign_type(checker, name, type.span)) return checker.types.any();
   if (!checker.messages.takes_errors()) {
     checker.report(make_diagnostic("E0216", type.span, {name}));

@@ -9,9 +9,8 @@
 
 namespace armlet {
 
-// Adds all of section 19 of the language reference that is implemented. Programs compiled by
-// this engine need a Host as CompileOptions::host and VmOptions::host (session.hpp provides
-// both).
+// Adds all of section 19 of the language reference. Programs compiled by this engine need a Host as
+// CompileOptions::host and VmOptions::host (session.hpp provides both).
 void install(Engine& engine);
 
 // An engine with this library, made at the first call and then constant: any thread may use it.
@@ -23,9 +22,5 @@ struct LibraryChapter {
   bool is_mathematics = false;  // its functions are in docs/mathematics.md
 };
 [[nodiscard]] std::vector<LibraryChapter> library_chapters();
-
-// Features that programs may name but that are not implemented and are refused (E0199), in the
-// words of that message and in the order of the tables that refuse them.
-[[nodiscard]] std::vector<std::string> later_features();
 
 }  // namespace armlet

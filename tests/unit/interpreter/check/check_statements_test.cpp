@@ -140,13 +140,6 @@ TEST_CASE("advice is given for what is surely a slip") {
   CHECK(check_text("var x = 1\nx + 1")->codes() == "E0332");
 }
 
-TEST_CASE("what is not there yet is refused by name") {
-  for (const char* text : {"path { print(1) }", "path (blend: 3mm) { print(1) }"}) {
-    CAPTURE(text);
-    CHECK(check_text(text)->codes() == "E0199");
-  }
-}
-
 TEST_CASE("one mistake gives one message, and others are still found") {
   CHECK(check_text("let a = nowhere + 1\nlet b = a * 2\nprint(b.x)\nlet c = also")->codes() ==
         "E0201 E0201");
