@@ -1,5 +1,6 @@
 # armlet_add_unit_tests(LAYER LIBRARY [INCLUDE...]) adds the program test_LAYER from tests/unit/LAYER.
 # armlet_add_layer_tests(LAYER) does so for a layer of the runtime, and links it with those it uses and nothing else.
+# armlet_add_room_tests(ROOM...) links rooms of the interpreter so, too.
 # armlet_add_script_tests(FOLDER...) adds one test for every .rbt file below, except those in folders called modules.
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
@@ -56,6 +57,16 @@ function(armlet_add_layer_tests layer)
   add_executable(layer_${layer} support/nothing.cpp)
   target_link_libraries(layer_${layer} PRIVATE ${layers})
   add_test(NAME layer.${layer} COMMAND layer_${layer})
+endfunction()
+
+# The same of rooms of the interpreter.
+function(armlet_add_room_tests)
+  foreach(room IN LISTS ARGN)
+    get_target_property(rooms armlet_room_${room} ARMLET_ROOMS)
+    add_executable(room_${room} support/nothing.cpp)
+    target_link_libraries(room_${room} PRIVATE ${rooms})
+    add_test(NAME layer.interpreter.${room} COMMAND room_${room})
+  endforeach()
 endfunction()
 
 # Laboratories: the server and what it serves, and their page in a browser.
@@ -229,6 +240,7 @@ endfunction()
 # What the sources must be like, what the documents say, and input that nobody would mean.
 function(armlet_add_source_tests)
   armlet_add_deletions()
+  armlet_add_room_tests(base vocabulary ast habits hir program syntax check lower vm driver editor format)
   foreach(source changelog decisions layers messages names sizes structure words)
     add_test(NAME source.${source} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${source}.py)
   endforeach()

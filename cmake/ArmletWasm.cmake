@@ -74,10 +74,10 @@ function(armlet_hurry_hot_code)
   armlet_hurry(layer_backend runtime/src/backend/ event fan_out run_hash)
   # What the linker would inline into the machine makes it a sixth slower.
   set(ARMLET_QUICK -O2 -fno-lto)
-  armlet_hurry(interpreter interpreter/src/habits/ pattern)
-  armlet_hurry(interpreter interpreter/src/vm/host/ natives host_calls)
-  armlet_hurry(interpreter interpreter/src/vm/heap/ *)
-  armlet_hurry(interpreter interpreter/src/vm/instructions/ *)
+  armlet_hurry(room_habits interpreter/src/habits/ pattern)
+  armlet_hurry(room_vm interpreter/src/vm/host/ natives host_calls)
+  armlet_hurry(room_vm interpreter/src/vm/heap/ *)
+  armlet_hurry(room_vm interpreter/src/vm/instructions/ *)
   # Calls are worth inlining there; nested loops that are written to be unrolled would be 60 to 140 kB of code for each kernel of any
   # number of joints.
   list(APPEND ARMLET_QUICK -mllvm -inline-threshold=250 -mllvm -pragma-unroll-threshold=150)
@@ -91,7 +91,9 @@ function(armlet_hurry_hot_code)
   armlet_hurry(layer_dynamics runtime/src/dynamics/simulation/ *)
 
   # All else is linked as a whole: the linker sees what throws nothing, and leaves out what would be done if it did.
-  foreach(target antlr4_static armlet_grammar armlet_interpreter armlet_stdlib armlet_laboratory armlet_module armlet_layer_math armlet_layer_chain
+  set(rooms base vocabulary ast habits hir program syntax check lower vm driver editor format)
+  list(TRANSFORM rooms PREPEND armlet_room_)
+  foreach(target antlr4_static armlet_grammar ${rooms} armlet_stdlib armlet_laboratory armlet_module armlet_layer_math armlet_layer_chain
       armlet_layer_model armlet_layer_kinematics armlet_layer_dynamics armlet_layer_trajectory armlet_layer_world armlet_layer_collision
       armlet_layer_planning armlet_layer_grasp armlet_layer_backend armlet_layer_cell armlet_layer_mesh armlet_layer_plot)
     target_compile_options(${target} PRIVATE -flto)

@@ -36,11 +36,39 @@ MAY_INCLUDE = {
 }
 EVERYTHING = list(MAY_INCLUDE)
 
+# room of the interpreter: the rooms whose headers it may include, besides its own; they stand above it here.
+ROOMS = {
+    "base": [],
+    "vocabulary": ["base"],
+    "ast": ["base"],
+    "habits": ["base"],
+    "hir": ["base", "vocabulary", "ast"],
+    "program": ["base", "vocabulary", "ast", "hir"],
+    "syntax": ["base", "vocabulary", "ast"],
+    "check": ["base", "vocabulary", "ast", "hir"],
+    "lower": ["base", "vocabulary", "ast", "hir", "program"],
+    "vm": ["base", "vocabulary", "ast", "hir", "program"],
+    "driver": ["base", "vocabulary", "ast", "habits", "hir", "program", "syntax", "check", "lower", "vm"],
+    "editor": ["base", "vocabulary", "ast", "hir", "program", "syntax", "check", "lower", "vm", "driver"],
+    "format": ["base", "vocabulary", "ast", "syntax"],
+}
+# room: its public headers, by folder or by name, in include/armlet/interpreter.
+PUBLIC_ROOMS = {
+    "base": "messages/ diagnostic failure foreign_name object output render run source type unit virtual_time world_names host/memory",
+    "vocabulary": "native answer resource later work sorting binding/thunk binding/dims_fact binding/map_values host/compile_options host/table_text",
+    "program": "host/program",
+    "vm": "script_function define define_type binding/ host/",
+    "driver": "engine host reference host/watchdog",
+    "editor": "editor/",
+    "format": "format",
+}
+ROOM_OF = {name: room for room, names in PUBLIC_ROOMS.items() for name in names.split()}
+
 # name: (pattern of the header, folders that may include it). Public headers may never include it.
 FENCES = {
     "ANTLR": (r"antlr4|Rbt(Lexer|Parser)", ["interpreter/src/syntax/", "grammar/", "tests/unit/interpreter/syntax/"]),
     "urdfdom": (r"urdf_(model|parser)/|console_bridge/", ["runtime/src/model/urdf_read.cpp", "runtime/src/model/descriptions/urdf_library."]),
-    "nlohmann": (r"nlohmann/", ["runtime/src/mesh/", "interpreter/src/diagnostic/", "apps/", "tests/"]),
+    "nlohmann": (r"nlohmann/", ["runtime/src/mesh/", "interpreter/src/base/diagnostic/", "apps/", "tests/"]),
     "OMPL": (r"ompl/|boost/", ["runtime/src/planning/ompl/"]),
     "Assimp": (r"^assimp/", ["apps/mesh/converter/assimp_import.cpp"]),
     "Coin": (r"^Inventor/", ["apps/mesh/converter/vrml_import.cpp"]),
@@ -81,6 +109,32 @@ def layer_of(path):
     return parts[0] if parts[0] in ("interpreter", "stdlib") else None
 
 
+def room_of(part):
+    """The room of a header or source below interpreter/src or interpreter/include/armlet."""
+    if part.parts[0] in ROOMS:
+        return part.parts[0]
+    name = part.with_suffix("").relative_to("interpreter").as_posix()
+    return ROOM_OF.get(name) or ROOM_OF.get(name.split("/")[0] + "/")
+
+
+def faults_of_rooms(path, header):
+    if path.parts[0] != "interpreter" or not header.startswith((*(f"{room}/" for room in ROOMS), "armlet/interpreter/")):
+        return
+    room = room_of(path.relative_to("interpreter/src" if path.parts[1] == "src" else "interpreter/include/armlet"))
+    target = room_of(Path(header.removeprefix("armlet/")))
+    if room is None or target is None:
+        yield f"{path if room is None else header} is in no room of the interpreter: PUBLIC_ROOMS in tools/check_layers.py"
+    elif target not in ROOMS[room] + [room]:
+        yield f"{room} may not include {header} of {target}; it may include: {', '.join(ROOMS[room] + [room])}"
+
+
+def circles():
+    rooms = list(ROOMS)
+    for room, used in ROOMS.items():
+        for wrong in [name for name in used if rooms.index(name) >= rooms.index(room)]:
+            yield f"tools/check_layers.py: {room} may not use {wrong}, which stands behind it"
+
+
 def layer_of_header(path, header, layer):
     """The layer an included header belongs to, or None for a foreign one and one of the same folder."""
     if header.startswith("../"):
@@ -101,6 +155,7 @@ def faults_in_line(path, header):
         yield f"'{layer}' is not a layer of the architecture"
     elif target is not None and target not in allowed:
         yield f"{layer} may not include {header}; it may include: {', '.join(allowed)}"
+    yield from faults_of_rooms(path, header)
     if path.parts[:2] == ("examples", "embed") and header.startswith("../"):
         yield f"a host program includes installed headers only, not {header}"
     for name, (pattern, folders) in FENCES.items():
@@ -130,8 +185,8 @@ def sources(root):
 
 def main():
     root = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else ROOT
-    faults = [fault for path in sources(root)
-              for fault in faults_in_file(path.relative_to(root), path.read_text(encoding="utf-8"))]
+    faults = list(circles()) + [fault for path in sources(root)
+                                for fault in faults_in_file(path.relative_to(root), path.read_text(encoding="utf-8"))]
     print("\n".join(faults) if faults else "layers: in order")
     return 1 if faults else 0
 

@@ -19,9 +19,10 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "check/check.hpp"
-#include "compile/fixes/explained_habits.hpp"
-#include "compile/load_files.hpp"
-#include "compile/lower/lower.hpp"
+#include "driver/explained_habits.hpp"
+#include "driver/load_files.hpp"
+#include "driver/vocabulary.hpp"
+#include "lower/lower.hpp"
 
 using namespace armlet;
 using namespace armlet::lang;
@@ -40,7 +41,8 @@ constexpr std::size_t kMost = 256;  // files
 struct Work {
   const Engine& engine;
   CompileOptions options;
-  CompiledProgram program;
+  CheckedProgram program;
+  std::shared_ptr<SourceSet> sources = program.sources;
   DiagnosticSink sink{10};
   Arena tree;
   std::vector<FileTree> files;
@@ -50,7 +52,7 @@ struct Work {
 
 template <std::size_t kFile>
 APART void read(Work& work) {
-  work.files = load_files(*work.program.sources, work.tree, work.options, work.sink);
+  work.files = load_files(*work.sources, work.tree, work.options, work.sink);
 }
 
 template <std::size_t kFile>
@@ -61,21 +63,21 @@ APART void check(Work& work) {
 
 template <std::size_t kFile>
 APART void lower_all(Work& work) {
-  if (work.well && work.files.back().ok) (void)lower(work.program);
+  if (work.well && work.files.back().ok) (void)lower(std::move(work.program));
 }
 
 template <std::size_t kFile>
 APART void explain(Work& work) {
   work.problems = work.sink.take_sorted();
-  Trials trials(work.engine.registry(), *work.program.sources, work.options);
-  explain_habits(work.problems, *work.program.sources, trials);
+  Trials trials(work.engine.registry(), *work.sources, work.options);
+  explain_habits(work.problems, *work.sources, trials);
 }
 
 template <std::size_t kFile>
 APART void show(Work& work) {
   for (const Diagnostic& problem : work.problems) {
-    (void)render_text(problem, *work.program.sources);
-    (void)render_json(problem, *work.program.sources);
+    (void)render_text(problem, *work.sources);
+    (void)render_json(problem, *work.sources);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "check/tree/hir_expr.hpp"
+#include "hir/hir_expr.hpp"
 #include "value.hpp"
 
 namespace armlet::oracle {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "armlet/interpreter/engine.hpp"
-#include "compile/code/program.hpp"
+#include "program/program.hpp"
 #include "value.hpp"
 #include "vm/tasks/task.hpp"
 

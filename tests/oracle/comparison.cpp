@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "compile/lower/lower.hpp"
-#include "compile/pipeline.hpp"
+#include "driver/pipeline.hpp"
 #include "evaluator.hpp"
+#include "lower/lower.hpp"
 
 namespace armlet::oracle {
 
@@ -18,17 +18,20 @@ const std::string kGaveUp = "the oracle gave up: ";
 // afterwards.
 std::shared_ptr<const Program> compiled_again(const Program& first, lang::LowerOptions options) {
   auto& from = const_cast<Program::Code&>(first.compiled());
-  auto to = std::make_unique<Program::Code>();
-  to->sources = from.sources;
-  to->arena = std::move(from.arena);
-  to->types = std::move(from.types);
-  to->facts = std::move(from.facts);
-  to->constants = std::move(from.constants);
-  to->module = from.module;
-  to->names = std::move(from.names);
-  to->what_takes_time = from.what_takes_time;
-  if (lang::lower(*to, options)) return nullptr;
-  return std::make_shared<const Program>(std::move(to));
+  lang::CheckedProgram to;
+  to.sources = from.sources;
+  to.arena = std::move(from.arena);
+  to.types = std::move(from.types);
+  to.facts = std::move(from.facts);
+  to.constants = std::move(from.constants);
+  to.module = from.module;
+  to.names = std::move(from.names);
+  to.what_takes_time = from.what_takes_time;
+  to.messages = from.messages;
+  to.language = from.language;
+  lang::Lowered lowered = lang::lower(std::move(to), options);
+  if (lowered.too_large) return nullptr;
+  return std::make_shared<const Program>(std::move(lowered.program));
 }
 
 std::string ending(const SourceSet& sources, const std::string& code, const std::string& message,

@@ -15,7 +15,7 @@
 #include "arithmetic.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "bridge.hpp"
-#include "compile/code/program.hpp"
+#include "program/program.hpp"
 #include "tasks.hpp"
 #include "value.hpp"
 

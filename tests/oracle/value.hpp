@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "check/tree/hir.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::oracle {
 

@@ -39,7 +39,7 @@ void check_top_level(Checker& checker) {
 }
 
 // What belongs to the program as a whole.
-void finish(Shared& shared, CompiledProgram& into) {
+void finish(Shared& shared, CheckedProgram& into) {
   Checker& main = *shared.files.back();
   hir::Module& module = into.module;
   module.main = main.scopes.main().function;
@@ -96,15 +96,15 @@ void check_only_declares(Checker& checker, const CompileOptions& options, Diagno
 
 }  // namespace
 
-bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
+bool check_program(std::span<const FileTree> files, CheckedProgram& into, const Registry& registry,
                    const CompileOptions& options, DiagnosticSink& sink, Learnt* learnt) {
-  const KeptNames* before =
-      into.entry.after != nullptr ? into.entry.after->compiled().entry.kept.get() : nullptr;
+  const KeptNames* const before = into.entry.before;
   if (before == nullptr) {
     into.library_types = registry.library_types();
     into.types = std::make_shared<TypePool>(into.library_types.get());
   }
   into.messages = &registry.messages();
+  into.language = &registry.language();
   Shared shared(into, registry, before, sink);
   shared.learnt = learnt;
   shared.guesses = learnt != nullptr && learnt->guesses();
@@ -139,6 +139,7 @@ bool check_program(std::span<const FileTree> files, CompiledProgram& into, const
   run_imports_first(main);
   finish(shared, into);
   if (into.entry.is_one && !sink.has_errors()) keep_names(main);
+  into.entry.before = nullptr;
   return !sink.has_errors();
 }
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
-#include "armlet/interpreter/engine.hpp"
-#include "compile/code/program.hpp"
-#include "registry.hpp"
-#include "syntax/tree/ast.hpp"
+#include "armlet/interpreter/host/compile_options.hpp"
+#include "ast/ast.hpp"
+#include "hir/checked_program.hpp"
+#include "vocabulary/registry.hpp"
 
 namespace armlet::lang {
 
@@ -38,7 +38,7 @@ struct FileTree {
 //        them.
 // learnt  what the check finds out besides, also where it fails; null: not asked for.
 // returns  whether there were no errors.
-bool check_program(std::span<const FileTree> files, CompiledProgram& into, const Registry& registry,
+bool check_program(std::span<const FileTree> files, CheckedProgram& into, const Registry& registry,
                    const CompileOptions& options, DiagnosticSink& sink, Learnt* learnt = nullptr);
 
 }  // namespace armlet::lang

@@ -21,7 +21,7 @@
 namespace armlet::lang {
 
 struct Checker {
-  Checker(const FileTree& tree, Shared& program, CompiledProgram& result, const Registry& library,
+  Checker(const FileTree& tree, Shared& program, CheckedProgram& result, const Registry& library,
           const CompileOptions& chosen, DiagnosticSink& sink)
       : file(tree),
         shared(program),
@@ -78,7 +78,7 @@ struct Checker {
 
   const FileTree& file;
   Shared& shared;  // with the other files
-  CompiledProgram& into;
+  CheckedProgram& into;
   const Registry& registry;
   const CompileOptions& options;
   Arena& arena;

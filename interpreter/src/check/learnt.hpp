@@ -7,8 +7,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "check/tree/hir.hpp"
-#include "syntax/tree/ast.hpp"
+#include "ast/ast.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::lang {
 

@@ -6,15 +6,15 @@
 #include "check/calls/instances.hpp"
 #include "check/calls/signatures.hpp"
 #include "check/entries/earlier.hpp"
-#include "check/names/program_names.hpp"
 #include "check/scopes/top_level.hpp"
 #include "check/scopes/uses.hpp"
 #include "check/statements/postponed.hpp"
 #include "check/types/constants.hpp"
 #include "check/types/defaults.hpp"
 #include "check/types/structs.hpp"
-#include "compile/code/program.hpp"
-#include "registry.hpp"
+#include "hir/checked_program.hpp"
+#include "hir/program_names.hpp"
+#include "vocabulary/registry.hpp"
 
 namespace armlet::lang {
 
@@ -47,7 +47,7 @@ class Depth {
 
 struct Shared {
   // kept  of the entry before this one; null: there is none.
-  Shared(const CompiledProgram& into, const Registry& registry, const KeptNames* kept,
+  Shared(const CheckedProgram& into, const Registry& registry, const KeptNames* kept,
          DiagnosticSink& messages)
       : sink(messages),
         earlier(*this, kept),

@@ -8,11 +8,12 @@
 #include <utility>
 
 #include "armlet/core/ample_stack.hpp"
-#include "compile/cancelled.hpp"
-#include "compile/load_files.hpp"
-#include "compile/pipeline.hpp"
+#include "base/cancelled.hpp"
+#include "driver/load_files.hpp"
+#include "driver/pipeline.hpp"
+#include "driver/vocabulary.hpp"
 #include "editor/facts.hpp"
-#include "types/table_files.hpp"
+#include "vocabulary/table_files.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -31,9 +32,9 @@ void check_facts(Facts& facts, const Mended& read, DiagnosticSink& sink) {
   FileTree& main = facts.files.back();
   facts.is_whole = main.ok;
   const auto check = [&](DiagnosticSink& to, Learnt* learnt) {
-    auto into = std::make_unique<CompiledProgram>(facts.options);
-    into->sources = facts.compiled->sources;
-    check_program(facts.files, *into, *facts.registry, facts.options, to, learnt);
+    CheckedProgram into = new_program(facts.options);
+    into.sources = facts.compiled.sources;
+    check_program(facts.files, into, *facts.registry, facts.options, to, learnt);
     facts.compiled = std::move(into);
   };
   if (main.ok) {
@@ -53,13 +54,13 @@ void analyse(Facts& facts, DiagnosticSink& sink, const Facts* before) {
   std::optional<ReadBefore> known;
   if (before != nullptr && !before->read.empty() && before->main_source() == facts.main_source())
     known.emplace(before->main().text(), before->read, facts.main().text());
-  facts.files = load_files(*facts.compiled->sources, facts.tree, facts.options, sink, &main,
+  facts.files = load_files(*facts.compiled.sources, facts.tree, facts.options, sink, &main,
                            known ? &*known : nullptr);
   facts.tokens = std::move(main.tokens);
   facts.comments = std::move(main.comments);
   facts.read = std::move(main.read);
   check_facts(facts, main, sink);
-  facts.signed_ = std::make_unique<Signed>(*facts.registry, *facts.compiled->types);
+  facts.signed_ = std::make_unique<Signed>(*facts.registry, *facts.compiled.types);
   index_facts(facts);
 }
 
@@ -74,7 +75,7 @@ std::unique_ptr<const Analysis::Facts> analyse_text(std::shared_ptr<const Regist
     facts = std::make_unique<Analysis::Facts>(registry, options);
     facts->options.tables =
         std::make_shared<TableFiles>(before != nullptr ? before->options.tables.get() : nullptr);
-    facts->compiled->sources->add(name, text);
+    facts->compiled.sources->add(name, text);
   };
   begin_again();
   DiagnosticSink sink(options.limits.errors);
@@ -98,3 +99,15 @@ std::unique_ptr<const Analysis::Facts> analyse_text(std::shared_ptr<const Regist
 }
 
 }  // namespace armlet::lang
+
+namespace armlet {
+
+std::shared_ptr<const Analysis> Engine::analyse(
+    std::string text, std::string name, const CompileOptions& options,
+    const std::shared_ptr<const Analysis>& before) const {
+  return std::make_shared<const Analysis>(
+      lang::analyse_text(registry_, std::move(text), std::move(name), options,
+                         before != nullptr ? &before->facts() : nullptr));
+}
+
+}  // namespace armlet

@@ -9,7 +9,7 @@ namespace armlet {
 Analysis::Analysis(std::unique_ptr<const Facts> facts) : facts_(std::move(facts)) {}
 Analysis::~Analysis() = default;
 
-const SourceSet& Analysis::sources() const { return *facts_->compiled->sources; }
+const SourceSet& Analysis::sources() const { return *facts_->compiled.sources; }
 const std::vector<Diagnostic>& Analysis::diagnostics() const { return facts_->diagnostics; }
 bool Analysis::was_cancelled() const { return facts_->cancelled; }
 

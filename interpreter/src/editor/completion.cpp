@@ -4,15 +4,15 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/words.hpp"
 #include "check/calls/list_mutations.hpp"
 #include "editor/cursor.hpp"
 #include "editor/facts.hpp"
 #include "editor/places.hpp"
-#include "reference/language_words.hpp"
-#include "reference/written_call.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
-#include "syntax/tokens/words.hpp"
+#include "vocabulary/language_words.hpp"
+#include "vocabulary/written_call.hpp"
 
 namespace armlet {
 namespace lang {
@@ -149,7 +149,7 @@ class Completer {
       return add_block_settings(call, setting);
     if (const Symbol* symbol = callee_symbol(facts_, call, cursor_.at)) {
       for (const ast::Param& parameter : parameters_of(*symbol))
-        setting(parameter.name.text, std::string(facts_.compiled->sources->slice(parameter.span)));
+        setting(parameter.name.text, std::string(facts_.compiled.sources->slice(parameter.span)));
     }
     for (const NativeFunction* function : candidates(facts_, call)) {
       const auto& parameters = facts_.signed_->signatures.of(*function).parameters;
@@ -160,7 +160,7 @@ class Completer {
   }
 
   std::string parameter_text(const Parameter& parameter) const {
-    return pattern_name(parameter.type, {}, *facts_.compiled->types);
+    return pattern_name(parameter.type, {}, *facts_.compiled.types);
   }
 
   template <class F>
@@ -344,7 +344,7 @@ class Completer {
         add(name, NameKind::kLibraryFunction);
     }
     if (type.is(Kind::kEnum)) add("name", NameKind::kField, "string");
-    if (&type == facts_.compiled->types->library_record("error"))
+    if (&type == facts_.compiled.types->library_record("error"))
       add("getMessage", NameKind::kLibraryFunction);
     const std::string prefix = type_name(&type) + '.';
     for (const std::string_view name : facts_.registry->public_names()) {

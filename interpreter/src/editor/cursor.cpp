@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/quotes.hpp"
 #include "editor/places.hpp"
-#include "syntax/tokens/quotes.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 

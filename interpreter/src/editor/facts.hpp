@@ -13,14 +13,14 @@
 
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "base/arena.hpp"
 #include "check/calls/signatures.hpp"
 #include "check/check.hpp"
 #include "check/learnt.hpp"
-#include "compile/code/program.hpp"
-#include "registry.hpp"
+#include "program/program.hpp"
 #include "syntax/read_before.hpp"
 #include "syntax/tokens/token.hpp"
-#include "syntax/tree/arena.hpp"
+#include "vocabulary/registry.hpp"
 
 namespace armlet::lang {
 
@@ -105,7 +105,7 @@ struct Facts {
   bool cancelled = false;
 
   // Sources, types, the typed tree.
-  std::unique_ptr<CompiledProgram> compiled = std::make_unique<CompiledProgram>(options);
+  CheckedProgram compiled = new_program(options);
   Arena tree{};  // of all files
   std::vector<FileTree> files{};
   Tokens tokens{};  // of the main text
@@ -121,9 +121,9 @@ struct Facts {
   std::vector<Span> functions{};  // of the main text: bodies that see all of its file
   std::unique_ptr<Signed> signed_{};
 
-  [[nodiscard]] const Source& main() const { return (*compiled->sources)[main_source()]; }
+  [[nodiscard]] const Source& main() const { return (*compiled.sources)[main_source()]; }
   // Its number: in a session, texts of earlier entries come before it.
-  [[nodiscard]] std::uint32_t main_source() const { return compiled->sources->first(); }
+  [[nodiscard]] std::uint32_t main_source() const { return compiled.sources->first(); }
   // A position as the documentation of Analysis says.
   [[nodiscard]] std::uint32_t place(std::uint32_t at) const;
   // The name that stands at a byte of the main text, or ends there.

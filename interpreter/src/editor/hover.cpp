@@ -5,16 +5,16 @@
 #include <algorithm>
 
 #include "armlet/interpreter/unit.hpp"
+#include "base/quotes.hpp"
 #include "editor/cursor.hpp"
 #include "editor/facts.hpp"
 #include "editor/places.hpp"
 #include "editor/symbol_at.hpp"
-#include "format_value.hpp"
-#include "reference/language_words.hpp"
-#include "reference/written_call.hpp"
-#include "syntax/tokens/quotes.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
+#include "vm/format_value.hpp"
+#include "vocabulary/language_words.hpp"
+#include "vocabulary/written_call.hpp"
 
 namespace armlet {
 namespace lang {
@@ -117,7 +117,7 @@ std::optional<Hover> import_hover(const Facts& facts, std::uint32_t at) {
   for (const FileTree::Import& import : facts.files.back().imports) {
     const Span path = import.statement->path_span;
     if (at < path.begin || at > path.end || import.file < 0) continue;
-    Hover out{.span = path, .text = "file " + std::string(facts.compiled->sources->slice(path))};
+    Hover out{.span = path, .text = "file " + std::string(facts.compiled.sources->slice(path))};
     const Span whole = facts.files[static_cast<std::size_t>(import.file)].program.span;
     for (const Symbol& symbol : facts.names.symbols) {
       const bool is_shown = symbol.kind == NameKind::kFunction ||
@@ -175,7 +175,7 @@ std::optional<Hover> key_hover(const Facts& facts, const Token& token, std::size
   });
   if (found == spans.rend() || found->type->is(Kind::kAny)) return std::nullopt;
   return Hover{.span = {token.begin, token.end, 0},
-               .text = fmt::format("{}: {}", facts.compiled->sources->slice(found->span),
+               .text = fmt::format("{}: {}", facts.compiled.sources->slice(found->span),
                                    type_name(found->type))};
 }
 
@@ -190,7 +190,7 @@ std::optional<Hover> native_hover(const Facts& facts, const Learnt::NativeUse& u
   } else {
     const Parameter& parameter = facts.signed_->signatures.of(*use.function)
                                      .parameters[static_cast<std::size_t>(use.parameter)];
-    out.text = parameter.name + ": " + pattern_name(parameter.type, {}, *facts.compiled->types);
+    out.text = parameter.name + ": " + pattern_name(parameter.type, {}, *facts.compiled.types);
     out.help = "A setting of " + written_call(*facts.registry, *use.function);
   }
   return out.text.empty() ? std::nullopt : std::optional(out);

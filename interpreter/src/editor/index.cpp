@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "check/entries/kept.hpp"
+#include "ast/ast_walk.hpp"
 #include "check/names/imports.hpp"
 #include "editor/facts.hpp"
-#include "syntax/tree/ast_walk.hpp"
+#include "hir/kept.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -158,7 +158,7 @@ class Indexer {
   }
 
   std::string_view slice(std::uint32_t begin, std::uint32_t end, std::uint32_t source) const {
-    return facts_.compiled->sources->slice({begin, std::max(begin, end), source});
+    return facts_.compiled.sources->slice({begin, std::max(begin, end), source});
   }
 
   std::string_view head(const ast::Stmt& stmt, const ast::Name& name, std::uint32_t end) const {
@@ -311,7 +311,7 @@ class Indexer {
   // ---- names
   // The last bytes of a span, if they are the name; otherwise it was not written there.
   [[nodiscard]] std::optional<Span> written(Span span, std::string_view name) const {
-    const std::string_view text = facts_.compiled->sources->slice(span);
+    const std::string_view text = facts_.compiled.sources->slice(span);
     if (name.empty() || !text.ends_with(name)) return std::nullopt;
     if (text.size() > name.size() && text[text.size() - name.size() - 1] != '.')
       return std::nullopt;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "armlet/interpreter/unit.hpp"
-#include "syntax/tokens/quotes.hpp"
+#include "base/quotes.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/words.hpp"
 #include "editor/facts.hpp"
 #include "editor/symbol_at.hpp"
-#include "syntax/tokens/words.hpp"
 
 namespace armlet {
 namespace lang {
@@ -57,7 +57,7 @@ Renaming renamed(const Facts& facts, std::uint32_t at, std::string_view name) {
   if (!facts.is_whole)
     return refuse("the program has mistakes, so that not all uses of the name are known");
   if (const Symbol* other = in_the_way(facts, *symbol, name)) {
-    const int line = facts.compiled->sources->position(other->declared).line;
+    const int line = facts.compiled.sources->position(other->declared).line;
     return refuse(quoted + " is declared already, on line " + std::to_string(line));
   }
   Renaming out;

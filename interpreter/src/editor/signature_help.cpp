@@ -4,7 +4,7 @@
 
 #include "editor/cursor.hpp"
 #include "editor/facts.hpp"
-#include "reference/written_call.hpp"
+#include "vocabulary/written_call.hpp"
 
 namespace armlet {
 namespace lang {
@@ -40,7 +40,7 @@ std::optional<SignatureHelp> help_of_symbol(const Facts& facts, const OpenCall& 
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (i > 0) one.text += ", ";
     const auto begin = static_cast<std::uint32_t>(one.text.size());
-    one.text += facts.compiled->sources->slice(parameters[i].span);
+    one.text += facts.compiled.sources->slice(parameters[i].span);
     one.parameters.emplace_back(begin, static_cast<std::uint32_t>(one.text.size()));
   }
   one.text += ')';

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "compile/cancelled.hpp"
-#include "diagnostic/display_width.hpp"
+#include "base/cancelled.hpp"
+#include "base/diagnostic/display_width.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "armlet/core/ample_stack.hpp"
-#include "compile/cancelled.hpp"
+#include "base/cancelled.hpp"
 #include "format/columns.hpp"
 #include "format/lay_out.hpp"
 #include "format/layout.hpp"

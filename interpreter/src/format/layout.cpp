@@ -1,6 +1,6 @@
 #include "format/layout.hpp"
 
-#include "compile/cancelled.hpp"
+#include "base/cancelled.hpp"
 
 namespace armlet::lang {
 namespace {

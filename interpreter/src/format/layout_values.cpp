@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ast/marks.hpp"
 #include "format/layout.hpp"
-#include "syntax/tokens/marks.hpp"
 
 namespace armlet::lang {
 

@@ -3,7 +3,7 @@
 //
 // An explanation is a guess from the look of a line. It is given only where a message of the parser
 // or the checker marks the line, and only if its edits make that message go away
-// (compile/fixes/explained_habits.hpp).
+// (driver/explained_habits.hpp).
 
 #include <string>
 #include <vector>

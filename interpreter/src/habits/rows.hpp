@@ -13,6 +13,12 @@ inline constexpr std::string_view kNoSuchThing = "-";
 // the same, or only with values that the line does not hold.
 inline constexpr char kOnlyShown = '?';
 
+// Reasons that several tables give.
+inline constexpr std::string_view kZones =
+    "a move stops at its goal; in a path, blend: 10mm rounds corners";
+inline constexpr std::string_view kNamedSignals = "signals have names";
+inline constexpr std::string_view kFromZero = "indexes stand in square brackets and count from 0";
+
 struct Habit {
   std::string_view shape;
   std::string_view here;  // empty: not needed here; kNoSuchThing

@@ -15,14 +15,10 @@ constexpr std::string_view kOneStored = "a statement stores one value";
 constexpr std::string_view kOneValue = "a function gives one value, which may be a list";
 constexpr std::string_view kWholeFile = "a function is known in its whole file";
 constexpr std::string_view kNoMain = "a .rbt file runs from its first line";
-constexpr std::string_view kNamedSignals = "signals have names";
 constexpr std::string_view kJointSpeed =
     "without a setting the joints move as fast as they can; speed: 0.5 is half of that, time: 2s a "
     "duration";
-constexpr std::string_view kZones =
-    "a move stops at its goal; in a path, blend: 10mm rounds corners";
 constexpr std::string_view kStops = "an error that nothing catches ends the program";
-constexpr std::string_view kFromZero = "indexes stand in square brackets and count from 0";
 constexpr std::string_view kNotFromOne =
     "indexes count from 0 here: a list of 5 has the indexes 0 to 4";
 constexpr std::string_view kDecorators = "functions are declared without decorators";

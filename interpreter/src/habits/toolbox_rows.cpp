@@ -15,8 +15,6 @@ constexpr std::string_view kCatalog =
     "robots.ur5() gives a robot and object(\"cube\") a thing of the world";
 constexpr std::string_view kSpeeds =
     "with (speed: 100mm/s) { ... } holds for the moves inside; a move takes speed: too";
-constexpr std::string_view kZones =
-    "a move stops at its goal; in a path, blend: 10mm rounds corners";
 constexpr std::string_view kBase =
     "where a robot stands is said where it is made: robots.ur5(base: xyz(x: 1m))";
 constexpr std::string_view kEvenSteps =
@@ -28,7 +26,6 @@ constexpr std::string_view kPostures =
 constexpr std::string_view kPath =
     "path (blend: 5mm) { moveL(a); moveL(b) } goes through poses without a stop";
 constexpr std::string_view kPage = "armlet lab FILE shows the robot in a page, with sliders";
-constexpr std::string_view kNamedSignals = "signals have names";
 
 constexpr auto kToolboxes = std::to_array<Habit>({
     // poses

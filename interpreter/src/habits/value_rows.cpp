@@ -7,10 +7,8 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::string_view kFromZero = "indexes stand in square brackets and count from 0";
 constexpr std::string_view kCopied = "values are copied; a function gives back what it computes";
 constexpr std::string_view kNoNull = "every variable has a value of its type from the start";
-constexpr std::string_view kNamedSignals = "signals have names";
 
 constexpr auto kValues = std::to_array<Habit>({
     // Python

@@ -2,21 +2,21 @@
 
 #include <algorithm>
 
-#include "compile/cancelled.hpp"
+#include "ast/ast_copy.hpp"
+#include "base/cancelled.hpp"
+#include "base/quotes.hpp"
 #include "syntax/build/build_ast.hpp"
 #include "syntax/mistakes/brackets.hpp"
 #include "syntax/mistakes/recovery.hpp"
 #include "syntax/mistakes/syntax_errors.hpp"
+#include "syntax/parser/table_prediction.hpp"
+#include "syntax/parser/token_feed.hpp"
 #include "syntax/repair/balance.hpp"
 #include "syntax/repair/first_failure.hpp"
 #include "syntax/repair/mend.hpp"
-#include "syntax/table_prediction.hpp"
-#include "syntax/token_feed.hpp"
 #include "syntax/tokens/lex.hpp"
 #include "syntax/tokens/line_ends.hpp"
-#include "syntax/tokens/quotes.hpp"
 #include "syntax/tokens/token_kinds.hpp"
-#include "syntax/tree/ast_copy.hpp"
 
 namespace armlet::lang {
 namespace {

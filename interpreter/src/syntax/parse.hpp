@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/compile_options.hpp"
+#include "ast/ast.hpp"
+#include "base/arena.hpp"
 #include "syntax/read_before.hpp"
 #include "syntax/tokens/shape.hpp"
-#include "syntax/tree/arena.hpp"
-#include "syntax/tree/ast.hpp"
 
 namespace armlet::lang {
 

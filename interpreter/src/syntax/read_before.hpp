@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "syntax/tree/ast.hpp"
+#include "ast/ast.hpp"
 
 namespace armlet::lang {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "check/entries/kept.hpp"
+#include "hir/kept.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/state.hpp"
 #include "vm/tasks/recordings.hpp"

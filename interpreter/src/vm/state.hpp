@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "armlet/core/checkpoint.hpp"
-#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/failure.hpp"
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 #include "vm/entries.hpp"
 #include "vm/heap/heap.hpp"
 #include "vm/run_counts.hpp"

@@ -3,10 +3,10 @@
 
 #include "armlet/core/ample_stack.hpp"
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 #include "armlet/interpreter/work.hpp"
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 #include "vm/tasks/tasks.hpp"
 #include "vm/turn.hpp"
 

@@ -10,6 +10,7 @@
 #include "armlet/interpreter/resource.hpp"
 #include "check/check.hpp"
 #include "syntax/parse.hpp"
+#include "vm/host/language_functions.hpp"
 
 namespace armlet::lang {
 
@@ -108,7 +109,7 @@ inline const NativeConstant kNumbers[] = {{.name = "PI", .value = 3.141592653589
 
 struct Checked {
   std::shared_ptr<SourceSet> sources = std::make_shared<SourceSet>();
-  CompiledProgram program;
+  CheckedProgram program;
   std::vector<Diagnostic> messages;
   bool ok = false;
 
@@ -138,7 +139,7 @@ struct Checked {
 inline std::unique_ptr<Checked> check_text(const std::string& text,
                                            const std::string& name = "cell.rbt") {
   static const auto registry = [] {
-    auto made = std::make_unique<Registry>();
+    auto made = std::make_unique<Registry>(kLanguageFunctions);
     made->add_functions(kWords);
     for (const NativeConstant& number : kNumbers) made->add_constant(number);
     for (const HostType* type : {&kPosJ, &kPosC, &kRobot, &kRow}) made->add_type(*type);

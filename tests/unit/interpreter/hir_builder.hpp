@@ -5,22 +5,21 @@
 #include <string_view>
 #include <vector>
 
-#include "compile/code/program.hpp"
+#include "hir/checked_program.hpp"
+#include "vm/host/language_functions.hpp"
 
 namespace armlet::lang {
 
 class HirBuilder {
  public:
-  HirBuilder() : program(std::make_unique<Program::Code>()) {
-    program->sources = std::make_shared<SourceSet>();
-    program->sources->add("built.rbt", "by hand");
-    program->arena = std::make_unique<Arena>();
-    program->types = std::make_unique<TypePool>();
+  HirBuilder() {
+    program.sources->add("built.rbt", "by hand");
+    program.language = &kLanguageFunctions;
     main = function("", {}, types().void_type());
     owner = main;
   }
 
-  TypePool& types() { return *program->types; }
+  TypePool& types() { return *program.types; }
 
   hir::Function* function(std::string_view name, std::vector<hir::Variable*> parameters,
                           const Type* result) {
@@ -170,23 +169,23 @@ class HirBuilder {
   }
 
   // The program, complete: ready for `lower`.
-  std::unique_ptr<Program::Code> finish(const std::vector<hir::Stmt*>& body) {
+  CheckedProgram finish(const std::vector<hir::Stmt*>& body) {
     main->body = block(body);
-    program->module.main = main;
-    program->module.functions = copy(functions);
-    program->module.globals = copy(globals);
-    program->module.global_count = static_cast<std::uint32_t>(globals.size());
+    program.module.main = main;
+    program.module.functions = copy(functions);
+    program.module.globals = copy(globals);
+    program.module.global_count = static_cast<std::uint32_t>(globals.size());
     return std::move(program);
   }
 
-  std::unique_ptr<Program::Code> program;
+  CheckedProgram program;
   hir::Function* main = nullptr;
   hir::Function* owner = nullptr;  // of the variables made from now on
 
  private:
   template <class T>
   T* make() {
-    return program->arena->make<T>();
+    return program.arena->make<T>();
   }
   template <class T>
   T* expr(hir::ExprKind kind, const Type* type) {
@@ -205,7 +204,7 @@ class HirBuilder {
   }
   template <class T>
   hir::Seq<T> copy(const std::vector<T>& items) {
-    return program->arena->copy(items);
+    return program.arena->copy(items);
   }
 
   std::vector<hir::Function*> functions;

@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "armlet/interpreter/engine.hpp"
-#include "compile/pipeline.hpp"
+#include "driver/pipeline.hpp"
+#include "driver/vocabulary.hpp"
 
 namespace armlet::lang {
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "compile/code/program.hpp"
+#include "program/program.hpp"
 
 namespace armlet::lang {
 

@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "armlet/stdlib/session.hpp"
-#include "compile/code/properties.hpp"
-#include "compile/pipeline.hpp"
+#include "driver/pipeline.hpp"
+#include "driver/vocabulary.hpp"
 #include "executed.hpp"
 #include "library.hpp"
+#include "program/properties.hpp"
 #include "random/program.hpp"
 
 namespace fs = std::filesystem;

@@ -4,10 +4,10 @@
 
 #include <random>
 
-#include "check/tree/walk.hpp"
-#include "compile/code/program.hpp"
 #include "editor/facts.hpp"
 #include "editor_support.hpp"
+#include "hir/walk.hpp"
+#include "program/program.hpp"
 
 using namespace armlet;
 using namespace armlet::editor_test;

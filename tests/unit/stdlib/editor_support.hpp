@@ -13,9 +13,9 @@
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "ast/ast_walk.hpp"
 #include "editor/facts.hpp"
 #include "syntax/tokens/lex.hpp"
-#include "syntax/tree/ast_walk.hpp"
 
 namespace armlet::editor_test {
 

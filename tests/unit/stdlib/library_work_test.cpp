@@ -12,8 +12,8 @@
 #include "armlet/interpreter/work.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/vision/opencv.hpp"
+#include "driver/vocabulary.hpp"
 #include "library.hpp"
-#include "registry.hpp"
 #include "sanitized.hpp"
 #include "vm/state.hpp"
 

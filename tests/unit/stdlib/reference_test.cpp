@@ -9,7 +9,7 @@
 #include "armlet/stdlib/session.hpp"
 #include "armlet/trajectory/planner.hpp"
 #include "library.hpp"
-#include "reference/language_words.hpp"
+#include "vocabulary/language_words.hpp"
 
 namespace armlet {
 namespace {

@@ -14,7 +14,7 @@
 #include <type_traits>
 
 #include "armlet/interpreter/answer.hpp"
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

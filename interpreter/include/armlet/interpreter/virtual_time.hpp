@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "armlet/interpreter/native.hpp"
-
 namespace armlet {
+
+class Vm;
 
 // The double nearest to this time: 600'000 ns are the same value as `0.6ms` in a program. (A factor
 // of 1e-9 would be rounded before it is used, and three times 200 us would not be 0.6 ms.)

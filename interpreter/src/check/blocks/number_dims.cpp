@@ -6,7 +6,6 @@
 #include "armlet/interpreter/binding/dims_fact.hpp"
 #include "check/checker.hpp"
 #include "check/types/constants.hpp"
-#include "table_functions.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -71,7 +70,7 @@ class DimsOfParts {
     if (at.kind == ExprKind::kPart) return part(at.as<hir::PartExpr>(), depth);
     if (at.kind == ExprKind::kOverList) return over_list(at.as<hir::OverListExpr>(), depth);
     if (at.kind == ExprKind::kCallNative) {
-      if (at.as<hir::CallNativeExpr>().function == &kTableColumn)
+      if (at.as<hir::CallNativeExpr>().function == checker_.registry.language().table_column)
         return column(at.as<hir::CallNativeExpr>(), depth);
       if (const Dims found = each_native(at.as<hir::CallNativeExpr>(), depth)) return found;
     }
@@ -83,12 +82,12 @@ class DimsOfParts {
   }
 
   // Of the row that a recording takes at an instant; null: it is no recording.
-  static const hir::RecordExpr* row_of(const hir::Expr& table) {
+  const hir::RecordExpr* row_of(const hir::Expr& table) const {
     const hir::Expr& at = origin_of(table);
     if (at.kind != ExprKind::kCallNative) return nullptr;
     const auto& call = at.as<hir::CallNativeExpr>();
     const hir::Function* sample =
-        call.function == &kStartRecording ? function_of(*call.arguments[0]) : nullptr;
+        call.function == checker_.registry.language().start_recording ? function_of(*call.arguments[0]) : nullptr;
     if (sample == nullptr || sample->body == nullptr || sample->body->body.empty()) return nullptr;
     const hir::Stmt* last = sample->body->body.back();
     if (last->kind != hir::StmtKind::kReturn) return nullptr;
@@ -415,7 +414,7 @@ std::string text_of(const Dims& dims) {
 
 // Of each column of a recording, with semicolons between them.
 std::string units_of_columns(Checker& checker, const hir::Expr& table) {
-  const hir::RecordExpr* row = DimsOfParts::row_of(table);
+  const hir::RecordExpr* row = DimsOfParts(checker).row_of(table);
   if (row == nullptr) return {};
   std::string units;
   for (const hir::Expr* field : row->fields) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "armlet/interpreter/binding/dims_fact.hpp"
-#include "check/tree/hir.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::lang {
 

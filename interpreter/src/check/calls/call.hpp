@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "check/scopes/scope.hpp"
-#include "types/signature.hpp"
+#include "vocabulary/signature.hpp"
 
 namespace armlet::lang {
 

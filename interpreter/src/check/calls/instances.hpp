@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "armlet/interpreter/type.hpp"
+#include "base/arena.hpp"
 #include "check/names/declared.hpp"
-#include "check/tree/hir.hpp"
-#include "syntax/tree/arena.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::lang {
 

@@ -1,12 +1,10 @@
 #include "check/calls/intrinsics.hpp"
 
-#include "armlet/interpreter/engine.hpp"
 #include "check/calls/list_mutations.hpp"
 #include "check/calls/native_calls.hpp"
 #include "check/calls/printf.hpp"
 #include "check/checker.hpp"
 #include "check/names/places.hpp"
-#include "check/tree/hand_on.hpp"
 #include "check/types/expressions.hpp"
 #include "check/types/maps.hpp"
 #include "check/types/members.hpp"
@@ -21,48 +19,6 @@ hir::Expr* conversion_call(Checker& checker, const ast::CallExpr& call, const Ty
                            std::string_view name);
 hir::Expr* mutation(Checker& checker, const ast::CallExpr& call, const ast::MemberExpr& member,
                     hir::Mutation mutation);
-
-Signal print_text(Vm& vm, Slot* args) {
-  return vm.print(text_value(args[0])) ? give_nothing() : Signal::kFail;
-}
-
-constexpr NativeFunction kPrint = {
-    .name = "print",
-    .signature = "(text: string)",
-    .help = "Writes its values, separated by spaces, and ends the line.",
-    .example = "print(1, \"two\")",
-    .thunk = &print_text};
-
-Signal last_element(Vm& vm, Slot* args) {
-  const auto* list = static_cast<const ListObj*>(args[0].o);
-  if (list->size == 0) {
-    Failure failure;
-    failure.headline = Headline::own("R0606", "an empty list has no last value");
-    failure.mark_parameter = 0;
-    return fail(vm, std::move(failure));
-  }
-  const Slot last = list->data[list->size - 1];
-  if (list->holds_references() && last.o == nullptr) {
-    Failure failure;
-    failure.headline =
-        Headline::own("R0623", "the last element of this list is read before it has a value");
-    failure.mark_parameter = 0;
-    return fail(vm, std::move(failure));
-  }
-  if (list->holds_references()) retain(last.o);
-  args[0] = last;
-  return Signal::kDone;
-}
-
-}  // namespace
-
-const NativeFunction kLast = {.name = "last",
-                              .signature = "(xs: T[]) -> T",
-                              .help = "The last value of a list.",
-                              .example = "[1, 2].last",
-                              .thunk = &last_element};
-
-namespace {
 
 std::string values(std::size_t least, std::size_t most) {
   if (most == 0) return "no values";
@@ -118,7 +74,7 @@ hir::Expr* print_parts(Checker& checker, const ast::CallExpr& call,
                                                   call.span, checker.seq(parts));
   const std::vector<Span> spans = {call.args_span};
   return checker.make<hir::CallNativeExpr>(
-      hir::ExprKind::kCallNative, checker.types.void_type(), call.span, &kPrint,
+      hir::ExprKind::kCallNative, checker.types.void_type(), call.span, checker.registry.language().print,
       checker.seq(std::vector<hir::Expr*>{text}),
       hir::CallSite{call.span, call.callee->span, checker.seq(spans)});
 }
@@ -156,7 +112,7 @@ hir::Expr* print_formatted(Checker& checker, const ast::CallExpr& call) {
 
 // The last value of a list that should be computed only once.
 hir::Expr* last_call(Checker& checker, hir::Expr* list, Span span) {
-  const NativeFunction* const functions[] = {&kLast};
+  const NativeFunction* const functions[] = {checker.registry.language().last};
   return call_native(checker, "last", functions, span, span, {Argument{.value = list}});
 }
 

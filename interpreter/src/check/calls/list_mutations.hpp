@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "check/tree/hir_place.hpp"
+#include "hir/hir_place.hpp"
 
 namespace armlet::lang {
 

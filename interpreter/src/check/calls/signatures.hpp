@@ -4,8 +4,8 @@
 #include <memory>
 #include <unordered_map>
 
-#include "registry.hpp"
-#include "types/signature.hpp"
+#include "vocabulary/registry.hpp"
+#include "vocabulary/signature.hpp"
 
 namespace armlet::lang {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "check/entries/kept.hpp"
+#include "hir/kept.hpp"
 
 namespace armlet::lang {
 

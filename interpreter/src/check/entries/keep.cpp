@@ -4,10 +4,9 @@
 #include <set>
 #include <utility>
 
+#include "base/diagnostic/backticks.hpp"
+#include "base/words.hpp"
 #include "check/scopes/usage.hpp"
-#include "compile/load_files.hpp"
-#include "diagnostic/backticks.hpp"
-#include "syntax/tokens/words.hpp"
 
 namespace armlet::lang {
 namespace {

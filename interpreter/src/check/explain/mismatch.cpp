@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/diagnostic/backticks.hpp"
 #include "check/checker.hpp"
 #include "check/explain/edits.hpp"
 #include "check/explain/joined_lines.hpp"
@@ -14,8 +15,7 @@
 #include "check/names/unknown_names.hpp"
 #include "check/types/any_table.hpp"
 #include "check/types/matrices.hpp"
-#include "diagnostic/backticks.hpp"
-#include "reference/language_words.hpp"
+#include "vocabulary/language_words.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "check/tree/hir.hpp"
-#include "syntax/tree/ast.hpp"
+#include "ast/ast.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::lang {
 

@@ -11,7 +11,7 @@
 #include "check/types/matrices.hpp"
 #include "check/types/members.hpp"
 #include "check/types/operators.hpp"
-#include "compile/lower/analysis.hpp"
+#include "hir/analysis.hpp"
 
 namespace armlet::lang {
 namespace {

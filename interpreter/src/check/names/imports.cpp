@@ -4,6 +4,8 @@
 #include <array>
 
 #include "armlet/interpreter/resource.hpp"
+#include "base/diagnostic/backticks.hpp"
+#include "base/words.hpp"
 #include "check/calls/calls.hpp"
 #include "check/calls/functions.hpp"
 #include "check/names/declarations.hpp"
@@ -11,8 +13,6 @@
 #include "check/types/expressions.hpp"
 #include "check/types/members.hpp"
 #include "check/types/types.hpp"
-#include "diagnostic/backticks.hpp"
-#include "syntax/tokens/words.hpp"
 
 namespace armlet::lang {
 namespace {

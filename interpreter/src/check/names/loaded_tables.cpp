@@ -2,7 +2,7 @@
 
 #include "armlet/interpreter/host/table_text.hpp"
 #include "check/names/suggest.hpp"
-#include "types/table_files.hpp"
+#include "vocabulary/table_files.hpp"
 
 namespace armlet::lang {
 namespace {

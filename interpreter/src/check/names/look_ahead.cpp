@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "ast/ast_walk.hpp"
 #include "check/calls/list_mutations.hpp"
-#include "syntax/tree/ast_walk.hpp"
 
 namespace armlet::lang {
 namespace {

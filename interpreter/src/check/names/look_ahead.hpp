@@ -4,7 +4,7 @@
 #include <set>
 #include <string_view>
 
-#include "syntax/tree/ast.hpp"
+#include "ast/ast.hpp"
 
 namespace armlet::lang {
 

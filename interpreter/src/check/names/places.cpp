@@ -18,7 +18,7 @@
 #include "check/types/members.hpp"
 #include "check/types/operators.hpp"
 #include "check/types/types.hpp"
-#include "compile/lower/analysis.hpp"
+#include "hir/analysis.hpp"
 
 namespace armlet::lang {
 

@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "armlet/interpreter/world_names.hpp"
+#include "base/diagnostic/backticks.hpp"
+#include "base/foreign_words.hpp"
 #include "check/explain/edits.hpp"
 #include "check/explain/nothings.hpp"
 #include "check/names/imports.hpp"
 #include "check/types/maps.hpp"
-#include "diagnostic/backticks.hpp"
-#include "reference/language_words.hpp"
-#include "syntax/tokens/foreign_words.hpp"
+#include "vocabulary/language_words.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -8,21 +8,10 @@
 
 #include "check/names/declared.hpp"
 #include "check/scopes/variable_set.hpp"
-#include "check/tree/hir.hpp"
+#include "hir/hir.hpp"
+#include "hir/kept.hpp"
 
 namespace armlet::lang {
-
-enum class Declared : std::uint8_t {
-  kLet,
-  kFinal,
-  kVar,
-  kClassic,
-  kParameter,
-  kLoop,
-  kCatch,
-  kBlock,
-  kCapture
-};
 
 // A variable that can be seen from here.
 struct Local {

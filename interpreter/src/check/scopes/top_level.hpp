@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "check/scopes/uses.hpp"
-#include "check/tree/hir.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::lang {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "check/tree/hir.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::lang {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "check/statements/tasks.hpp"
-#include "check/tree/walk.hpp"
+#include "hir/walk.hpp"
 
 namespace armlet::lang {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "check/statements/recordings.hpp"
-#include "check/tree/walk.hpp"
+#include "hir/walk.hpp"
 
 namespace armlet::lang {
 

@@ -9,7 +9,7 @@
 #include "armlet/interpreter/resource.hpp"
 #include "check/names/declarations.hpp"
 #include "check/statements/settings.hpp"
-#include "check/tree/walk.hpp"
+#include "hir/walk.hpp"
 
 namespace armlet::lang {
 namespace {

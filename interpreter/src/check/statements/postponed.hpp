@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "ast/ast.hpp"
 #include "check/scopes/uses.hpp"
-#include "check/tree/hir.hpp"
-#include "syntax/tree/ast.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::lang {
 

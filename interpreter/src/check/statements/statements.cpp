@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/cancelled.hpp"
 #include "check/blocks/block_declarations.hpp"
 #include "check/calls/intrinsics.hpp"
 #include "check/calls/lambdas.hpp"
@@ -27,7 +28,6 @@
 #include "check/types/expressions.hpp"
 #include "check/types/members.hpp"
 #include "check/types/types.hpp"
-#include "compile/cancelled.hpp"
 
 namespace armlet::lang {
 

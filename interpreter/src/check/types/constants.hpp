@@ -5,8 +5,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "check/tree/hir.hpp"
-#include "types/signature.hpp"
+#include "hir/hir.hpp"
+#include "vocabulary/signature.hpp"
 
 namespace armlet::lang {
 

@@ -4,8 +4,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "ast/ast.hpp"
 #include "check/scopes/uses.hpp"
-#include "syntax/tree/ast.hpp"
 
 namespace armlet::lang {
 

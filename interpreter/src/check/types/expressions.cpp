@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ast/ast_walk.hpp"
+#include "base/cancelled.hpp"
 #include "check/calls/calls.hpp"
 #include "check/calls/functions.hpp"
 #include "check/calls/lambdas.hpp"
@@ -19,8 +21,7 @@
 #include "check/types/new_structs.hpp"
 #include "check/types/operators.hpp"
 #include "check/types/types.hpp"
-#include "compile/cancelled.hpp"
-#include "syntax/tree/ast_walk.hpp"
+#include "hir/zero.hpp"
 
 namespace armlet::lang {
 

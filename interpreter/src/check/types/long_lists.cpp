@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "check/names/declarations.hpp"
-#include "check/tree/hand_on.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -99,13 +98,18 @@ constexpr int kFewParts = 24;  // of a default value that every call repeats
 constexpr std::size_t kShortText = 64;
 constexpr std::size_t kMostDefaults = 1'000'000;
 
-bool all_fixed(const auto& items, int& parts);
+struct Parts {
+  const NativeFunction* filled;  // LanguageFunctions::filled
+  int count = 0;
+};
+
+bool all_fixed(const auto& items, Parts& parts);
 
 // A value that is the same at every call: written in the text, or a value of the host or a new list
 // made from such values. Counts its parts.
-bool is_fixed_value(const hir::Expr& value, int& parts) {
+bool is_fixed_value(const hir::Expr& value, Parts& parts) {
   const bool is_text = value.kind == hir::ExprKind::kText;
-  parts += is_text && value.as<hir::TextExpr>().value.size() > kShortText ? 1 + kFewParts : 1;
+  parts.count += is_text && value.as<hir::TextExpr>().value.size() > kShortText ? 1 + kFewParts : 1;
   switch (value.kind) {
     case hir::ExprKind::kText:
     case hir::ExprKind::kBool:
@@ -135,7 +139,7 @@ bool is_fixed_value(const hir::Expr& value, int& parts) {
       return all_fixed(value.as<hir::NewArrayExpr>().sizes, parts);
     case hir::ExprKind::kCallNative:
       return (value.type->is(Kind::kHost) ||
-              value.as<hir::CallNativeExpr>().function == &kFilled) &&
+              value.as<hir::CallNativeExpr>().function == parts.filled) &&
              all_fixed(value.as<hir::CallNativeExpr>().arguments, parts);
     case hir::ExprKind::kCall:  // of a function that gives a default value
       return value.as<hir::CallExpr>().function->gives_fixed_value;
@@ -164,7 +168,7 @@ bool is_fixed_value(const hir::Expr& value, int& parts) {
   return false;
 }
 
-bool all_fixed(const auto& items, int& parts) {
+bool all_fixed(const auto& items, Parts& parts) {
   return std::ranges::all_of(
       items, [&parts](const hir::Expr* item) { return is_fixed_value(*item, parts); });
 }
@@ -191,14 +195,14 @@ Default& known_default(Checker& checker, const ast::Expr& expr, const Target& ta
   known.is_open = false;
   known.use = std::move(used);
   if (value->type->is(Kind::kAny)) return known;
-  int parts = 0;
+  Parts parts{checker.registry.language().filled};
   if (!is_fixed_value(*value, parts)) {
     checker.report(
         make_diagnostic("E0334", expr.span, {"a default", "a value written in the text"}));
     return known;
   }
   known.value = value;
-  if (parts <= kFewParts) return known;
+  if (parts.count <= kFewParts) return known;
   known.function =
       checker.shared.instances.make_function("default of " + std::string(target.name), expr.span);
   known.function->gives_fixed_value = true;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "base/basic_types.hpp"
 #include "check/checker.hpp"
 #include "check/learnt.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/types/maps.hpp"
-#include "types/basic_types.hpp"
 
 namespace armlet::lang {
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
+#include "ast/ast.hpp"
+#include "base/arena.hpp"
 #include "syntax/tokens/token.hpp"
-#include "syntax/tree/arena.hpp"
-#include "syntax/tree/ast.hpp"
 
 namespace armlet::lang {
 

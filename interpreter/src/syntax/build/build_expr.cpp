@@ -2,8 +2,8 @@
 
 #include <limits>
 
+#include "ast/marks.hpp"
 #include "syntax/build/build_ast.hpp"
-#include "syntax/tokens/marks.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/quotes.hpp"
 #include "syntax/build/build_ast.hpp"
 #include "syntax/build/text_lines.hpp"
-#include "syntax/tokens/quotes.hpp"
 
 namespace armlet::lang {
 namespace {

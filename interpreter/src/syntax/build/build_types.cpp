@@ -1,6 +1,6 @@
 // Types, parameters, and what all parts of the builder use.
 
-#include "compile/cancelled.hpp"
+#include "base/cancelled.hpp"
 #include "syntax/build/build_ast.hpp"
 
 namespace armlet::lang {

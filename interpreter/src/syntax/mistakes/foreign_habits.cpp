@@ -6,8 +6,8 @@
 #include <cctype>
 
 #include "armlet/interpreter/unit.hpp"
+#include "base/foreign_words.hpp"
 #include "syntax/mistakes/failure_site.hpp"
-#include "syntax/tokens/foreign_words.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "base/foreign_words.hpp"
 #include "syntax/mistakes/failure_site.hpp"
 #include "syntax/mistakes/syntax_errors.hpp"
-#include "syntax/tokens/foreign_words.hpp"
 
 namespace armlet::lang {
 namespace {

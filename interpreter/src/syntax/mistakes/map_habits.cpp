@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/foreign_words.hpp"
 #include "syntax/mistakes/failure_site.hpp"
-#include "syntax/tokens/foreign_words.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <RbtParser.h>
 
-#include "syntax/table_prediction.hpp"
+#include "syntax/parser/table_prediction.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 
 namespace armlet::lang {

@@ -2,7 +2,7 @@
 
 #include <RbtParser.h>
 
-#include "syntax/table_prediction.hpp"
+#include "syntax/parser/table_prediction.hpp"
 
 namespace armlet::lang {
 

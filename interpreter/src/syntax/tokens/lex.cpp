@@ -6,8 +6,8 @@
 #include <iterator>
 #include <optional>
 
-#include "compile/cancelled.hpp"
-#include "syntax/mistakes/lexical_errors.hpp"
+#include "base/cancelled.hpp"
+#include "syntax/tokens/lexical_errors.hpp"
 #include "syntax/tokens/token_kinds.hpp"
 
 namespace armlet::lang {

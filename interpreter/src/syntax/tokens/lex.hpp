@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "armlet/interpreter/diagnostic.hpp"
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/compile_options.hpp"
 #include "syntax/tokens/token.hpp"
 
 namespace armlet::lang {

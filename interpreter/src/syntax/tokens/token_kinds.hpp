@@ -3,9 +3,9 @@
 
 #include <RbtLexer.h>
 
-#include "syntax/tokens/marks.hpp"
+#include "ast/marks.hpp"
+#include "base/words.hpp"
 #include "syntax/tokens/token.hpp"
-#include "syntax/tokens/words.hpp"
 
 namespace armlet::lang {
 

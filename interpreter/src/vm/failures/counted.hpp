@@ -2,7 +2,7 @@
 // Which variables a loop counts, for what messages propose.
 
 #include "armlet/interpreter/source.hpp"
-#include "check/tree/hir.hpp"
+#include "hir/hir.hpp"
 
 namespace armlet::lang {
 

@@ -8,10 +8,10 @@
 
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/interpreter/messages/catalog.hpp"
-#include "compile/code/properties.hpp"
-#include "format_value.hpp"
+#include "program/properties.hpp"
 #include "vm/failures/counted.hpp"
 #include "vm/failures/leaving.hpp"
+#include "vm/format_value.hpp"
 #include "vm/instructions/interpret.hpp"
 
 namespace armlet::lang {

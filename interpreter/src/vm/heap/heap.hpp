@@ -18,6 +18,7 @@
 
 #include "armlet/interpreter/host/memory.hpp"
 #include "armlet/interpreter/object.hpp"
+#include "base/utf8.hpp"
 
 namespace armlet::lang {
 
@@ -243,10 +244,6 @@ inline void retain_object(Obj* object) {
 
 // Code points in a text that have been counted already, or are now.
 [[nodiscard]] std::uint32_t character_count(TextObj& text);
-// Whether a code point begins with this byte of a text in UTF-8.
-[[nodiscard]] inline bool starts_character(char byte) {
-  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-}
 // Code points that begin in a piece of a text, and the byte at which one of these begins.
 [[nodiscard]] std::uint32_t characters_in(std::string_view piece);
 [[nodiscard]] std::uint32_t offset_in(std::string_view piece, std::uint32_t index);

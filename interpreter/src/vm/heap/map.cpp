@@ -9,14 +9,14 @@
 
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/work.hpp"
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 
 namespace armlet::lang {
 namespace {
 
 constexpr std::uint64_t kFewest = 8;          // entries that a map has room for
-constexpr std::uint64_t kMost = 1ULL << 30U;  // entries
+constexpr std::uint64_t kMostEntries = 1ULL << 30U;  // entries
 constexpr std::uint32_t kFreeProbes = 16;     // more of them count as work
 
 // Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
@@ -127,7 +127,7 @@ void enter(const MapObj& map, std::uint32_t number) {
 
 // The entries that are not removed move to a block with room for `capacity` of them.
 bool move_entries(VmState& state, MapObj& map, std::uint64_t capacity) {
-  if (capacity > kMost) return raise_out_of_memory(state);
+  if (capacity > kMostEntries) return raise_out_of_memory(state);
   MapObj* fresh = state.heap.new_map(map.flags, static_cast<std::uint32_t>(capacity));
   if (fresh == nullptr) return raise_out_of_memory(state);
   const auto move = [&](std::size_t begin, std::size_t end) {

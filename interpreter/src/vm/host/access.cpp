@@ -6,7 +6,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/core/similar.hpp"
-#include "check/entries/kept.hpp"
+#include "hir/kept.hpp"
 #include "vm/failures/failures.hpp"
 
 namespace armlet::lang {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "armlet/interpreter/render.hpp"
-#include "types/typed_signature.hpp"
 #include "vm/host/access.hpp"
 #include "vm/host/values.hpp"
 #include "vm/turn.hpp"
+#include "vocabulary/typed_signature.hpp"
 
 namespace armlet {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "armlet/core/error.hpp"
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 #include "vm/host/access.hpp"
 #include "vm/host/seen.hpp"
 #include "vm/tasks/tasks.hpp"

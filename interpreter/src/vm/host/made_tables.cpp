@@ -1,7 +1,7 @@
 // Tables that functions of the host make.
 
-#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/host/table_text.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/state.hpp"

@@ -7,11 +7,11 @@
 #include <string>
 
 #include "armlet/core/ample_stack.hpp"
-#include "types/typed_signature.hpp"
 #include "vm/host/access.hpp"
 #include "vm/host/frames.hpp"
 #include "vm/host/values.hpp"
 #include "vm/turn.hpp"
+#include "vocabulary/typed_signature.hpp"
 
 namespace armlet {
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "armlet/interpreter/host/value.hpp"
+#include "base/utf8.hpp"
 #include "vm/state.hpp"
 
 namespace armlet::lang {
@@ -24,9 +25,6 @@ enum class Undefined : std::uint8_t { kRefused, kKept };
 inline constexpr const char* kUndefinedNumber =
     ", and was given nan; any number will do, also an infinite one";
 
-// The first byte that is no part of a character in UTF-8; nothing: all are. Programs hold no other
-// texts.
-[[nodiscard]] std::optional<std::size_t> broken_byte(std::string_view text);
 [[nodiscard]] std::string broken_text(std::size_t byte);  // "takes a string, and was given ..."
 
 // A slot that owns its value, which has the type.

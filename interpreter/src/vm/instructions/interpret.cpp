@@ -135,7 +135,7 @@ Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr
   static const void* const labels[] = {
 #define OP(name, ...) &&L_##name,
 #define VARIANT(name, ...) &&L_##name,
-#include "compile/code/bytecode.def"
+#include "program/bytecode.def"
 #undef VARIANT
 #undef OP
   };

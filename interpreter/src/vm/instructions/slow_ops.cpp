@@ -6,8 +6,8 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "armlet/math/det_math.hpp"
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 #include "vm/heap/equality.hpp"
 #include "vm/instructions/unset.hpp"
 

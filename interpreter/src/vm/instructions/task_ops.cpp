@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/durations.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "armlet/interpreter/work.hpp"
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 #include "vm/instructions/slow_ops.hpp"
 
 namespace armlet::lang {

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "armlet/interpreter/work.hpp"
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 #include "vm/heap/counted.hpp"
 
 namespace armlet::lang {

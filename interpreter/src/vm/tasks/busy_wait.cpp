@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "check/tree/walk.hpp"
+#include "hir/walk.hpp"
 #include "vm/failures/failures.hpp"
 
 namespace armlet::lang {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "armlet/interpreter/virtual_time.hpp"
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 #include "vm/state.hpp"
 
 namespace armlet::lang {

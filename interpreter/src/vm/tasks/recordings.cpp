@@ -6,9 +6,8 @@
 
 #include "armlet/interpreter/virtual_time.hpp"
 #include "armlet/interpreter/work.hpp"
-#include "format_value.hpp"
-#include "table_functions.hpp"
 #include "vm/failures/failures.hpp"
+#include "vm/format_value.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/durations.hpp"
 

@@ -46,4 +46,11 @@ class Recordings {
   std::vector<Recording> recordings_;
 };
 
+// As LanguageFunctions says.
+extern const NativeFunction kStartRecording;
+extern const NativeFunction kEndRecording;
+extern const NativeFunction kTableColumn;
+extern const NativeFunction kTableRows;
+extern const NativeFunction kTableLength;
+
 }  // namespace armlet::lang

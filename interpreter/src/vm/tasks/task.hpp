@@ -10,7 +10,7 @@
 #include "armlet/core/platform.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/interpreter/native.hpp"
-#include "compile/code/program.hpp"
+#include "program/program.hpp"
 
 namespace armlet::lang {
 

@@ -6,9 +6,9 @@
 
 #include "armlet/interpreter/resource.hpp"
 #include "armlet/interpreter/virtual_time.hpp"
-#include "format_value.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/failures/leaving.hpp"
+#include "vm/format_value.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/busy_wait.hpp"
 #include "vm/tasks/durations.hpp"

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "armlet/core/error.hpp"
-#include "reference/foreign_names.hpp"
-#include "registry.hpp"
+#include "vm/host/language_functions.hpp"
+#include "vocabulary/foreign_names.hpp"
+#include "vocabulary/registry.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -49,7 +50,7 @@ TEST_CASE("among equally near names the first is taken") {
 }
 
 TEST_CASE("words of other languages have their counterpart") {
-  const Registry registry;
+  const Registry registry(kLanguageFunctions);
   CHECK(registry.foreign("sleep")->here == "wait");
   CHECK(registry.foreign("println")->here == "print");
   CHECK(registry.foreign("and")->here == "&&");
@@ -63,7 +64,7 @@ TEST_CASE("words of other languages have their counterpart") {
 TEST_CASE("a host adds rows, each word of a kind once") {
   static constexpr ForeignName kRows[] = {{"heatUp", "warm"},
                                           {"power", "watts", "", ForeignKind::kSetting}};
-  Registry registry;
+  Registry registry(kLanguageFunctions);
   registry.add_foreign_names(kRows);
   CHECK(registry.foreign("heatUp")->here == "warm");
   CHECK(registry.foreign("power") == nullptr);

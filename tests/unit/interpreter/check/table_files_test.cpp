@@ -1,4 +1,4 @@
-#include "types/table_files.hpp"
+#include "vocabulary/table_files.hpp"
 
 #include <doctest/doctest.h>
 

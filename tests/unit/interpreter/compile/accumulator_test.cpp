@@ -1,4 +1,4 @@
-#include "compile/optimise/accumulator.hpp"
+#include "lower/optimise/accumulator.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "compile/code/program.hpp"
+#include "program/program.hpp"
 #include "vm_fixture.hpp"
 
 using namespace armlet;

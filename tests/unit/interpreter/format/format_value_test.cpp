@@ -1,4 +1,4 @@
-#include "format_value.hpp"
+#include "vm/format_value.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 #undef WHEN  // of doctest; the parser has a function of that name
 #include <RbtParser.h>
 
-#include "syntax/token_feed.hpp"
+#include "syntax/parser/token_feed.hpp"
 #include "syntax_sentences.hpp"
 
 namespace armlet::lang {

@@ -11,7 +11,7 @@
 #include <random>
 #include <sstream>
 
-#include "syntax/token_feed.hpp"
+#include "syntax/parser/token_feed.hpp"
 #include "syntax/tokens/lex.hpp"
 #include "syntax/tokens/line_ends.hpp"
 #include "syntax/tokens/token_kinds.hpp"

@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "syntax/tokens/marks.hpp"
-#include "syntax/tokens/words.hpp"
+#include "ast/marks.hpp"
+#include "base/words.hpp"
 
 #undef WHEN  // of doctest; the parser has a function of that name
 #include <RbtLexer.h>

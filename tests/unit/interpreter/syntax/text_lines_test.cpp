@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "armlet/interpreter/format.hpp"
+#include "base/quotes.hpp"
 #include "syntax/parse.hpp"
-#include "syntax/tokens/quotes.hpp"
 #include "vm_fixture.hpp"
 
 namespace armlet::lang {

@@ -9,7 +9,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
-#include "registry.hpp"
+#include "driver/vocabulary.hpp"
 
 namespace armlet {
 namespace {

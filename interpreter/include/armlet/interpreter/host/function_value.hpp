@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

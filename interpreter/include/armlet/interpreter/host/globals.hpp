@@ -15,8 +15,8 @@
 
 #include "armlet/interpreter/binding/stored.hpp"
 #include "armlet/interpreter/binding/typed_results.hpp"
-#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/host/value.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

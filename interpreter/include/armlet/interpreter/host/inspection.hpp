@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

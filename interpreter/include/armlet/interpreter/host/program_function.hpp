@@ -22,8 +22,8 @@
 #include "armlet/interpreter/answer.hpp"
 #include "armlet/interpreter/binding/stored.hpp"
 #include "armlet/interpreter/binding/typed_results.hpp"
-#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/host/value.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

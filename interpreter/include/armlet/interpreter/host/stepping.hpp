@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/host/value.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

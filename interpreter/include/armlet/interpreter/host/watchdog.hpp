@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "armlet/core/platform.hpp"
-#include "armlet/interpreter/engine.hpp"
+#include "armlet/interpreter/host/vm.hpp"
 
 namespace armlet {
 

@@ -1,0 +1,58 @@
+// Elements that may have no value yet: what reads them looks first.
+
+#include <algorithm>
+
+#include "lower/values.hpp"
+#include "vocabulary/language_functions.hpp"
+
+namespace armlet::lang {
+
+using namespace hir;
+
+bool may_be_unset(const Lowering& in, const Type& element) {
+  return in.tables.program().unset.is_element(&element);
+}
+
+bool may_hold_unset(const Lowering& in, const Type& type) {
+  return in.tables.program().unset.may_be_in(&type);
+}
+
+// Whether a step before the last one goes through an element that may be not set.
+bool leads_through_unset(const Lowering& in, const Place& place) {
+  for (std::size_t i = 0; i + 1 < place.steps.size(); ++i) {
+    const Step& step = place.steps[i];
+    if (!step.is_field && step.map == nullptr && may_be_unset(in, *step.type)) return true;
+  }
+  return false;
+}
+
+// An element that a loop visits; `written` is the list.
+void load_item(Lowering& in, Reg to, Reg list, Reg index, const Type& element,
+               const Expr& written) {
+  if (!may_be_unset(in, element)) {
+    in.code.emit(OpCode::LD, to, list, index);
+    return;
+  }
+  in.code.at(written.span);
+  in.code.emit(OpCode::LDSET, to, list, index);
+}
+
+// A value that is used as a whole. only_itself: what lies in the elements of a list is not read.
+void check_whole(Lowering& in, const Expr& e, Reg value, bool only_itself) {
+  if (!may_hold_unset(in, *e.type)) return;
+  in.code.at(e.span);
+  in.code.push(OpCode::CHECKSET, value.bits, in.code.type(e.type), only_itself ? 1 : 0);
+}
+
+// Functions of the library find all elements set, unless they only hand on what they are given.
+void check_arguments(Lowering& in, const CallNativeExpr& e, Reg base) {
+  const LanguageFunctions* const language = in.tables.program().language;
+  if (language != nullptr && (e.function == language->filled || e.function == language->last))
+    return;
+  for (std::uint32_t i = 0; i < e.arguments.size(); ++i) {
+    const bool is_given = e.arguments[i]->kind != ExprKind::kAbsent;
+    if (is_given) check_whole(in, *e.arguments[i], base.plus(i));
+  }
+}
+
+}  // namespace armlet::lang
