@@ -7,6 +7,7 @@
 #include <string>
 
 #include "armlet/interpreter/define.hpp"
+#include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/host/program_function.hpp"
 #include "bench.hpp"
 

@@ -76,7 +76,8 @@ function(armlet_hurry_hot_code)
   set(ARMLET_QUICK -O2 -fno-lto)
   armlet_hurry(room_habits interpreter/src/habits/ pattern)
   armlet_hurry(room_vm interpreter/src/vm/host/ natives host_calls)
-  armlet_hurry(room_vm interpreter/src/vm/heap/ *)
+  armlet_hurry(room_vm interpreter/src/vm/heap/ heap heap_text memory)
+  armlet_hurry(room_vm interpreter/src/vm/values/ equality map map_values)
   armlet_hurry(room_vm interpreter/src/vm/instructions/ *)
   # Calls are worth inlining there; nested loops that are written to be unrolled would be 60 to 140 kB of code for each kernel of any
   # number of joints.

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "vm/failures/failures.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::oracle {
 

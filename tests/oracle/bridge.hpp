@@ -7,7 +7,7 @@
 #include "armlet/interpreter/engine.hpp"
 #include "program/program.hpp"
 #include "value.hpp"
-#include "vm/tasks/task.hpp"
+#include "vm/state/task.hpp"
 
 namespace armlet::oracle {
 

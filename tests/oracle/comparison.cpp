@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "driver/pipeline.hpp"
+#include "driver/vocabulary.hpp"
 #include "evaluator.hpp"
 #include "lower/lower.hpp"
 

@@ -17,7 +17,7 @@
 #include "vm/host/frames.hpp"
 #include "vm/host/no_trace.hpp"
 #include "vm/host/seen.hpp"
-#include "vm/turn.hpp"
+#include "vm/state/turn.hpp"
 
 namespace armlet::lang {
 namespace {

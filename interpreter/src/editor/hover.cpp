@@ -12,7 +12,7 @@
 #include "editor/symbol_at.hpp"
 #include "syntax/tokens/signs.hpp"
 #include "syntax/tokens/token_kinds.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 #include "vocabulary/language_words.hpp"
 #include "vocabulary/written_call.hpp"
 

@@ -44,8 +44,9 @@ struct EntryParts {
 };
 
 struct CheckedProgram {
+  CheckedProgram() : CheckedProgram(nullptr, false) {}
   // before  the entry that this one goes on from; null: there is none.
-  explicit CheckedProgram(const CheckedProgram* before = nullptr, bool is_entry = false);
+  CheckedProgram(const CheckedProgram* before, bool is_entry);
   CheckedProgram(CheckedProgram&&) noexcept;
   CheckedProgram& operator=(CheckedProgram&&) noexcept;
   ~CheckedProgram();

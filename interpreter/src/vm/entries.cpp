@@ -1,11 +1,11 @@
-#include "vm/entries.hpp"
+#include "vm/state/entries.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "hir/kept.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 #include "vm/tasks/recordings.hpp"
 
 namespace armlet::lang {

@@ -1,6 +1,6 @@
-#include "vm/run_counts.hpp"
+#include "vm/state/run_counts.hpp"
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -1,4 +1,4 @@
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 #include <algorithm>
 #include <cassert>

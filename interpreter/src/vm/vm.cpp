@@ -6,9 +6,9 @@
 #include "armlet/interpreter/host/vm.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
+#include "vm/state/turn.hpp"
 #include "vm/tasks/tasks.hpp"
-#include "vm/turn.hpp"
 
 namespace armlet {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "script_support.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

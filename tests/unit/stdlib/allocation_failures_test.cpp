@@ -13,7 +13,7 @@
 #include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "library.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 using namespace armlet;
 

@@ -15,7 +15,7 @@
 #include "driver/vocabulary.hpp"
 #include "library.hpp"
 #include "sanitized.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 using namespace armlet;
 

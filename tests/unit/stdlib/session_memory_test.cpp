@@ -11,7 +11,7 @@
 
 #include "armlet/model/catalog.hpp"
 #include "library.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace {
 

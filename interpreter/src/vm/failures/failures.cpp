@@ -11,8 +11,8 @@
 #include "program/properties.hpp"
 #include "vm/failures/counted.hpp"
 #include "vm/failures/leaving.hpp"
-#include "vm/format_value.hpp"
-#include "vm/instructions/interpret.hpp"
+#include "vm/heap/format_value.hpp"
+#include "vm/state/interpret.hpp"
 
 namespace armlet::lang {
 namespace {

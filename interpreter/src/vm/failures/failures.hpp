@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -4,9 +4,9 @@
 #include <span>
 
 #include "vm/failures/failures.hpp"
-#include "vm/instructions/interpret.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/instructions/unset.hpp"
+#include "vm/state/interpret.hpp"
 
 namespace armlet::lang {
 

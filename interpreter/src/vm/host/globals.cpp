@@ -8,7 +8,7 @@
 #include "armlet/interpreter/render.hpp"
 #include "vm/host/access.hpp"
 #include "vm/host/values.hpp"
-#include "vm/turn.hpp"
+#include "vm/state/turn.hpp"
 #include "vocabulary/typed_signature.hpp"
 
 namespace armlet {

@@ -7,8 +7,8 @@
 #include "armlet/interpreter/host/function_value.hpp"
 #include "armlet/interpreter/script_function.hpp"
 #include "vm/host/aside.hpp"
-#include "vm/host/checked.hpp"
 #include "vm/host/frames.hpp"
+#include "vm/values/checked.hpp"
 
 namespace armlet {
 

@@ -5,11 +5,11 @@
 
 #include "armlet/core/error.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 #include "vm/host/access.hpp"
 #include "vm/host/seen.hpp"
+#include "vm/state/turn.hpp"
 #include "vm/tasks/tasks.hpp"
-#include "vm/turn.hpp"
 
 namespace armlet {
 

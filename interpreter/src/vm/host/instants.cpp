@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "vm/turn.hpp"
+#include "vm/state/turn.hpp"
 
 namespace armlet {
 

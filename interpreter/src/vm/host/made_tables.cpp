@@ -4,7 +4,7 @@
 #include "armlet/interpreter/host/vm.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "vm/instructions/slow_ops.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet {
 namespace {

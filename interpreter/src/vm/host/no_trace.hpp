@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "vm/entries.hpp"
-#include "vm/state.hpp"
+#include "vm/state/entries.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -10,7 +10,7 @@
 #include "vm/host/access.hpp"
 #include "vm/host/frames.hpp"
 #include "vm/host/values.hpp"
-#include "vm/turn.hpp"
+#include "vm/state/turn.hpp"
 #include "vocabulary/typed_signature.hpp"
 
 namespace armlet {

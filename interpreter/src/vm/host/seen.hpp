@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

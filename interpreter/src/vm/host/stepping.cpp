@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "armlet/core/error.hpp"
-#include "vm/turn.hpp"
+#include "vm/state/turn.hpp"
 
 namespace armlet {
 

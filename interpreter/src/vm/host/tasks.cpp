@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "armlet/core/ample_stack.hpp"
-#include "vm/entries.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/host/access.hpp"
 #include "vm/host/aside.hpp"
 #include "vm/host/no_trace.hpp"
 #include "vm/host/values.hpp"
+#include "vm/state/entries.hpp"
+#include "vm/state/turn.hpp"
 #include "vm/tasks/tasks.hpp"
-#include "vm/turn.hpp"
 
 namespace armlet {
 

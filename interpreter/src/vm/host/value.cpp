@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "armlet/interpreter/type.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 
 namespace armlet {
 

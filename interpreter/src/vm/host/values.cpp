@@ -8,7 +8,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/binding/map_values.hpp"
-#include "vm/heap/map.hpp"
+#include "vm/values/map.hpp"
 
 namespace armlet::lang {
 

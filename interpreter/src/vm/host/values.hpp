@@ -9,7 +9,7 @@
 
 #include "armlet/interpreter/host/value.hpp"
 #include "base/utf8.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -2,7 +2,7 @@
 // Loops of one instruction: several passes at once, as far as nothing in them fails. Every pass
 // counts a step, as ever; at least one pass is left to the instruction itself.
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

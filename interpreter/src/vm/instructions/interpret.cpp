@@ -1,14 +1,14 @@
-#include "vm/instructions/interpret.hpp"
+#include "vm/state/interpret.hpp"
 
 #include <cmath>
 #include <cstring>
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/host/checked.hpp"
 #include "vm/instructions/each.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/instructions/unset.hpp"
+#include "vm/values/checked.hpp"
 
 // Every instruction ends with its own jump to the next one: branch predictors learn the program
 // that way. Labels as values are an extension that both of our compilers have.

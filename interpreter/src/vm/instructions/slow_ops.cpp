@@ -7,9 +7,9 @@
 #include "armlet/interpreter/work.hpp"
 #include "armlet/math/det_math.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
-#include "vm/heap/equality.hpp"
+#include "vm/heap/format_value.hpp"
 #include "vm/instructions/unset.hpp"
+#include "vm/values/equality.hpp"
 
 namespace armlet::lang {
 

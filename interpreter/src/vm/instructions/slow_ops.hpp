@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 #include "vm/instructions/slow_ops.hpp"
-#include "vm/tasks/durations.hpp"
+#include "vm/values/durations.hpp"
 
 namespace armlet::lang {
 

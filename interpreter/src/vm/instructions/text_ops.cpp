@@ -5,7 +5,7 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 #include "vm/instructions/slow_ops.hpp"
 
 namespace armlet::lang {

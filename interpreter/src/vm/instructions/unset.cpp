@@ -4,8 +4,8 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
-#include "vm/heap/counted.hpp"
+#include "vm/heap/format_value.hpp"
+#include "vm/values/counted.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Loops that wait for no time: the clock stands still for as long as they run.
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -7,9 +7,9 @@
 #include "armlet/interpreter/virtual_time.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 #include "vm/instructions/slow_ops.hpp"
-#include "vm/tasks/durations.hpp"
+#include "vm/values/durations.hpp"
 
 namespace armlet::lang {
 

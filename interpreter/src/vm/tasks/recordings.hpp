@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -1,9 +1,9 @@
-#include "vm/tasks/task.hpp"
+#include "vm/state/task.hpp"
 
 #include <algorithm>
 
 #include "vm/heap/heap.hpp"
-#include "vm/instructions/interpret.hpp"
+#include "vm/state/interpret.hpp"
 
 namespace armlet::lang {
 

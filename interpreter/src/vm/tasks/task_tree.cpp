@@ -1,4 +1,4 @@
-#include "vm/tasks/task_tree.hpp"
+#include "vm/state/task_tree.hpp"
 
 #include <new>
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "vm/instructions/interpret.hpp"
+#include "vm/state/interpret.hpp"
 
 namespace armlet::lang {
 

@@ -8,10 +8,10 @@
 #include "armlet/interpreter/virtual_time.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/failures/leaving.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 #include "vm/instructions/slow_ops.hpp"
 #include "vm/tasks/busy_wait.hpp"
-#include "vm/tasks/durations.hpp"
+#include "vm/values/durations.hpp"
 
 namespace armlet::lang {
 

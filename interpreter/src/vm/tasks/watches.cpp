@@ -4,7 +4,7 @@
 #include <string>
 
 #include "vm/failures/failures.hpp"
-#include "vm/tasks/task_tree.hpp"
+#include "vm/state/task_tree.hpp"
 
 namespace armlet::lang {
 

@@ -7,7 +7,7 @@
 
 #include "refused_memory.hpp"
 #include "script_support.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 using namespace armlet;
 using namespace armlet::lang;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "armlet/interpreter/engine.hpp"
+
 namespace armlet {
 namespace {
 

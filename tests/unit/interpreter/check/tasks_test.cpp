@@ -7,7 +7,7 @@
 
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/render.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 #include "vm_fixture.hpp"
 
 namespace armlet::lang {

@@ -1,4 +1,4 @@
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,7 +9,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "armlet/interpreter/render.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 using namespace armlet;
 

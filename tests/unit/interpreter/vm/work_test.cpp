@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "armlet/core/random.hpp"
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 #include "vm_fixture.hpp"
 
 using namespace armlet;

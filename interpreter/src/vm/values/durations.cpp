@@ -1,4 +1,4 @@
-#include "vm/tasks/durations.hpp"
+#include "vm/values/durations.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "armlet/interpreter/virtual_time.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
-#include "vm/state.hpp"
+#include "vm/heap/format_value.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 namespace {

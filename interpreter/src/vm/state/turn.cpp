@@ -1,4 +1,4 @@
-#include "vm/turn.hpp"
+#include "vm/state/turn.hpp"
 
 #include "armlet/core/error.hpp"
 

@@ -3,7 +3,7 @@
 // same in every run. Whoever chooses keys whose hashes are equal pays for it: probing counts as
 // work.
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

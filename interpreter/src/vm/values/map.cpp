@@ -1,4 +1,4 @@
-#include "vm/heap/map.hpp"
+#include "vm/values/map.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/format_value.hpp"
+#include "vm/heap/format_value.hpp"
 
 namespace armlet::lang {
 namespace {

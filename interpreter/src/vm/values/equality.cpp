@@ -1,4 +1,4 @@
-#include "vm/heap/equality.hpp"
+#include "vm/values/equality.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -7,8 +7,8 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/heap/counted.hpp"
-#include "vm/heap/map.hpp"
+#include "vm/values/counted.hpp"
+#include "vm/values/map.hpp"
 
 namespace armlet::lang {
 

@@ -8,7 +8,7 @@
 
 #include "armlet/core/random.hpp"
 #include "armlet/interpreter/host/instants.hpp"
-#include "vm/tasks/task.hpp"
+#include "vm/state/task.hpp"
 
 namespace armlet::lang {
 

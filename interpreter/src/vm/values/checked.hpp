@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "vm/tasks/task.hpp"
+#include "vm/state/task.hpp"
 
 namespace armlet::lang {
 

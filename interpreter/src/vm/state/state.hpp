@@ -17,11 +17,11 @@
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/interpreter/host/vm.hpp"
-#include "vm/entries.hpp"
 #include "vm/heap/heap.hpp"
-#include "vm/run_counts.hpp"
-#include "vm/tasks/task.hpp"
-#include "vm/tasks/task_tree.hpp"
+#include "vm/state/entries.hpp"
+#include "vm/state/run_counts.hpp"
+#include "vm/state/task.hpp"
+#include "vm/state/task_tree.hpp"
 
 namespace armlet::lang {
 

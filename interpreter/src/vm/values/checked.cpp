@@ -1,10 +1,10 @@
-#include "vm/host/checked.hpp"
+#include "vm/values/checked.hpp"
 
 #include <array>
 
 #include "armlet/core/error.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/heap/map.hpp"
+#include "vm/values/map.hpp"
 
 namespace armlet::lang {
 namespace {

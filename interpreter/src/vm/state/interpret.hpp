@@ -1,7 +1,7 @@
 #pragma once
 // The instruction loop.
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 #pragma once
 // One at a time: a Vm belongs to the thread that runs it, and to one call there.
 
-#include "vm/state.hpp"
+#include "vm/state/state.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 #include "armlet/interpreter/binding/map_values.hpp"
 
 #include "vm/failures/failures.hpp"
-#include "vm/heap/map.hpp"
+#include "vm/values/map.hpp"
 
 namespace armlet {
 

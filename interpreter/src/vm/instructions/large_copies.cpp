@@ -4,8 +4,8 @@
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
-#include "vm/heap/map.hpp"
 #include "vm/instructions/slow_ops.hpp"
+#include "vm/values/map.hpp"
 
 namespace armlet::lang {
 
