@@ -4,14 +4,14 @@
 
 #include "check/blocks/number_dims.hpp"
 #include "check/calls/functions.hpp"
-#include "check/checker.hpp"
 #include "check/entries/keep.hpp"
 #include "check/entries/shown.hpp"
-#include "check/learnt.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/look_ahead.hpp"
-#include "check/scopes/usage.hpp"
+#include "check/names/usage.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/learnt.hpp"
 #include "check/statements/statements.hpp"
 
 namespace armlet::lang {

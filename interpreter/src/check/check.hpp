@@ -7,27 +7,13 @@
 
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/host/compile_options.hpp"
-#include "ast/ast.hpp"
+#include "check/state/file_tree.hpp"
 #include "hir/checked_program.hpp"
 #include "vocabulary/registry.hpp"
 
 namespace armlet::lang {
 
 class Learnt;
-struct KeptFile;
-
-// One file of a program, as written.
-struct FileTree {
-  // An import and the number of the file that it names; -1: there is none, which was told.
-  struct Import {
-    const ast::ImportStmt* statement;
-    int file;
-    const KeptFile* kept = nullptr;  // the file as an earlier entry has read it
-  };
-  ast::Block program{};
-  bool ok = true;  // false: statements with mistakes are missing
-  std::vector<Import> imports{};
-};
 
 // Fills into.module, types, arena, facts and names. Messages go to `sink`; the tree may be
 // compiled only if there were no errors.

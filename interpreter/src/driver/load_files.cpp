@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "armlet/interpreter/host/table_text.hpp"
-#include "check/names/suggest.hpp"
+#include "check/state/suggest.hpp"
 #include "hir/kept.hpp"
 #include "program/program.hpp"
 #include "syntax/parse.hpp"

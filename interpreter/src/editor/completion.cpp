@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/words.hpp"
-#include "check/calls/list_mutations.hpp"
+#include "check/state/list_mutations.hpp"
 #include "editor/cursor.hpp"
 #include "editor/facts.hpp"
 #include "editor/places.hpp"

@@ -5,10 +5,10 @@
 #include "check/blocks/named_rows.hpp"
 #include "check/calls/calls.hpp"
 #include "check/calls/native_calls.hpp"
-#include "check/checker.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

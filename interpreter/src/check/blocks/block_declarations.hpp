@@ -2,7 +2,7 @@
 // T name { field: value; row constructor(...) }: for structs, and for host types with a function
 // "T{}".
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -7,10 +7,10 @@
 #include "check/blocks/block_declarations.hpp"
 #include "check/calls/calls.hpp"
 #include "check/calls/native_calls.hpp"
-#include "check/learnt.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/state/learnt.hpp"
 
 namespace armlet::lang {
 

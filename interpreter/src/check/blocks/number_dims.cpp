@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "armlet/interpreter/binding/dims_fact.hpp"
-#include "check/checker.hpp"
-#include "check/types/constants.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/constants.hpp"
 
 namespace armlet::lang {
 namespace {

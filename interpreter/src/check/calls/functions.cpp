@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
 #include "check/explain/edits.hpp"
-#include "check/learnt.hpp"
 #include "check/names/declarations.hpp"
-#include "check/scopes/usage.hpp"
+#include "check/names/usage.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/learnt.hpp"
 #include "check/statements/statements.hpp"
 #include "check/types/any_table.hpp"
 

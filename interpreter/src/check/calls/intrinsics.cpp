@@ -1,10 +1,10 @@
 #include "check/calls/intrinsics.hpp"
 
-#include "check/calls/list_mutations.hpp"
 #include "check/calls/native_calls.hpp"
 #include "check/calls/printf.hpp"
-#include "check/checker.hpp"
 #include "check/names/places.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/list_mutations.hpp"
 #include "check/types/expressions.hpp"
 #include "check/types/maps.hpp"
 #include "check/types/members.hpp"

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

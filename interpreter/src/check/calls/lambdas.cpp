@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "check/calls/functions.hpp"
-#include "check/checker.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/imports.hpp"
-#include "check/scopes/usage.hpp"
+#include "check/names/usage.hpp"
+#include "check/state/checker.hpp"
 #include "check/types/any_table.hpp"
 
 namespace armlet::lang {

@@ -2,7 +2,7 @@
 // Functions inside functions: lambdas, which copy what they use, and conditions and tasks, which
 // share it.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -9,13 +9,13 @@
 #include "armlet/interpreter/unit.hpp"
 #include "check/calls/over_list.hpp"
 #include "check/calls/overloads.hpp"
-#include "check/checker.hpp"
 #include "check/explain/explained.hpp"
-#include "check/learnt.hpp"
 #include "check/names/loaded_tables.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/constants.hpp"
+#include "check/state/learnt.hpp"
 #include "check/statements/recordings.hpp"
-#include "check/types/constants.hpp"
 #include "check/types/expressions.hpp"
 
 namespace armlet::lang {

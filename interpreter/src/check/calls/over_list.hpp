@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "check/checker.hpp"
 #include "check/explain/misfits.hpp"
 #include "check/names/function_names.hpp"
+#include "check/state/checker.hpp"
 #include "check/types/any_table.hpp"
 
 namespace armlet::lang {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "check/calls/native_calls.hpp"
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 namespace {

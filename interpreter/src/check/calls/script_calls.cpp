@@ -6,10 +6,10 @@
 #include "check/calls/calls.hpp"
 #include "check/calls/functions.hpp"
 #include "check/calls/overloads.hpp"
-#include "check/checker.hpp"
 #include "check/explain/misfits.hpp"
-#include "check/learnt.hpp"
-#include "check/scopes/usage.hpp"
+#include "check/names/usage.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/learnt.hpp"
 #include "check/types/any_table.hpp"
 #include "check/types/long_lists.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "base/diagnostic/backticks.hpp"
 #include "base/words.hpp"
-#include "check/scopes/usage.hpp"
+#include "check/names/usage.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // The end of the check of an entry: what it leaves for those behind it.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The last statement of an entry: its value is shown by prompts, and kept.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 #pragma once
 // `catch` with a type, as other languages write it.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

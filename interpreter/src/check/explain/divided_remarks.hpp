@@ -1,6 +1,6 @@
 #pragma once
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

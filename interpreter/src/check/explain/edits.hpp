@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

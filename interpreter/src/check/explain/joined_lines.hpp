@@ -1,7 +1,7 @@
 #pragma once
 // A line that starts with ( or [ goes on with the value of the line above.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -1,10 +1,10 @@
-#include "check/explain/messages.hpp"
+#include "check/state/messages.hpp"
 
 #include <utility>
 
-#include "check/checker.hpp"
 #include "check/explain/joined_lines.hpp"
 #include "check/names/imports.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

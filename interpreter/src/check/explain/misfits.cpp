@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "check/calls/overloads.hpp"
-#include "check/checker.hpp"
 #include "check/names/function_names.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -6,13 +6,13 @@
 #include <cstdlib>
 
 #include "base/diagnostic/backticks.hpp"
-#include "check/checker.hpp"
 #include "check/explain/edits.hpp"
 #include "check/explain/joined_lines.hpp"
 #include "check/explain/mismatch_units.hpp"
 #include "check/explain/nothings.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/state/checker.hpp"
 #include "check/types/any_table.hpp"
 #include "check/types/matrices.hpp"
 #include "vocabulary/language_words.hpp"

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string_view>
 
-#include "check/checker.hpp"
 #include "check/explain/edits.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

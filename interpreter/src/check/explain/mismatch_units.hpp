@@ -1,7 +1,7 @@
 #pragma once
 // Values whose unit is missing or wrong (language reference, section 20.3, E04xx).
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

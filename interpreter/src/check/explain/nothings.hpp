@@ -1,7 +1,7 @@
 #pragma once
 // null, None, nil ... of other languages: here every value is there.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

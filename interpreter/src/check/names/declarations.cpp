@@ -5,14 +5,13 @@
 #include <unordered_set>
 #include <utility>
 
-#include "check/check.hpp"
-#include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
-#include "check/learnt.hpp"
 #include "check/names/endless.hpp"
 #include "check/names/host_places.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/look_ahead.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/learnt.hpp"
 #include "check/types/any_table.hpp"
 #include "check/types/members.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 namespace {

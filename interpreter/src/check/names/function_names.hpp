@@ -1,7 +1,7 @@
 #pragma once
 // Names of functions where a value is expected: map(xs, f), map(xs, sqrt).
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 #include "check/names/loaded_tables.hpp"
 
 #include "armlet/interpreter/host/table_text.hpp"
-#include "check/names/suggest.hpp"
+#include "check/state/suggest.hpp"
 #include "vocabulary/table_files.hpp"
 
 namespace armlet::lang {

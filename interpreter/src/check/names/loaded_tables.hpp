@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

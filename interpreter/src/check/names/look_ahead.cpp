@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ast/ast_walk.hpp"
-#include "check/calls/list_mutations.hpp"
+#include "check/state/list_mutations.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "check/calls/lambdas.hpp"
-#include "check/checker.hpp"
 #include "check/explain/divided_remarks.hpp"
-#include "check/learnt.hpp"
 #include "check/names/declarations.hpp"
 #include "check/names/host_places.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/learnt.hpp"
 #include "check/statements/tasks.hpp"
 #include "check/types/expressions.hpp"
 #include "check/types/long_lists.hpp"

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "check/names/declared.hpp"
+#include "check/scopes/declared.hpp"
 #include "check/scopes/variable_set.hpp"
 #include "hir/hir.hpp"
 #include "hir/kept.hpp"

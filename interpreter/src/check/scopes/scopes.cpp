@@ -1,7 +1,7 @@
 #include "check/scopes/scopes.hpp"
 
-#include "check/entries/earlier.hpp"
-#include "check/names/names.hpp"
+#include "check/scopes/earlier.hpp"
+#include "check/scopes/names.hpp"
 
 namespace armlet::lang {
 

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "check/calls/intrinsics.hpp"
-#include "check/checker.hpp"
 #include "check/names/declarations.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

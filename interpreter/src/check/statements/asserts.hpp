@@ -1,7 +1,7 @@
 #pragma once
 // assert and assertThrows: statements that show what they looked at.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

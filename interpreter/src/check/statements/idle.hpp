@@ -1,7 +1,7 @@
 #pragma once
 // Statements that are nothing but a value.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

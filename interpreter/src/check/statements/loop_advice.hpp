@@ -1,7 +1,7 @@
 #pragma once
 // Advice about loops that are checked.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "check/checker.hpp"
 #include "check/names/declarations.hpp"
+#include "check/state/checker.hpp"
 #include "check/statements/loop_advice.hpp"
 #include "check/statements/recordings.hpp"
 #include "check/statements/statements.hpp"

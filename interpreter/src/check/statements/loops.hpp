@@ -1,7 +1,7 @@
 #pragma once
 // while, do, for.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "check/checker.hpp"
 #include "check/explain/edits.hpp"
 #include "check/names/declarations.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 #pragma once
 // switch: each case is a list of tests and a block of its own.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -5,7 +5,7 @@
 // else (variables, fields, elements of lists) the first table that is put there, from the top of
 // the text to its end, says which columns all tables there have: TypePool::join_tables.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

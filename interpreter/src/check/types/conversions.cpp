@@ -1,8 +1,8 @@
 // The five conversions that happen by themselves (language reference, section 5), and casts.
 
-#include "check/checker.hpp"
 #include "check/explain/mismatch.hpp"
 #include "check/explain/mismatch_units.hpp"
+#include "check/state/checker.hpp"
 #include "check/types/maps.hpp"
 #include "check/types/operators.hpp"
 #include "check/types/types.hpp"

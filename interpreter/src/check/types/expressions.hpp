@@ -1,7 +1,7 @@
 #pragma once
 // Names, literals, lists, `? :` and what else is no operator and no call.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 // Formatted text: f"value {j + 1} at {q[j]:.1f deg}".
 
 #include "check/calls/native_calls.hpp"
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 #include "check/types/expressions.hpp"
 
 namespace armlet::lang {

@@ -2,7 +2,7 @@
 // Structs and enums of any size, and default values of any depth: the work and the code for a use
 // do not grow with them.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -1,7 +1,7 @@
 #pragma once
 // x.name and x[i].
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

@@ -2,7 +2,7 @@
 // Operators: numbers and quantities with the angle rule of section 6, text, truth, and what the
 // library adds.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

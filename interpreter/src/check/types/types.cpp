@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "base/basic_types.hpp"
-#include "check/checker.hpp"
-#include "check/learnt.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/state/checker.hpp"
+#include "check/state/learnt.hpp"
 #include "check/types/maps.hpp"
 
 namespace armlet::lang {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

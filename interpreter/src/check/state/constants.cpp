@@ -1,8 +1,8 @@
-#include "check/types/constants.hpp"
+#include "check/state/constants.hpp"
 
 #include <cmath>
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/names/suggest.hpp"
+#include "check/state/suggest.hpp"
 
 #include <algorithm>
 

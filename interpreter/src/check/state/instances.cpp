@@ -1,4 +1,4 @@
-#include "check/calls/instances.hpp"
+#include "check/state/instances.hpp"
 
 #include <algorithm>
 #include <string>

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/names/declared.hpp"
+#include "check/scopes/declared.hpp"
 
 namespace armlet::lang {
 

@@ -8,15 +8,19 @@
 #include <utility>
 #include <vector>
 
-#include "check/calls/call.hpp"
-#include "check/check.hpp"
-#include "check/explain/messages.hpp"
-#include "check/names/names.hpp"
-#include "check/names/suggest.hpp"
+#include "armlet/interpreter/diagnostic.hpp"
+#include "armlet/interpreter/host/compile_options.hpp"
+#include "check/scopes/names.hpp"
 #include "check/scopes/scopes.hpp"
-#include "check/shared.hpp"
-#include "check/statements/postponed.hpp"
-#include "check/surroundings.hpp"
+#include "check/state/call.hpp"
+#include "check/state/file_tree.hpp"
+#include "check/state/messages.hpp"
+#include "check/state/postponed.hpp"
+#include "check/state/shared.hpp"
+#include "check/state/suggest.hpp"
+#include "check/state/surroundings.hpp"
+#include "hir/checked_program.hpp"
+#include "vocabulary/registry.hpp"
 
 namespace armlet::lang {
 

@@ -8,8 +8,8 @@
 
 #include "armlet/interpreter/diagnostic.hpp"
 #include "armlet/interpreter/source.hpp"
-#include "check/calls/call.hpp"
 #include "check/scopes/scopes.hpp"
+#include "check/state/call.hpp"
 
 namespace armlet::lang {
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "check/names/declared.hpp"
+#include "check/scopes/declared.hpp"
 
 namespace armlet::lang {
 

@@ -1,9 +1,9 @@
-#include "check/types/structs.hpp"
+#include "check/state/structs.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "check/entries/earlier.hpp"
+#include "check/scopes/earlier.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/calls/signatures.hpp"
+#include "check/state/signatures.hpp"
 
 #include <string>
 #include <utility>

@@ -2,7 +2,7 @@
 // What the whole program shows about its parts: which top-level variables tests need, which may be
 // read too early, and which conditions would wait.
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 

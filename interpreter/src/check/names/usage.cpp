@@ -1,10 +1,10 @@
-#include "check/scopes/usage.hpp"
+#include "check/names/usage.hpp"
 
 #include <algorithm>
 
 #include "check/calls/over_list.hpp"
-#include "check/checker.hpp"
 #include "check/entries/keep.hpp"
+#include "check/state/checker.hpp"
 #include "check/statements/changes.hpp"
 #include "check/statements/paths.hpp"
 #include "check/statements/recordings.hpp"

@@ -1,8 +1,8 @@
-#include "check/names/names.hpp"
+#include "check/scopes/names.hpp"
 
 #include <algorithm>
 
-#include "check/entries/earlier.hpp"
+#include "check/scopes/earlier.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "armlet/interpreter/type.hpp"
 #include "base/arena.hpp"
-#include "check/names/declared.hpp"
+#include "check/scopes/declared.hpp"
 #include "hir/hir.hpp"
 
 namespace armlet::lang {

@@ -3,15 +3,15 @@
 
 #include <vector>
 
-#include "check/calls/instances.hpp"
-#include "check/calls/signatures.hpp"
-#include "check/entries/earlier.hpp"
+#include "check/scopes/earlier.hpp"
 #include "check/scopes/top_level.hpp"
 #include "check/scopes/uses.hpp"
-#include "check/statements/postponed.hpp"
-#include "check/types/constants.hpp"
-#include "check/types/defaults.hpp"
-#include "check/types/structs.hpp"
+#include "check/state/constants.hpp"
+#include "check/state/defaults.hpp"
+#include "check/state/instances.hpp"
+#include "check/state/postponed.hpp"
+#include "check/state/signatures.hpp"
+#include "check/state/structs.hpp"
 #include "hir/checked_program.hpp"
 #include "hir/program_names.hpp"
 #include "vocabulary/registry.hpp"

@@ -1,6 +1,6 @@
-#include "check/entries/earlier.hpp"
+#include "check/scopes/earlier.hpp"
 
-#include "check/checker.hpp"
+#include "check/state/checker.hpp"
 
 namespace armlet::lang {
 
