@@ -77,7 +77,8 @@ std::vector<std::string> add_type(Registry& registry, const TypeDefinition& defi
     for (const std::string& fault : faults(function, types, names))
       all.push_back('`' + name + "`: " + fault);
   }
-  const NativeFunction* twice = all.empty() ? registry.add_functions(definition.functions()) : nullptr;
+  const NativeFunction* twice =
+      all.empty() ? registry.add_functions(definition.functions()) : nullptr;
   if (twice != nullptr) {
     all.push_back('`' + std::string(twice->name) + std::string(twice->signature) +
                   "` is known to this engine already");

@@ -245,7 +245,7 @@ std::string without_value(std::string_view name) {
 
 // fn(locals) => expression
 CheckedProgram make_probe(const CompiledProgram& program, Expr& expr,
-                                            const std::vector<Variable*>& locals) {
+                          const std::vector<Variable*>& locals) {
   CheckedProgram probe;
   probe.sources = program.sources;
   probe.types = program.types;

@@ -142,8 +142,7 @@ Lowered lower(CheckedProgram checked, LowerOptions options, std::shared_ptr<cons
     lower_all(*out.program, options);
   } catch (const TooLarge& limit) {
     const std::string most = std::to_string(limit.limit);
-    out.too_large =
-        make_diagnostic("E0124", limit.span, {"more than " + most + " " + limit.what});
+    out.too_large = make_diagnostic("E0124", limit.span, {"more than " + most + " " + limit.what});
   }
   return out;
 }

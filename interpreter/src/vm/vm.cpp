@@ -1,9 +1,10 @@
+#include "armlet/interpreter/host/vm.hpp"
+
 #include <limits>
 #include <utility>
 
 #include "armlet/core/ample_stack.hpp"
 #include "armlet/core/error.hpp"
-#include "armlet/interpreter/host/vm.hpp"
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
 #include "vm/heap/format_value.hpp"

@@ -86,8 +86,9 @@ class DimsOfParts {
     const hir::Expr& at = origin_of(table);
     if (at.kind != ExprKind::kCallNative) return nullptr;
     const auto& call = at.as<hir::CallNativeExpr>();
-    const hir::Function* sample =
-        call.function == checker_.registry.language().start_recording ? function_of(*call.arguments[0]) : nullptr;
+    const hir::Function* sample = call.function == checker_.registry.language().start_recording
+                                      ? function_of(*call.arguments[0])
+                                      : nullptr;
     if (sample == nullptr || sample->body == nullptr || sample->body->body.empty()) return nullptr;
     const hir::Stmt* last = sample->body->body.back();
     if (last->kind != hir::StmtKind::kReturn) return nullptr;

@@ -74,8 +74,8 @@ hir::Expr* print_parts(Checker& checker, const ast::CallExpr& call,
                                                   call.span, checker.seq(parts));
   const std::vector<Span> spans = {call.args_span};
   return checker.make<hir::CallNativeExpr>(
-      hir::ExprKind::kCallNative, checker.types.void_type(), call.span, checker.registry.language().print,
-      checker.seq(std::vector<hir::Expr*>{text}),
+      hir::ExprKind::kCallNative, checker.types.void_type(), call.span,
+      checker.registry.language().print, checker.seq(std::vector<hir::Expr*>{text}),
       hir::CallSite{call.span, call.callee->span, checker.seq(spans)});
 }
 

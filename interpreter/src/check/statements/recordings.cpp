@@ -112,7 +112,8 @@ void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::S
   run->fixed = true;
   if (is_free(checker, stmt.name)) checker.scopes.add(run, Declared::kBlock, stmt.name.span);
   if (!well) return checker.check_into(rest, out);
-  hir::Expr* table = builtin(checker, *checker.registry.language().start_recording, type, stmt.name.span, {sample, period});
+  hir::Expr* table = builtin(checker, *checker.registry.language().start_recording, type,
+                             stmt.name.span, {sample, period});
   run->init = table;
   auto* init = checker.make<hir::InitStmt>(hir::StmtKind::kInit, stmt.name.span, run, table);
   if (top_level) {
@@ -123,8 +124,8 @@ void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::S
   checker.check_into(rest, body);
   hir::Expr* read =
       checker.make<hir::VariableExpr>(hir::ExprKind::kVariable, type, stmt.name.span, run);
-  hir::Expr* end =
-      builtin(checker, *checker.registry.language().end_recording, checker.types.void_type(), stmt.name.span, {read});
+  hir::Expr* end = builtin(checker, *checker.registry.language().end_recording,
+                           checker.types.void_type(), stmt.name.span, {read});
   const auto block = [&](const std::vector<hir::Stmt*>& statements) {
     return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(statements));
   };
@@ -143,20 +144,22 @@ hir::Stmt* check_lone_record(Checker& checker, const ast::RecordStmt& stmt) {
 
 hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& member) {
   if (member.member.text == "length")
-    return builtin(checker, *checker.registry.language().table_length, checker.types.integer(), member.span, {table});
+    return builtin(checker, *checker.registry.language().table_length, checker.types.integer(),
+                   member.span, {table});
   if (!settle(checker, *table)) return checker.failed(member.span);
   const RecordInfo& info = *table->type->record;
   const int column = checker.shared.structs.field_index(info, member.member.text);
   if (column < 0) return unknown_field(checker, *table, member.member);
   hir::Expr* number = checker.make<hir::IntExpr>(hir::ExprKind::kInt, checker.types.integer(),
                                                  member.span, static_cast<std::int64_t>(column));
-  return builtin(checker, *checker.registry.language().table_column, info.fields[column].type, member.span, {table, number});
+  return builtin(checker, *checker.registry.language().table_column, info.fields[column].type,
+                 member.span, {table, number});
 }
 
 hir::Expr* rows_of(Checker& checker, hir::Expr* table) {
   if (!settle(checker, *table)) return checker.failed(table->span);
-  return builtin(checker, *checker.registry.language().table_rows, checker.types.list(table->type->record->row), table->span,
-                 {table});
+  return builtin(checker, *checker.registry.language().table_rows,
+                 checker.types.list(table->type->record->row), table->span, {table});
 }
 
 }  // namespace armlet::lang

@@ -9,7 +9,7 @@ namespace armlet::lang {
 
 namespace {
 
-constexpr std::size_t kMostUses = 3;     // of the index of an element beside another
+constexpr std::size_t kMostUses = 3;         // of the index of an element beside another
 constexpr std::uint32_t kFarthestPair = 40;  // instructions that are looked at for them
 
 // A move or a count that is made when the comparison that jumps over it fails.

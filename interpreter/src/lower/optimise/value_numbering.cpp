@@ -10,7 +10,8 @@ namespace armlet::lang {
 
 namespace {
 
-constexpr std::uint32_t kFarthestRepetition = 300;  // instructions between a value and its repetition
+constexpr std::uint32_t kFarthestRepetition =
+    300;  // instructions between a value and its repetition
 
 bool is_number(Reg reg) { return reg.reg_class() == RegClass::kNumber; }
 

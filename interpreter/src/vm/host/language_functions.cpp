@@ -68,16 +68,16 @@ Signal fill(Vm& vm, Slot* args) {
 }
 
 constexpr NativeFunction kLast = {.name = "last",
-                              .signature = "(xs: T[]) -> T",
-                              .help = "The last value of a list.",
-                              .example = "[1, 2].last",
-                              .thunk = &last_element};
+                                  .signature = "(xs: T[]) -> T",
+                                  .help = "The last value of a list.",
+                                  .example = "[1, 2].last",
+                                  .thunk = &last_element};
 
 constexpr NativeFunction kFilled = {.name = "new",
-                                .signature = "(size: int, value: T) -> T[]",
-                                .help = "A list of equal structs.",
-                                .example = "struct Bin { n: int = 0 }; print(new Bin[2])",
-                                .thunk = &fill};
+                                    .signature = "(size: int, value: T) -> T[]",
+                                    .help = "A list of equal structs.",
+                                    .example = "struct Bin { n: int = 0 }; print(new Bin[2])",
+                                    .thunk = &fill};
 
 }  // namespace
 

@@ -15,9 +15,9 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::uint64_t kFewest = 8;          // entries that a map has room for
+constexpr std::uint64_t kFewest = 8;                 // entries that a map has room for
 constexpr std::uint64_t kMostEntries = 1ULL << 30U;  // entries
-constexpr std::uint32_t kFreeProbes = 16;     // more of them count as work
+constexpr std::uint32_t kFreeProbes = 16;            // more of them count as work
 
 // Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
 std::uint64_t mixed(std::uint64_t bits) {

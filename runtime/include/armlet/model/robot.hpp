@@ -63,7 +63,7 @@ struct RobotSpec {
   Eigen::Isometry3d T_base_first = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_flange_tool = Eigen::Isometry3d::Identity();  // the tool point
   Tool tool;
-  Payload payload;                                                  // the held object
+  Payload payload;                           // the held object
   Eigen::Vector3d gravity{0.0, 0.0, -9.81};  // acceleration in world axes, m/s^2
   Eigen::VectorXd home;                      // empty: zero, or the nearest value within the limits
   std::shared_ptr<const Mechanism> followers;

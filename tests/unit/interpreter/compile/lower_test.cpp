@@ -96,10 +96,12 @@ TEST_CASE("without optimisation the same program has other instructions and the 
     HirBuilder b;
     const Type* real = b.types().real();
     hir::Variable* x = b.variable("x", real);
-    auto program = lowered(b.finish({b.init(x, b.real(0.1)),
-                             b.change(x, Op::kAddR, b.binary(Op::kMulR, b.real(0.7), b.real(0.7))),
-                             b.when(b.binary(Op::kEqR, b.read(x), b.real(0.1 + 0.7 * 0.7)),
-                                    print_int(b, b.integer(1)))}), {.optimise = optimise});
+    auto program =
+        lowered(b.finish({b.init(x, b.real(0.1)),
+                          b.change(x, Op::kAddR, b.binary(Op::kMulR, b.real(0.7), b.real(0.7))),
+                          b.when(b.binary(Op::kEqR, b.read(x), b.real(0.1 + 0.7 * 0.7)),
+                                 print_int(b, b.integer(1)))}),
+                {.optimise = optimise});
     CHECK(count(program->functions[0], OpCode::MADD) == (optimise ? 1 : 0));
     CHECK(output_of(std::move(program)) == "1\n");
   }
