@@ -52,7 +52,8 @@ HEADLINE = re.compile(r"^(?:error|advice) ([ERW]\d{4}): ")
 
 
 def catalogue():
-    rows = "".join(p.read_text() for p in sorted(ROOT.glob("*/**/messages/*.def")))
+    files = sorted(p for folder in ("interpreter", "stdlib") for p in (ROOT / folder).rglob("messages/*.def"))
+    rows = "".join(p.read_text() for p in files)
     return sorted(re.findall(r"^ARMLET_MESSAGE\(([ERW]\d{4}),", rows, re.M))
 
 

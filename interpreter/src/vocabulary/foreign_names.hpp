@@ -1,7 +1,7 @@
 #pragma once
 // What users of other languages write for names that belong to the language itself. Those of a
 // library are rows of its host (Engine::add_foreign_names), words are in
-// syntax/tokens/foreign_words.hpp.
+// base/foreign_words.hpp.
 
 #include "armlet/interpreter/foreign_name.hpp"
 

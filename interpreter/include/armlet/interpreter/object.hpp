@@ -81,7 +81,7 @@ struct MapEntry {
 
 // Entries in the order in which their keys were inserted. Behind them in the same block lies an
 // index of twice their capacity, which finds an entry by the hash of its key: the place of an entry
-// counted from 1, or 0. What holds entries is changed by vm/heap/map.hpp only.
+// counted from 1, or 0. What holds entries is changed by vm/values/map.hpp only.
 struct MapObj : Obj {
   static constexpr std::uint8_t kReferences = 1;  // flag: the values are references
   static constexpr std::uint8_t kTextKeys = 2;    // flag: the keys are texts

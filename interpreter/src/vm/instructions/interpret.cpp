@@ -79,7 +79,7 @@ inline void clear(Slot* slots, unsigned count) {
     frame->pc = pc + 1;     \
     task.stack.top = frame; \
   } while (false)
-// Costly checks of what functions of the host leave (vm/host/checked.hpp).
+// Costly checks of what functions of the host leave (vm/values/checked.hpp).
 #ifdef ARMLET_CHECKED
 #define CHECKED_CALL(thunk, args) call_checked(state, *frame, thunk, args)
 #else

@@ -106,7 +106,7 @@ struct TaskStack {
   std::uint64_t charged_ = 0;  // bytes counted against the limit besides those at the beginning
 };
 
-// What a task is: vm/tasks/task_tree.hpp.
+// What a task is: vm/state/task_tree.hpp.
 struct TaskOrigin {
   const hir::Function* function = nullptr;  // null: the program
   Task* parent = nullptr;                   // who started it

@@ -31,7 +31,7 @@ for (k, v in copy) m[k + 1000] = v
 print(m == copy, m.keys().length, nested, bin, m.get(5, "none"), copy.values()[0], m.length)
 )";
 
-// As the map mixes them (vm/heap/map.cpp).
+// As the map mixes them (vm/values/map.cpp).
 std::uint64_t mixed(std::uint64_t bits) {
   bits = (bits ^ bits >> 30U) * 0xBF58'476D'1CE4'E5B9ULL;
   bits = (bits ^ bits >> 27U) * 0x94D0'49BB'1331'11EBULL;
