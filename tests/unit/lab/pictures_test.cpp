@@ -193,7 +193,7 @@ var n = 0
 lab cell {
     view plain(of: eye)
     text count(fn() => f"{n}")
-    button more("More", fn() { n += 1 })
+    button more("More", fn() { setSignal("more", true) })
 }
 for (i in range(400000)) { n += 1 }
 wait(1s)
