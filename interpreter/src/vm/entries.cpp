@@ -12,7 +12,6 @@ namespace armlet::lang {
 
 Before::Before(VmState& state)
     : state_(state),
-      watches_(state.main.children.regions.empty() ? 0 : state.main.children.regions[0].size()),
       layouts_(state.records.layouts.size()),
       host_data_(state.main.host_data),
       random_(state.main.random),
@@ -20,7 +19,11 @@ Before::Before(VmState& state)
       steps_(state.steps.so_far()),
       work_(state.kernels.rest()),
       statements_(state.marks.begun),
-      cancellations_(state.cancellations) {}
+      cancellations_(state.cancellations) {
+  if (state.main.children.regions.empty()) return;
+  for (const auto& watch : state.main.children.regions[0])
+    watches_.push_back({watch->was_true, watch->has_failed, watch->next_ns});
+}
 
 Before::~Before() {
   release();
@@ -70,7 +73,13 @@ void Before::restore() {
   }
   for (const Replaced& replaced : replaced_)
     state_.programs.callees[replaced.number] = replaced.callee;
-  state_.tree.forget_watches(watches_);
+  state_.tree.forget_watches(watches_.size());
+  for (std::size_t i = 0; i < watches_.size(); ++i) {
+    Watch& watch = *state_.main.children.regions[0][i];
+    watch.was_true = watches_[i].was_true;
+    watch.has_failed = watches_[i].has_failed;
+    watch.next_ns = watches_[i].next_ns;
+  }
   release();  // before the layouts of records that the entry has made go
   state_.heap.drain();
   state_.records.layouts.resize(layouts_);

@@ -245,6 +245,16 @@ TEST_CASE("examples and scripts with tasks, line by line, are sessions that go a
   }
 }
 
+TEST_CASE("scripts with watches, each cut twenty times, are sessions that go anywhere") {
+  for (const fs::path& file : programs_below("tests/scripts/tasks/watches")) {
+    CAPTURE(file);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      CAPTURE(seed);
+      check_entries(text_of(file), seed);
+    }
+  }
+}
+
 TEST_CASE("random programs cut into entries go on the same from anywhere, and from their log") {
   const std::uint64_t first = number_from("ARMLET_FIRST", 1);
   const std::uint64_t last = number_from("ARMLET_LAST", 500);

@@ -72,16 +72,23 @@ class Before {
     Callee callee;
   };
 
-  VmState& state_;
+  // What a watch remembers of its condition and its beats.
+  struct WatchMemory {
+    bool was_true;
+    bool has_failed;
+    std::int64_t next_ns;
+  };
   struct Column {
     RecordObj* table;  // counted
     std::uint16_t column;
   };
+
+  VmState& state_;
   std::vector<Variable> variables_;
   std::vector<Column> columns_;
   const CompiledProgram* own_ = nullptr;  // the entry
   std::vector<Replaced> replaced_;
-  std::size_t watches_;
+  std::vector<WatchMemory> watches_;  // of earlier entries, in their order
   std::size_t layouts_;
   std::shared_ptr<const void> host_data_;
   Random random_;
