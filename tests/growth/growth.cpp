@@ -42,7 +42,7 @@ struct Work {
   const Engine& engine;
   CompileOptions options;
   CheckedProgram program;
-  std::shared_ptr<SourceSet> sources = program.sources;
+  std::shared_ptr<SourceSet> sources;  // those of `program`, which lowering takes
   DiagnosticSink sink{10};
   Arena tree;
   std::vector<FileTree> files;
@@ -91,8 +91,9 @@ void all(const Engine& engine, Host& host, const std::string& text) {
   Work work{
       .engine = engine, .options = {}, .program = {}, .tree = {}, .files = {}, .problems = {}};
   work.options.host = &host;
-  work.program.sources = std::make_shared<SourceSet>();
-  work.program.sources->add("growth.rbt", text);
+  work.sources = std::make_shared<SourceSet>();
+  work.sources->add("growth.rbt", text);
+  work.program.sources = work.sources;
   read<kFile>(work);
   check<kFile>(work);
   lower_all<kFile>(work);
