@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "armlet/plot/ticks.hpp"
+#include "dot_character.hpp"
 #include "picture_text.hpp"
 
 namespace armlet {
@@ -26,9 +27,8 @@ class Dots {
 
   void set(int x, int y, int series) {
     if (x < 0 || x >= width() || y < 0 || y >= height()) return;
-    constexpr std::uint8_t kBits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
     const std::size_t cell = static_cast<std::size_t>((y / 4) * columns_ + x / 2);
-    bits_[cell] = static_cast<std::uint8_t>(bits_[cell] | kBits[y % 4][x % 2]);
+    bits_[cell] = static_cast<std::uint8_t>(bits_[cell] | kDotBits[y % 4][x % 2]);
     series_[cell] = series;
   }
 
@@ -51,15 +51,7 @@ class Dots {
         now = series_[cell];
         out += fmt::format("\x1b[{}m", kColors[now % 7]);
       }
-      // U+2800 + bits in UTF-8.
-      const unsigned code = 0x2800U + bits_[cell];
-      if (bits_[cell] == 0) {
-        out += ' ';
-      } else {
-        out += static_cast<char>(0xE0U | (code >> 12U));
-        out += static_cast<char>(0x80U | ((code >> 6U) & 0x3FU));
-        out += static_cast<char>(0x80U | (code & 0x3FU));
-      }
+      append_dots(out, bits_[cell]);
     }
     if (now >= 0) out += "\x1b[0m";
     return out;

@@ -11,6 +11,7 @@
 
 #include "armlet/image/arithmetic.hpp"
 #include "armlet/image/shown.hpp"
+#include "dot_character.hpp"
 
 namespace armlet {
 namespace {
@@ -41,17 +42,7 @@ std::vector<std::uint8_t> dots_of(const Image& grey) {
   return dots;
 }
 
-// U+2800 + bits in UTF-8, a blank without dots.
-std::string character_of(unsigned bits) {
-  if (bits == 0) return " ";
-  const unsigned code = 0x2800U + bits;
-  return {static_cast<char>(0xE0U | (code >> 12U)),
-          static_cast<char>(0x80U | ((code >> 6U) & 0x3FU)),
-          static_cast<char>(0x80U | (code & 0x3FU))};
-}
-
 std::vector<std::string> dotted_rows(const Image& image, int columns, int rows) {
-  constexpr unsigned kBits[4][2] = {{0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
   const std::vector<std::uint8_t> dots = dots_of(resized(to_grey(image), 2 * columns, 4 * rows));
   std::vector<std::string> out;
   for (int r = 0; r < rows; ++r) {
@@ -61,10 +52,10 @@ std::vector<std::string> dotted_rows(const Image& image, int columns, int rows) 
       for (int y = 0; y < 4; ++y) {
         for (int x = 0; x < 2; ++x) {
           const int at = (4 * r + y) * 2 * columns + 2 * c + x;
-          if (dots[static_cast<std::size_t>(at)] != 0) bits |= kBits[y][x];
+          if (dots[static_cast<std::size_t>(at)] != 0) bits |= kDotBits[y][x];
         }
       }
-      row += character_of(bits);
+      append_dots(row, bits);
     }
   }
   return out;
