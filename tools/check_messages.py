@@ -32,12 +32,6 @@ ELSEWHERE = {
     "W0712": "tests/unit/stdlib/session_test.cpp",  # the command always supplies a world
 }
 
-# Codes of the catalogue that nothing can raise yet, and the feature that they wait for.
-RESERVED = {}
-
-# Samples whose feature does not exist yet.
-LATER = {}
-
 # Samples that list a table, and the test that compares them with it.
 LISTS = {"E0202": "tests/unit/stdlib/reference_test.cpp"}  # the planners
 
@@ -97,24 +91,20 @@ def problems():
         named = path.name.split("_")[0]
         if "modules" not in path.parts and named not in expected(text):
             yield f"{path.relative_to(ROOT)} does not expect {named}"
-    for code in sorted(RESERVED.keys() - set(catalogue())):
-        yield f"{code} is reserved, but not in the catalogue"
     for code in catalogue():
         if code in raised() and code not in by_code and code not in ELSEWHERE:
             yield f"{code} is shown by no script"
         if code in by_code and code in ELSEWHERE:
             yield f"{code} is shown by a script: remove the exception"
-        if code not in raised() and code not in RESERVED:
-            yield f"{code} is never raised and not reserved"
-        if code in raised() and code in RESERVED:
-            yield f"{code} is raised: remove it from the reserved codes"
+        if code not in raised():
+            yield f"{code} is never raised"
     for code, test in ELSEWHERE.items():
         if test and code not in (ROOT / test).read_text():
             yield f"{code} is not tested in {test}"
     for path in sorted(SAMPLES.glob("*.txt")):
         code = path.stem
         shown = [shown_block(scripts[p]) for p in by_code.get(code, [])]
-        if code not in {*LATER, *LISTS} and not any(contains(block, sample(code)) for block in shown):
+        if code not in LISTS and not any(contains(block, sample(code)) for block in shown):
             yield f"no script shows the sample of {code} word for word"
 
 

@@ -45,7 +45,7 @@ class NpyBackend final : public Backend {
   }
 
  private:
-  // Rows cannot mark what is undone: it shows where the time of the rows goes back.
+  // A row cannot be marked as undone. Where the time goes back, the rows before it are undone.
   static constexpr Ignore<RobotChanged, ObjectAdded, ObjectSample, ObjectEvent, Note, FigureChanged,
                           FinalFigure, Undone, DrawingChanged, CameraAdded, ImageFrame>
       kIgnored{};

@@ -352,7 +352,7 @@ class Follower : public Backend {
 
 }  // namespace
 
-TEST_CASE("listeners receive what is undone: a failed entry, and where a session goes back") {
+TEST_CASE("an event says which entries are undone, by a failure or by going back") {
   Follower heard;
   SessionOptions options = at_the_table();
   options.backends = {&heard};

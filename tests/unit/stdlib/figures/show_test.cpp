@@ -1,4 +1,4 @@
-// Pictures that programs show: in which figure, what of them is seen, and what listeners are told.
+// Pictures that programs show: their figure, their pixels, and the events for listeners.
 
 #include <doctest/doctest.h>
 
