@@ -1,9 +1,9 @@
 #pragma once
-// The tree of a program as written. Plain structs in an arena; every node carries its span.
+// The syntax tree of a program: plain structs in an arena. Every node has its span in the text.
 //
 // Nothing here is checked beyond the grammar: names are text, types are type expressions. The
-// checker reads this tree and builds the typed one (hir/hir.hpp); it never writes to it, so
-// that one function body can be checked several times.
+// checker reads this tree and builds the typed one (hir/hir.hpp); it never writes to it, so that
+// one function body can be checked several times.
 
 #include <cstdint>
 #include <string_view>
@@ -13,7 +13,6 @@
 namespace armlet::lang::ast {
 
 // ---- statements
-// -----------------------------------------------------------------------------------------------
 
 enum class StmtKind : std::uint8_t {
 #define ARMLET_EXPR(...)
@@ -38,7 +37,8 @@ struct Block : Stmt {
 };
 struct EmptyStmt : Stmt {};
 
-// let x = e; var x: T = e; double a = 1, b[] = {..}; final int n = 3;
+// One variable of a declaration: let x = e; var x: T = e; double a = 1, b[] = {..}; final int n =
+// 3;
 struct Declarator {
   Name name;
   TypeExpr* type;  // with the brackets of `double x[]` already applied; null: inferred
@@ -52,7 +52,7 @@ struct VarStmt : Stmt {
   std::string_view doc;  // text of the /// lines above, or empty
 };
 
-// motor left { phase wound(...); tool: ... }
+// One line of a block declaration such as: motor left { phase wound(...); tool: ... }
 struct BlockItem {
   bool is_row;
   Name name;         // field name, or the row's first word (phase)
@@ -113,7 +113,7 @@ struct DoStmt : Stmt {
   Expr* condition;
 };
 struct ForInStmt : Stmt {  // for (x in xs), for (i, x in xs), for (double x : xs)
-  Name index;              // empty: not asked for
+  Name index;              // text empty: none
   Name name;
   TypeExpr* type;  // null: inferred
   Expr* items;

@@ -1,5 +1,5 @@
 #pragma once
-// A statement that stands in another text too, at the same or another place.
+// Copies of statements from one text into another, for edits that leave most statements unchanged.
 
 #include "armlet/interpreter/source.hpp"
 #include "ast/ast.hpp"
@@ -7,8 +7,8 @@
 
 namespace armlet::lang {
 
-// A copy of a statement, `shift` bytes further on in `text`, which has the same bytes there. It
-// keeps nothing of the text and the arena that the statement is in.
+// A copy of a statement, moved by `shift` bytes, for a new `text` that has the same bytes at the
+// new position. The copy does not refer to the old text or the old arena.
 [[nodiscard]] ast::Stmt* copied(const ast::Stmt& stmt, Arena& arena, const Source& text,
                                 std::int64_t shift);
 

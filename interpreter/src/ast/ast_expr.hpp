@@ -1,6 +1,5 @@
 #pragma once
-// The types and expressions of a program as written; ast.hpp has the statements and says what the
-// tree is.
+// The types and expressions of the syntax tree; ast.hpp has the statements and describes the tree.
 
 #include <cstdint>
 #include <span>
@@ -20,14 +19,13 @@ struct TypeExpr;
 template <class T>
 using Seq = std::span<T>;
 
-// A name and where it stands.
+// A name with its span.
 struct Name {
   std::string_view text;
   Span span;
 };
 
 // ---- types as written
-// -----------------------------------------------------------------------------------------
 
 enum class TypeForm : std::uint8_t { kNamed, kPrimitive, kArray, kMap, kProduct, kFunction, kVoid };
 
@@ -50,7 +48,6 @@ struct TypeExpr {
 };
 
 // ---- expressions
-// ----------------------------------------------------------------------------------------------
 
 enum class ExprKind : std::uint8_t {
 #define ARMLET_STMT(...)
@@ -83,7 +80,7 @@ enum class BinaryOp : std::uint8_t {
   kOr
 };
 
-// "+", ".*", "&&" ...
+// The text of an operator: "+", ".*", "&&" ...
 [[nodiscard]] std::string_view operator_text(BinaryOp op);
 
 struct Expr {
@@ -118,7 +115,7 @@ struct BoolExpr : Expr {
   bool value;
 };
 
-// f"a {x:.1f mm} b": texts has one more element than pieces.
+// The format of one piece of a formatted text: f"a {x:.1f mm} b" has one more text than pieces.
 struct FormatSpec {
   TextStyle style;
   std::string_view unit;  // as written, may be empty
@@ -140,7 +137,7 @@ struct MemberExpr : Expr {
   Expr* object;
   Name member;
 };
-// One item between [ and ]: an index, or a range first:last where either end may be left out.
+// One item between [ and ]: an index, or a range first:last whose ends are optional.
 struct IndexItem {
   Expr* first;
   Expr* last;

@@ -1,12 +1,12 @@
 #pragma once
-// Visits the parts of the syntax tree.
+// Visits the direct parts of the nodes of the syntax tree.
 
 #include "ast/ast.hpp"
 
 namespace armlet::lang::ast {
 
-// Calls on_expr(const Expr&) and on_stmt(const Stmt&) for what is directly inside a node, in the
-// order of the text. Bodies of lambdas and functions are statements like others.
+// Calls on_expr(const Expr&) and on_stmt(const Stmt&) for the direct children of a node, in the
+// order of the text. The bodies of lambdas and functions count as statements.
 template <class E, class S>
 class Parts {
  public:
@@ -24,7 +24,7 @@ class Parts {
   void part(const Stmt* stmt) {
     if (stmt != nullptr) on_stmt_(*stmt);
   }
-  // Neither expressions nor statements are in these.
+  // These parts contain neither expressions nor statements.
   void part(const Span&) {}
   void part(const Name&) {}
   void part(std::string_view) {}

@@ -1,7 +1,7 @@
 #pragma once
-// The marks of the language, one row each, in the order of grammar/RbtLexer.g4 (language reference,
-// section 3). What treats marks differently reads these rows: the ends of statements, the tree,
-// messages, the layout of chains, operators of a host's types.
+// The punctuation marks and operators of the language, one row each, in the order of
+// grammar/RbtLexer.g4 (language reference, section 3). The lexer's ends of statements, the tree,
+// messages, the layout of chains and the operators of host types read these rows.
 
 #include <algorithm>
 #include <cstdint>
@@ -15,12 +15,12 @@ namespace armlet::lang {
 struct Mark {
   std::string_view text;
   std::optional<ast::BinaryOp> operation{};  // of its two sides
-  bool assigns = false;                      // what it gives is stored in its left side
-  bool joins = false;                        // a value stands at both sides, without operation
+  bool assigns = false;                      // the result is stored in the left side
+  bool joins = false;                        // has a value at both sides, but no operation
   int chain = 0;             // level of chains that are broken over lines; 0: never broken
-  bool goes_on = false;      // a line that begins with it goes on with the statement above
+  bool goes_on = false;      // a line that begins with it continues the statement above
   bool ends = false;         // a statement may end behind it
-  std::string_view wants{};  // what has to come behind it
+  std::string_view wants{};  // the part that has to follow it
 };
 
 // clang-format off
@@ -69,28 +69,29 @@ inline constexpr Mark kMarkRows[] = {
 inline constexpr Mark kNoMark{};
 // clang-format on
 
-// Tokens of marks are numbered one after the other from here, in the order of the rows
-// (token_kinds.hpp compares).
+// The number of the first mark among the kinds of tokens; the marks follow in the order of the
+// rows. token_kinds.hpp checks the numbers at compile time.
 inline constexpr std::size_t kFirstMark = 50;
 inline constexpr std::size_t kBehindMarks = kFirstMark + std::size(kMarkRows);
 
-// The row of a kind of token; one without any property for what is no mark.
+// The row of a kind of token; a row without properties for tokens that are no marks.
 [[nodiscard]] constexpr const Mark& mark_of(std::size_t token) {
   return token >= kFirstMark && token < kBehindMarks ? kMarkRows[token - kFirstMark] : kNoMark;
 }
 
-// The row of a mark as it is written; the one without any property if it is none.
+// The row of a mark given by its text; a row without properties if the text is no mark.
 [[nodiscard]] constexpr const Mark& find_mark(std::string_view text) {
   const Mark* found = std::ranges::find(kMarkRows, text, &Mark::text);
   return found == std::end(kMarkRows) ? kNoMark : *found;
 }
 
-// Stands between two values: a + b, a < b, a.b, a ? b : c. What assigns does not.
+// Whether the mark is a binary operator in the middle of values: a + b, a < b, a.b, a ? b : c.
+// Assignments are not.
 [[nodiscard]] constexpr bool is_between_values(const Mark& mark) {
   return mark.joins || (mark.operation && !mark.assigns);
 }
 
-// Operators whose meaning for types of its own a host can define.
+// Whether a host can define the operator for types of its own.
 [[nodiscard]] constexpr bool is_arithmetic(const Mark& mark) {
   return mark.operation && !mark.assigns && *mark.operation <= ast::BinaryOp::kElemPow;
 }

@@ -17,7 +17,6 @@
 namespace armlet {
 
 // ---- Engine
-// -------------------------------------------------------------------------------------------------------
 
 Engine::Engine() : registry_(std::make_shared<Vocabulary>()) {}
 Engine::~Engine() = default;
@@ -141,7 +140,6 @@ std::vector<std::string> Engine::check_signatures() const {
 }
 
 // ---- Compilation
-// --------------------------------------------------------------------------------------------------
 
 std::string Compilation::text() const {
   std::string out;

@@ -42,8 +42,8 @@ bool is_plain_node(const Expr& e) {
                             ExprKind::kAnd, ExprKind::kOr});
 }
 
-// The expression that gives a variable its only value; null if there is none, or if it is another
-// variable.
+// The initialiser of a variable that is never assigned again; null if the variable is assigned
+// elsewhere or its initialiser is another variable.
 const Expr* only_value(const Variable& variable) {
   const Variable* v = &variable;
   while (v->outer != nullptr) v = v->outer;
@@ -51,7 +51,8 @@ const Expr* only_value(const Variable& variable) {
   return v->init->kind == ExprKind::kVariable ? nullptr : v->init;
 }
 
-// Walks one statement and everything in it.
+// Adds what a statement, with all statements and expressions inside it, does to variables to a
+// Summary.
 class Summariser {
  public:
   Summariser(Summary& out, const FunctionSet& inlined) : out_(out), inlined_(inlined) {}
@@ -121,7 +122,8 @@ class Summariser {
     }
   }
 
-  // A variable that is only looked into is not used as a whole.
+  // The variable or expression below a chain of fields and elements. Reading one element of a list
+  // does not count as a use of the whole list.
   const Expr* container(const Expr& e) {
     const Expr* object = nullptr;
     if (e.kind == ExprKind::kElement) object = e.as<ElementExpr>().object;

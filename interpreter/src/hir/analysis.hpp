@@ -1,5 +1,6 @@
 #pragma once
-// Questions about checked expressions and statements that decide how code for them may be arranged.
+// Properties of checked expressions and statements that the optimiser asks for: side effects,
+// constant values, uses of variables.
 
 #include <algorithm>
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace armlet::lang {
 
-// Functions whose bodies stand in place of their calls.
+// Functions whose bodies replace their calls (inlining).
 using FunctionSet = std::unordered_set<const hir::Function*>;
 
 template <class Kind>
@@ -21,24 +22,27 @@ template <class Kind>
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-// The bits of a scalar that the text alone gives; false if there are none.
+// Stores the slot of a scalar expression whose value is known at compile time; returns false if the
+// value is not known.
 [[nodiscard]] bool constant_slot(const hir::Expr& expr, Slot& out);
-// A known int, bool or enum value that fits a small operand.
+// Stores the value of a constant of type int, bool or enum that fits the operand of an instruction;
+// returns false for other expressions.
 [[nodiscard]] bool small_int(const hir::Expr& expr, std::int64_t& out);
 
-// Nothing else of the program runs, and no variable changes, while it is evaluated. It may fail.
-// Calls of the functions in `inlined` run nothing else either.
+// Whether the evaluation has no side effect: it runs no other code of the program and changes no
+// variable. It may fail. Calls of the functions in `inlined` count as part of the expression.
 [[nodiscard]] bool is_quiet(const hir::Expr& expr, const FunctionSet& inlined = {});
-// Only arithmetic that cannot fail, on constants and variables of this function.
+// Whether the expression is arithmetic that cannot fail, on constants and variables of its own
+// function.
 [[nodiscard]] bool is_plain(const hir::Expr& expr);
-// push, pop, insert or removeAt happens somewhere in it.
+// Whether the expression contains a call of push, pop, insert or removeAt.
 [[nodiscard]] bool mutates(const hir::Expr& expr);
 [[nodiscard]] bool mentions(const hir::Expr& expr, const hir::Variable& variable);
-// The variable that a chain of fields and elements starts from; null if it starts from something
-// else.
+// The variable at the start of a chain of fields and elements, such as `a` in a.b[i].c; null if the
+// chain starts from another expression.
 [[nodiscard]] const hir::Variable* root_variable(const hir::Expr& expr);
 
-// What a statement does to one variable.
+// The effects of a statement on one variable.
 struct VariableUse {
   const hir::Variable* variable = nullptr;
   bool assigned = false;  // as a whole, or its list changes its length
@@ -46,8 +50,8 @@ struct VariableUse {
   bool whole = false;     // its value is used as a whole: copied, passed, compared
 };
 
-// What a loop does: how it uses variables, in the order of the text, and whether other code may run
-// meanwhile.
+// The effects of a loop: how it uses variables, in the order of the text, and whether other code
+// may run during the loop.
 struct Summary {
   bool quiet = true;
   std::vector<VariableUse> uses;

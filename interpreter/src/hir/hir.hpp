@@ -2,10 +2,10 @@
 // The checked program: every name resolved, every type known, every conversion written out.
 //
 // The checker makes this tree from the syntax tree; the compiler turns it into bytecode. Overloads,
-// named and default arguments, x.f(a), units, ambient values and block declarations are gone. One
-// function of the text that is generic by use appears here once for each combination of argument
+// named and default arguments, x.f(a), units, ambient values and block declarations are gone. A
+// function without declared parameter types appears here once for each combination of argument
 // types. Nodes live in the program's arena and are read-only after checking; they stay alive with
-// the program, because messages at run time point back to what was written.
+// the program, because messages at run time refer to the text.
 
 #include <cstdint>
 #include <string_view>
@@ -19,7 +19,6 @@
 namespace armlet::lang::hir {
 
 // ---- statements
-// -----------------------------------------------------------------------------------------------
 
 enum class StmtKind : std::uint8_t {
 #define ARMLET_EXPR(...)
@@ -49,8 +48,8 @@ struct InitStmt : Stmt {
 struct AssignStmt : Stmt {
   Place place;
   Expr* value;
-  bool compound;  // place = place op value, the place evaluated once
-  Op op;  // for numbers; text and lists are written out by the checker as kConcat or natives
+  bool compound;  // target = target op value, the target evaluated once
+  Op op;  // for numbers; the checker writes text and list operations as kConcat or native calls
   Span op_span;
 };
 struct StorePartStmt : Stmt {  // xs[a:b] = value, A[a:b, j] = value
@@ -61,7 +60,7 @@ struct StorePartStmt : Stmt {  // xs[a:b] = value, A[a:b, j] = value
 };
 struct ExprStmt : Stmt {
   Expr* value;
-};  // the value is dropped
+};  // the value is discarded
 struct IfStmt : Stmt {
   Expr* condition;
   Stmt* yes;
@@ -73,8 +72,8 @@ struct LoopStmt : Stmt {  // while, do, for(;;)
   Stmt* step;  // null: none; `continue` goes here
   bool test_first;
 };
-// for (i in range(a, b, s)): the bounds are evaluated once. The hidden counter tells messages the
-// pass.
+// for (i in range(a, b, s)): the bounds are evaluated once. A hidden counter gives messages the
+// number of the iteration.
 struct RangeStmt : Stmt {
   Variable* variable;
   Expr* first;
@@ -95,7 +94,7 @@ struct SwitchCase {
 struct SwitchStmt : Stmt {
   Variable* subject;  // hidden
   Expr* value;
-  Seq<SwitchCase> cases;  // default may stand anywhere; it is taken last
+  Seq<SwitchCase> cases;  // default may be at any position; it is taken last
 };
 struct TryStmt : Stmt {
   Block* body;
@@ -123,13 +122,14 @@ struct WaitUntilStmt : Stmt {
   std::string_view condition_text;  // as written
   Span condition_span;
 };
-// Blocks that run as tasks are functions without parameters: closures, or function values.
+// parallel { ... }: the blocks run as concurrent tasks. Each is a function without parameters: a
+// closure or a function value.
 struct ParallelStmt : Stmt {
   Seq<Expr*> branches;
   Span word;  // `parallel`
 };
-// The body runs as a task on each change of the condition from false to true, until the block
-// around the statement ends.
+// when (c) { ... }: the body runs as a task each time the condition changes from false to true,
+// until the block around the statement ends.
 struct WhenStmt : Stmt {
   Expr* condition;  // like that of `wait until`
   Expr* body;
@@ -140,8 +140,8 @@ struct EveryStmt : Stmt {
   Expr* body;
   Span head;
 };
-// assert(c, note): the parts of c are evaluated once into hidden variables, so that they can be
-// shown.
+// A part of the condition of assert(c, note). Parts are evaluated once into hidden variables, so
+// that a failure can show their values.
 struct AssertPart {
   std::string_view text;  // as written
   Variable* variable;
@@ -150,13 +150,13 @@ struct AssertStmt : Stmt {
   Seq<InitStmt*> parts_init;  // executed in order before the condition
   Expr* condition;
   Expr* note;             // a text or null
-  Seq<AssertPart> shown;  // values worth showing (not literals)
-  Expr* explain;          // text expression saying why, evaluated on failure only; null: none
+  Seq<AssertPart> shown;  // values that a failure shows (not literals)
+  Expr* explain;          // text of the reason, evaluated on failure only; null: none
   std::string_view text;  // of the condition, as written
   Span condition_span;
 };
-// assertThrows(fn() => ..., kind: "..."): runs the call; fails if nothing was thrown, or another
-// kind.
+// assertThrows(fn() => ..., kind: "..."): runs the call, and fails if nothing was thrown or the
+// error has another kind.
 struct AssertThrowsStmt : Stmt {
   Expr* call;       // an expression statement to run
   Expr* kind_text;  // null: any
@@ -164,9 +164,9 @@ struct AssertThrowsStmt : Stmt {
 };
 
 // ---- the whole
-// ------------------------------------------------------------------------------------------------
 
-// The body begins with the initialisers of the top-level variables that the test needs.
+// A test block of a program. Its body begins with the initialisers of the top-level variables that
+// the test uses.
 struct Test {
   std::string_view name;
   Function* function;
@@ -174,8 +174,8 @@ struct Test {
 };
 
 struct Module {
-  Function* main = nullptr;  // the top level, in order; imports' initialisers first
-  Seq<Function*> functions;  // all, main included; in their order numbered by index, but in entries
+  Function* main = nullptr;  // the top level, in order; initialisers of imports first
+  Seq<Function*> functions;  // all, main included; in programs in the order of their numbers
   Seq<Test> tests;
   std::uint32_t global_count = 0;
   Seq<Variable*> globals;  // those that the program declares; each has its number

@@ -23,10 +23,10 @@ struct Function;
 
 // ---- variables
 
-// Where a variable lives. It starts as kLocal, until a use from elsewhere is seen.
+// How a variable is stored. Each is kLocal until the checker sees a use in another function.
 enum class Storage : std::uint8_t {
   kLocal,   // a register of its function
-  kGlobal,  // of the top level, and used by a function, test, condition or task: has a number
+  kGlobal,  // at the top level, used by a function, test, condition or task: has a number
   kBoxed,   // a local shared by reference with a condition or task inside its function: a register
             // holding a box
 };
@@ -36,20 +36,22 @@ struct Variable {
   const Type* type = nullptr;
   Span declared;
   Function* owner = nullptr;
-  Variable* outer = nullptr;  // captured: the variable of the enclosing function
+  Variable* outer = nullptr;  // of a captured variable: the variable of the enclosing function
   Storage storage = Storage::kLocal;
   bool fixed = false;  // let, final, parameters, loop variables
   bool is_parameter = false;
-  bool adopted = false;  // a parameter that its function adopts, so that callers may hand it over
-  bool maybe_unset = false;    // a global that may be read too early: reads are checked (R0623)
-  bool is_open = false;        // the host sees it by name, and may change a `var` between slices
+  // A parameter whose list the function takes over, so that callers need not copy it.
+  bool adopted = false;
+  // A global that may be read before it has a value: reads are checked (R0623).
+  bool maybe_unset = false;
+  bool is_open = false;        // the host finds it by name, and may change a `var` between slices
   const Expr* init = nullptr;  // the initialiser, for messages
   std::string_view kind{};     // Fact::kind of its first value
   std::uint32_t index = 0;     // of a global: its number
 };
 
-// A variable of an enclosing function used inside a lambda (by copy), or inside a condition or task
-// (by reference: both boxed).
+// A variable of an enclosing function that is used inside a lambda (copied) or inside a condition
+// or task (shared: both variables are boxed).
 struct Capture {
   Variable* outer;
   Variable* inner;
@@ -63,9 +65,9 @@ struct Function {
   const Type* result = nullptr;  // void type if none
   Block* body = nullptr;
   std::uint32_t index = 0;         // in the program's functions
-  bool is_condition = false;       // the condition of until, wait until, when: may not pause
+  bool is_condition = false;       // a condition of until, wait until or when: it may not pause
   bool gives_fixed_value = false;  // a default value, the same at every call
-  bool is_task = false;  // a block of parallel, when, every: `name` is what the task is called
+  bool is_task = false;  // a block of parallel, when or every: `name` is the name of the task
 };
 
 // ---- expressions
@@ -148,7 +150,7 @@ struct RealExpr : Expr {
 struct TextExpr : Expr {
   std::string_view value;
 };
-struct AbsentExpr : Expr {};  // an optional argument not given; type tells how it is passed
+struct AbsentExpr : Expr {};  // an optional argument that is absent; `type` decides how
 struct VariableExpr : Expr {
   Variable* variable;
 };
@@ -201,8 +203,8 @@ struct CharacterExpr : Expr {  // text[i]
   Expr* object;
   Expr* index;
 };
-// What is marked when a call fails: the whole, the name, and each argument by parameter (empty if
-// not written).
+// The parts of a call that a message marks when the call fails: the whole call, the name, and the
+// argument of each parameter (an empty span if it is not in the text).
 struct CallSite {
   Span call;
   Span callee;

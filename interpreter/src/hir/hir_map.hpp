@@ -1,5 +1,5 @@
 #pragma once
-// Expressions about maps.
+// The map expressions of a checked program; hir.hpp describes the whole tree.
 
 #include "hir/hir_expr.hpp"
 
@@ -13,7 +13,7 @@ struct MapExpr : Expr {  // ["bolt": 3, "nut": 5]
 struct EntryExpr : Expr {  // m[k]; m.get(k, otherwise)
   Expr* object;
   Expr* key;
-  Expr* otherwise;  // null: the key must be there
+  Expr* otherwise;  // null: the key has to exist
 };
 
 enum class MapQuestion : std::uint8_t { kHas, kKeys, kValues };

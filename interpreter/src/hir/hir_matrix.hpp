@@ -1,5 +1,5 @@
 #pragma once
-// The matrix expressions of a checked program; hir.hpp says what the tree is.
+// The matrix expressions of a checked program; hir.hpp describes the whole tree.
 
 #include "hir/hir_expr.hpp"
 
@@ -10,7 +10,8 @@ struct MatrixExpr : Expr {  // [a, b; c, d]
   Seq<Expr*> items;  // doubles, row by row
 };
 
-// One place between the brackets of a part: an index, or a range whose ends may be left out.
+// One index position between the brackets of a part: a single index, or a range whose ends are
+// optional.
 struct PartEnds {
   Expr* first;  // null: from the start
   Expr* last;   // null: to the end; unused for an index

@@ -1,12 +1,12 @@
 #pragma once
-// Expressions that visit every element of a list.
+// Expressions that visit every element of a list: map, filter, fold and others.
 
 #include "hir/hir_expr.hpp"
 
 namespace armlet::lang::hir {
 
-// Functions of the library that are loops of the program: what they call is called like any other
-// function.
+// Functions of the library that are compiled to loops. The functions given to them are called like
+// other functions of the program.
 enum class ListVerb : std::uint8_t {
   kMap,       // list, function
   kFilter,    // list, function -> bool

@@ -1,17 +1,18 @@
 #pragma once
-// What can be assigned and changed.
+// Targets of assignments, and expressions that change a list or map.
 
 #include "hir/hir_expr.hpp"
 
 namespace armlet::lang::hir {
 
-// A place that can be assigned: a variable, then fields and elements of it.
+// One step of an assignment target: a target is a variable, followed by fields and elements, as in
+// a.b[i].
 struct Step {
   bool is_field;
   std::uint32_t field;
   Expr* index;       // elements
-  const Type* type;  // of the place after this step
-  Span span;         // from the start of the place to the end of this step
+  const Type* type;  // of the target after this step
+  Span span;         // from the start of the target to the end of this step
   Expr* column;      // elements of matrices
   const Type* map;   // entries of maps: the type of the map, whose key is `index`; else null
 };

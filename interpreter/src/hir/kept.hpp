@@ -1,9 +1,9 @@
 #pragma once
-// What the entries of a session leave for those behind them: their names and what these stand for,
-// the numbers of functions and variables that are taken, and who uses what.
+// The names that the entries of a session leave to the entries after them: the meaning of each
+// name, the numbers of functions and variables in use, and which function uses which variable.
 //
-// Nothing here changes once an entry is compiled, so several sessions may go on from the same
-// entry. What it refers to belongs to the programs before it, which a program keeps alive.
+// Nothing here changes after an entry was compiled, so several sessions may continue from the same
+// entry. The tables refer to the programs of earlier entries, which each program keeps alive.
 
 #include <cstdint>
 #include <memory>
@@ -33,7 +33,7 @@ enum class Declared : std::uint8_t {
   kCapture
 };
 
-// The form of a function for the types of its parameters.
+// A function that was checked for given types of its parameters.
 struct KeptInstance {
   std::vector<const Type*> types;
   hir::Function* function;
@@ -54,25 +54,25 @@ struct KeptType {
   const KeptFile* file;         // where it is declared
 };
 
-// What a name stands for: one of the last four.
+// The meaning of a name: exactly one of the last four members is set.
 struct KeptName {
   std::string_view name;
   Span declared{};
   Declared how = Declared::kVar;  // variables: how they were declared, and the word that says so
   Span keyword{};
-  bool maybe_unset = false;  // variables: they may have got no value
+  bool maybe_unset = false;  // of variables: may be without a value
   const hir::Variable* variable = nullptr;
   std::shared_ptr<const KeptFunction> function;
   const Type* type = nullptr;
   const KeptFile* import = nullptr;
 };
 
-// The names that can be seen at the end of a file: its own, and in the main file of an entry those
-// of the entries before it.
+// The names visible at the end of a file: its own, and in the main file of an entry also those of
+// the earlier entries.
 struct KeptFile {
   using Bucket = std::vector<KeptName>;  // names with one key
 
-  Span span{};  // the whole of it
+  Span span{};  // the span of the whole file
   PersistentMap<Bucket> names;
   struct KeptImport {
     std::string path;
@@ -84,7 +84,7 @@ struct KeptFile {
   void set(KeptName name);
 };
 
-// A variable that calls may leave out, since the host says so of its type.
+// A variable that calls may omit, because the host declares its type as ambient.
 struct KeptAmbient {
   std::string_view type;
   std::string_view name;
@@ -97,11 +97,12 @@ struct KeptNames {
   PersistentMap<std::vector<const KeptFile*>> imported;  // by name of the file
   std::shared_ptr<const std::vector<KeptAmbient>> ambient;
   std::shared_ptr<const BlockNames> blocks;
-  // By use_key: the functions, or tasks and lambdas, that mention a variable or call a function.
+  // By use_key: the names of the functions, tasks and lambdas that use a variable or call a
+  // function.
   PersistentMap<std::vector<std::string_view>> users;
-  std::uint32_t functions = 0;  // numbers that are taken
+  std::uint32_t functions = 0;  // count of numbers in use
   std::uint32_t globals = 0;
-  std::vector<std::uint32_t> free_globals;  // numbers below that which are free again
+  std::vector<std::uint32_t> free_globals;  // numbers below `globals` that are free again
 
   [[nodiscard]] const KeptFile& main() const { return *files.back(); }
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Names that count in the whole program, whichever file they stand in.
+// Names that are collected over the whole program, from all of its files.
 
 #include <map>
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace armlet::lang {
 
-// The names of block declarations, by the type as it is written.
+// The names of block declarations, by the text of their type.
 class BlockNames {
  public:
-  // Those of the entries before are known too.
+  // Adds the names of the earlier entries of a session.
   void follow(std::shared_ptr<const BlockNames> before) { before_ = std::move(before); }
 
   void add(const std::string& type, std::string_view name);
-  // In the order of the text.
+  // The names of one type, in the order of the text.
   [[nodiscard]] std::vector<std::string> of(std::string_view type) const;
   [[nodiscard]] bool has(std::string_view type, std::string_view name) const;
-  // Without those of the entries before.
+  // All names by type, without those of earlier entries.
   [[nodiscard]] std::map<std::string, std::vector<std::string>, std::less<>> all() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Visits the parts of checked expressions and statements.
+// Visits the direct parts of checked expressions and statements.
 
 #include <vector>
 
@@ -9,7 +9,8 @@ namespace armlet::lang {
 
 namespace hir {
 
-// Two lists of one length, whose elements take turns.
+// Two lists of equal length whose elements are visited alternately: the first of each, the second
+// of each, and so on.
 template <class Node>
 struct Alternating {
   Seq<Expr*> Node::*first;
@@ -20,7 +21,7 @@ Alternating<Node> alternating(Seq<Expr*> Node::*first, Seq<Expr*> Node::*second)
   return {first, second};
 }
 
-// Calls on_expr(const Expr&) and on_stmt(const Stmt&) for what is directly inside a node, from left
+// Calls on_expr(const Expr&) and on_stmt(const Stmt&) for the direct children of a node, from left
 // to right.
 template <class E, class S>
 class Parts {
@@ -66,8 +67,8 @@ class Parts {
 
 }  // namespace hir
 
-// Calls f(const hir::Expr&) for each expression directly inside a place, or inside the ends of a
-// part.
+// Calls f(const hir::Expr&) for each expression directly inside an assignment target, or inside the
+// ends of a part.
 template <class F>
 void for_each_index(const hir::Place& place, F f) {
   const auto none = [](const hir::Stmt&) {};
@@ -114,7 +115,8 @@ void for_each_child(const hir::Stmt& stmt, E on_expr, S on_stmt) {
   }
 }
 
-// Whether `claim` holds for the expression or any part of it. Long chains do not nest calls.
+// Whether `claim` holds for the expression or any part of it. The walk is not recursive, so long
+// chains need no stack.
 template <class F>
 bool any_part(const hir::Expr& expr, F claim) {
   std::vector<const hir::Expr*> open{&expr};

@@ -1,5 +1,5 @@
-// Small functions in place of their calls. The call still counts a step and a level of nesting, and
-// messages still name the function: a program cannot tell.
+// Inlines small functions. An inlined call still counts a step and a level of nesting, and messages
+// still name the function, so programs behave the same.
 
 #include "lower/inlining.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMostOperations = 12;
 
-// Counts the operations of one function, and looks for what cannot stand elsewhere.
+// Counts the operations of one function, and finds statements that cannot be inlined.
 class Judge {
  public:
   explicit Judge(const Function& function) : function_(function) {}
@@ -57,7 +57,7 @@ class Judge {
       case StmtKind::kAssign: {
         const auto& assign = s.as<AssignStmt>();
         const Variable& variable = *assign.place.variable;
-        // A parameter may be the register of the caller's variable.
+        // The register of a parameter may be that of the caller's variable, so it must not change.
         if (!assign.place.steps.empty() || !is_own_number(variable) || variable.is_parameter) {
           fits_ = false;
         }
@@ -101,7 +101,7 @@ class Judge {
     }
   }
 
-  // References are only looked into: nothing that is made would have to be released.
+  // Inlined bodies only read references: they create no object that would have to be released.
   void node(const Expr& e) {
     ++operations_;
     if (e.kind == ExprKind::kVariable) {
@@ -131,7 +131,7 @@ FunctionSet inlined_functions(const Module& module) {
   return inlined;
 }
 
-// Arguments are evaluated as for any call; parameters are then other names for their registers.
+// Arguments are evaluated as for any call; the parameters then are other names of their registers.
 void expand(Lowering& in, const CallExpr& e, Dest to) {
   Hold hold = Hold::kNow;
   std::vector<Hold> holds(e.arguments.size(), hold);
@@ -165,7 +165,7 @@ void expand_body(Lowering& in, Site site, const Function& function,
   in.code.bind(end);
 }
 
-// `return` in a body that stands in place of a call.
+// `return` in an inlined body.
 void give_back_here(Lowering& in, const Expr& e) {
   const Expansion expansion = in.ways.expansion();
   value_into(in, e, expansion.to);

@@ -1,12 +1,12 @@
 #pragma once
-// Which functions are small enough to stand in place of their calls.
+// Selects the functions that are small enough to be inlined.
 
 #include "hir/analysis.hpp"
 
 namespace armlet::lang {
 
-// A few operations on numbers, no loops, no other calls, nothing changed but their own variables.
-// While such a body runs, nothing else of the program does.
+// The functions with a few operations on numbers, without loops and calls, that change no variables
+// but their own. No other code of the program runs during such a body.
 [[nodiscard]] FunctionSet inlined_functions(const hir::Module& module);
 
 }  // namespace armlet::lang

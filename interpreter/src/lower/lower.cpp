@@ -1,4 +1,4 @@
-// Functions as a whole, and the program.
+// Compiles whole functions and the whole program to bytecode.
 
 #include "lower/lower.hpp"
 
@@ -19,8 +19,8 @@ using namespace hir;
 
 namespace {
 
-// The closure keeps what it captured alive while its function runs, so borrowing is enough. A
-// variable that is shared is captured as its box.
+// A running function keeps its closure alive, and the closure its captured values, so the function
+// borrows them. A shared variable is captured as its box.
 void load_captures(Lowering& in, FunctionCode& into) {
   const Seq<Capture> captures = in.function.captures;
   into.captures = static_cast<std::uint16_t>(captures.size());
@@ -79,14 +79,15 @@ void finish(Lowering& in, FunctionCode& into) {
 
 constexpr std::uint32_t kMostInAll = 1U << 22U;
 
-// Frames without reference registers need no clearing and no releasing.
+// Selects faster call instructions for functions without reference registers: their frames need not
+// be cleared nor released.
 void choose_plain_calls(CompiledProgram& program) {
   const auto is_plain = [](const FunctionCode& f) {
     return f.references_begin == f.references_end;
   };
   for (FunctionCode& function : program.functions) {
     for (Instr& instr : function.code) {
-      // What replaces the function of an entry may be less plain.
+      // A later entry of the session may replace the function by one that needs an ordinary call.
       if (instr.op == OpCode::CALL && !program.entry.is_one &&
           is_plain(program.functions[instr.b])) {
         instr.op = OpCode::CALLPLAIN;
@@ -112,7 +113,7 @@ void lower_all(CompiledProgram& program, LowerOptions options) {
   }
   program.unset = program.entry.is_one ? UnsetElements::anything() : UnsetElements(module.unset);
   Tables tables(program);
-  // Functions of an entry can be replaced, so they do not stand in place of their calls.
+  // Later entries may replace functions of an entry, so calls of them are not inlined.
   if (options.optimise && !program.entry.is_one) tables.inline_calls(inlined_functions(module));
   if (options.optimise) mark_adopted_parameters(module);
   std::size_t instructions = 0;

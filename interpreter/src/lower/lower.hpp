@@ -1,5 +1,5 @@
 #pragma once
-// Turns a checked program into bytecode.
+// Compiles a checked program to bytecode.
 
 #include <memory>
 #include <optional>
@@ -12,10 +12,11 @@ namespace armlet::lang {
 
 struct Lowered {
   std::unique_ptr<Program::Code> program;
-  std::optional<Diagnostic> too_large;  // for the machine; nothing: all is well
+  // The error if the program is too large for the virtual machine; empty if there is none.
+  std::optional<Diagnostic> too_large;
 };
 
-// after  the entry that the checked one goes on from; null: there is none.
+// after  the entry of the session before the checked one; null for the first one and for programs.
 [[nodiscard]] Lowered lower(CheckedProgram checked, LowerOptions options = {},
                             std::shared_ptr<const Program> after = nullptr);
 

@@ -1,4 +1,4 @@
-// Conditions that decide where to go on.
+// Compiles conditions to branches.
 
 #include "lower/statements.hpp"
 #include "lower/values.hpp"
@@ -18,7 +18,7 @@ static void branch_deep(Lowering& in, const BinaryExpr& e, bool equal, Label to)
 
 namespace {
 
-// Comparisons of ints, in the order of their operators.
+// The instructions of comparisons of ints, in the order of the operators.
 struct IntTest {
   Op op;
   Op negated;
@@ -30,7 +30,7 @@ constexpr IntTest kIntTests[] = {
     {Op::kEqI, Op::kNeI, OpCode::IFEQI}, {Op::kNeI, Op::kEqI, OpCode::IFNEI},
 };
 
-// Of doubles: not (a < b) differs from a >= b when one of them is not a number.
+// The instructions of comparisons of doubles. With NaN, not (a < b) differs from a >= b.
 struct RealTest {
   Op op;
   OpCode test;
@@ -46,7 +46,7 @@ constexpr RealTest kRealTests[] = {
     {Op::kNeR, OpCode::IFNER, OpCode::IFEQR, false},
 };
 
-// Of texts, by the sign of CMPTEXT.
+// The tests of comparisons of texts, which use the sign that CMPTEXT computes.
 struct TextTest {
   Op op;
   Op sign;
@@ -56,7 +56,7 @@ constexpr TextTest kTextTests[] = {
     {Op::kLeText, Op::kLeI}, {Op::kGtText, Op::kGtI}, {Op::kGeText, Op::kGeI},
 };
 
-// The row of an operator; null: there is none.
+// The row of an operator; null if there is none.
 template <class Row, std::size_t n>
 constexpr const Row* row_of(const Row (&table)[n], Op op) {
   const auto at = static_cast<std::size_t>(op) - static_cast<std::size_t>(table[0].op);
@@ -76,7 +76,7 @@ OpCode compare_small(Op op) { return variant_of(Variant::kSmall, compare(op)); }
 
 }  // namespace
 
-// Goes to `to` if the condition is `when`, else on to the next instruction.
+// Jumps to `to` if the condition equals `when`; otherwise the next instruction follows.
 void branch(Lowering& in, const Expr& e, bool when, Label to) {
   Slot slot;
   if (constant_slot(e, slot)) {
@@ -108,7 +108,7 @@ static void branch_on(Lowering& in, Reg truth, bool when, Label to) {
   in.code.jump(to);
 }
 
-// a && b && c from the innermost on the left; likewise ||.
+// Compiles a && b && c from the innermost left operand on; likewise ||.
 static void branch_all(Lowering& in, const BinaryExpr& e, bool when, Label to) {
   std::vector<const Expr*> parts;
   const Expr* first = &e;
@@ -117,7 +117,7 @@ static void branch_all(Lowering& in, const BinaryExpr& e, bool when, Label to) {
     parts.push_back(first->as<BinaryExpr>().right);
   }
   parts.push_back(first);
-  // What makes a part decide the whole: false for &&, true for ||.
+  // The value of one operand that decides the whole: false for &&, true for ||.
   const bool deciding = e.kind == ExprKind::kOr;
   const Label skip = in.code.label();
   for (std::size_t i = parts.size(); i-- > 0;) {
@@ -183,7 +183,7 @@ static void branch_real(Lowering& in, const BinaryExpr& e, bool when, Label to) 
 
 namespace {
 
-// The number of a text of one character that is known.
+// The code of a constant text of one character.
 bool known_character(const Expr& e, std::int64_t& code) {
   std::string_view text;
   if (e.kind == ExprKind::kText) {
@@ -200,7 +200,7 @@ bool is_character(const Expr& e) { return e.kind == ExprKind::kCharacter && e.co
 
 }  // namespace
 
-// text[i] == "x", text[i] == text[j]: the numbers of the characters are compared.
+// text[i] == "x" and text[i] == text[j] compare character codes, without making texts.
 static bool branch_characters(Lowering& in, const BinaryExpr& e, Op op, Label to) {
   std::int64_t code = 0;
   const bool with_known = is_character(*e.left) && known_character(*e.right, code);

@@ -1,4 +1,4 @@
-// Calls of functions of the program, of function values and of the library.
+// Compiles calls of script functions, of function values and of library functions.
 
 #include <algorithm>
 #include <array>
@@ -23,15 +23,15 @@ static bool code_of_character(Lowering& in, const CallNativeExpr& e, Dest to);
 
 namespace {
 
-// For passes over the code: one more than the registers that a call reads.
+// The number of registers that a call reads, plus one, as optimisation passes expect it.
 std::uint32_t windowed(Seq<Expr*> arguments) {
   return static_cast<std::uint32_t>(arguments.size()) + 1;
 }
 
 }  // namespace
 
-// Arguments in consecutive registers from `base`, which is the topmost number. References there are
-// borrowed copies; what owns them stays in reference registers until the caller gives those back.
+// Evaluates arguments into consecutive registers from `base`, the topmost number. References there
+// are borrowed; reference registers own them until the caller frees those.
 void window(Lowering& in, Seq<Expr*> arguments, Reg base, Hold hold) {
   std::vector<Hold> holds(arguments.size(), hold);
   for (std::size_t i = arguments.size(); i-- > 1;) {
@@ -52,8 +52,8 @@ void argument(Lowering& in, const Expr& e, Reg slot, Hold hold) {
   in.code.release_numbers(mark);
 }
 
-// Of a function of the program. What it adopts is handed over last of all, so that the other
-// arguments can still be made from it.
+// The arguments of a call of a script function. Values that the function takes over are moved last,
+// because other arguments may still use them.
 static void call_window(Lowering& in, const CallExpr& e, Reg base) {
   const Seq<Expr*> arguments = e.arguments;
   std::vector<Hold> holds(arguments.size(), Hold::kCall);
@@ -73,8 +73,8 @@ static void call_window(Lowering& in, const CallExpr& e, Reg base) {
   for (const auto& [slot, from] : given) in.code.emit(OpCode::GIVE, slot, from);
 }
 
-// Evaluates an argument that the function adopts, unless it is a place of somebody else. `from`:
-// the reference register that owns it.
+// Evaluates an argument that the function takes over; returns false if the value belongs to another
+// object and has to be copied. `from`: the reference register that owns it.
 static bool handed_over(Lowering& in, const CallExpr& e, std::size_t argument, Hold hold,
                         Reg& from) {
   const Expr& value = *e.arguments[argument];
@@ -97,7 +97,8 @@ static bool handed_over(Lowering& in, const CallExpr& e, std::size_t argument, H
                               ExprKind::kRecord, ExprKind::kCall, ExprKind::kCallNative})) {
     return false;
   }
-  // f(g(x)): what holds for the outer call holds for the inner one if nothing else can borrow.
+  // f(g(x)): the rule for arguments of the outer call holds for those of the inner one if no other
+  // argument can borrow.
   const bool is_only = std::ranges::count_if(
                            e.arguments, [](const Expr* a) { return a->type->is_reference(); }) == 1;
   if (in.uses.is_whole(e) && is_only) in.uses.set_whole(&value);
@@ -106,7 +107,7 @@ static bool handed_over(Lowering& in, const CallExpr& e, std::size_t argument, H
   return true;
 }
 
-// Nothing borrows from the variable here besides the value that is about to change its owner.
+// Whether no other expression in the statement borrows from the variable whose value may be moved.
 bool may_be_last_use(const Lowering& in, const Expr& e, const Variable& variable) {
   if (!in.options.optimise || e.constant != nullptr || variable.storage != Storage::kLocal ||
       !in.homes.of(variable).is_reference()) {
@@ -115,7 +116,7 @@ bool may_be_last_use(const Lowering& in, const Expr& e, const Variable& variable
   return !in.uses.is_lent(variable);
 }
 
-// The window of a call may begin at the target itself when that is the topmost number.
+// The window of a call can begin at the destination if that is the topmost number.
 static Reg base_for(Lowering& in, Dest to) {
   return to.early && in.code.is_top(to.reg) ? to.reg : in.code.number();
 }
@@ -156,7 +157,8 @@ void effect(Lowering& in, const Expr& e) {
   in.code.release(mark);
 }
 
-// Returns the register of the result; a reference there is owned and has to be taken at once.
+// Returns the register of the result. A reference there is owned and has to be moved to its
+// destination before the next call.
 static Reg call(Lowering& in, const Expr& e, Dest to) {
   if (e.kind == ExprKind::kGuarded) return call_guarded(in, e.as<GuardedExpr>(), to);
   if (e.kind == ExprKind::kCallNative)
@@ -202,7 +204,7 @@ static Reg call_guarded(Lowering& in, const GuardedExpr& e, Dest to) {
   return base;
 }
 
-// codeOf(text[i]) needs no text of one character.
+// codeOf(text[i]) reads the character code without making a text of one character.
 static bool code_of_character(Lowering& in, const CallNativeExpr& e, Dest to) {
   if (e.function->name != "codeOf" || e.arguments.size() != 1 ||
       e.arguments[0]->kind != ExprKind::kCharacter || e.arguments[0]->constant != nullptr) {
@@ -219,7 +221,8 @@ void character_code(Lowering& in, const CharacterExpr& e, Reg to) {
   in.code.emit(OpCode::CODEAT, to, text, index);
 }
 
-// Functions of one to three doubles need no window.
+// Library functions of one to three doubles take their arguments from any registers, without a
+// window.
 static bool call_direct(Lowering& in, const CallNativeExpr& e, Dest to) {
   const NativeFunction& f = *e.function;
   const std::size_t count = e.arguments.size();

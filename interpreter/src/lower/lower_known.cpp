@@ -1,4 +1,4 @@
-// The instructions of operators, and arithmetic with an operand that the text gives.
+// The instructions of operators, and arithmetic with one constant operand.
 
 #include <bit>
 #include <iterator>
@@ -12,7 +12,7 @@ using namespace hir;
 
 namespace {
 
-// Operators with an instruction of their own, in their order.
+// Operators that have an instruction, in the order of the instructions.
 struct Operator {
   Op op;
   OpCode instruction;
@@ -70,7 +70,7 @@ bool by_power_of_two(Lowering& in, Site site, Op op, Reg left, const Expr& right
   return true;
 }
 
-// x + 1.5, x - 1.5, x * 1.5 where the constant has no register: outside of loops.
+// x + 1.5, x - 1.5, x * 1.5 outside of loops, where constants have no register.
 bool with_constant(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg to) {
   Slot known;
   Reg loaded;

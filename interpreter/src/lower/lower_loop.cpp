@@ -1,4 +1,4 @@
-// Loops. The test stands at the bottom, so that a pass costs one jump.
+// Compiles loops. The test is at the end of the body, so that each iteration has one jump.
 
 #include "lower/statements.hpp"
 #include "lower/values.hpp"
@@ -32,8 +32,8 @@ bool is_variable(const Expr& e, const Variable& variable) {
   return e.kind == ExprKind::kVariable && e.as<VariableExpr>().variable == &variable;
 }
 
-// The int variable of this function that `step` moves by a constant, as in i++; null if it does
-// something else.
+// The int variable of this function that the step of a loop changes by a constant, as i++ does;
+// null for any other step.
 const Variable* counted_variable(const Stmt* step, std::int64_t& by) {
   if (step == nullptr) return nullptr;
   if (step->kind == StmtKind::kBlock && step->as<Block>().body.size() == 1) {
@@ -67,8 +67,8 @@ static std::uint32_t line_of(const Lowering& in, Span span) {
   return sources == nullptr ? 0 : static_cast<std::uint32_t>(sources->position(span).line);
 }
 
-// While a quiet loop runs, nobody else changes the program's variables: they stay in registers. A
-// host may change its own between two passes.
+// Keeps global variables in registers while a loop runs that calls no other code of the program.
+// Variables that a host may change between two iterations stay in memory.
 static void pin_globals(Lowering& in, const Summary& summary) {
   if (!in.options.optimise || !summary.quiet) return;
   for (const VariableUse& use : summary.uses) {
@@ -85,7 +85,6 @@ static void pin_globals(Lowering& in, const Summary& summary) {
 }
 
 // ---- while, do, for (;;)
-// ------------------------------------------------------------------------------------------
 
 void loop(Lowering& in, const LoopStmt& s) {
   const Emitter::Mark mark = in.code.mark();
@@ -109,7 +108,8 @@ void loop(Lowering& in, const LoopStmt& s) {
 static void plain_loop(Lowering& in, const LoopStmt& s) {
   const Label body = in.code.label();
   const bool endless = is_true(s.condition);
-  // The test is made twice: before the first pass, and below with the counting just before it.
+  // The test is compiled twice: before the first iteration, and at the end of the body, where it
+  // can be joined with the increment.
   if (s.test_first && !endless) branch(in, *s.condition, false, in.ways.innermost().leave);
   in.code.bind_loop(body, in.code.reachable());
   scoped(in, *s.body);
@@ -123,7 +123,7 @@ static void plain_loop(Lowering& in, const LoopStmt& s) {
   }
 }
 
-// for (int i = ...; i < n; i++): one instruction counts, tests and jumps.
+// for (int i = ...; i < n; i++): one instruction increments, tests and jumps.
 static bool counted_loop(Lowering& in, const LoopStmt& s, const Summary& body) {
   std::int64_t by = 0;
   const Variable* counter = counted_variable(s.step, by);
@@ -140,8 +140,8 @@ static bool counted_loop(Lowering& in, const LoopStmt& s, const Summary& body) {
   return true;
 }
 
-// A bound that stays in a register: a number, a variable, or the length of a list or text that
-// keeps its length.
+// The register of a bound that does not change during the loop: a constant, a variable, or the
+// length of a list or text that keeps its length.
 static bool loop_bound(Lowering& in, const Expr& e, const Summary& body, Reg& out) {
   if (in_register(in, e, out)) return true;
   if (e.kind != ExprKind::kLength) return false;
@@ -157,7 +157,7 @@ static bool loop_bound(Lowering& in, const Expr& e, const Summary& body, Reg& ou
   return true;
 }
 
-// Passes while counter < last, counting by one. The loop's exits are the innermost ones.
+// Iterates while counter < last, with steps of one. Exits are those of the innermost loop.
 static void count_up(Lowering& in, Span test, Reg counter, Reg last, const Pass& pass) {
   const Label body = in.code.label();
   const bool alive = in.code.reachable();
@@ -173,7 +173,6 @@ static void count_up(Lowering& in, Span test, Reg counter, Reg last, const Pass&
 }
 
 // ---- for (x in ...)
-// -----------------------------------------------------------------------------------------------
 
 void range(Lowering& in, const RangeStmt& s) {
   const Emitter::Mark mark = in.code.mark();
@@ -215,7 +214,7 @@ static void range_pass(Lowering& in, const RangeStmt& s, Reg counter) {
   in.code.release(mark);
 }
 
-// The end of a range is evaluated once: a variable that the body changes is copied.
+// The end of a range, evaluated once. A variable that the body changes is copied.
 static Reg range_end(Lowering& in, const Expr& e, const Summary& body) {
   Reg reg;
   const Variable* variable = root_variable(e);
@@ -225,7 +224,8 @@ static Reg range_end(Lowering& in, const Expr& e, const Summary& body) {
   return reg;
 }
 
-// A range by any step: up while below the end, down while above it. A step of zero is refused.
+// A range with any step: it counts up while below the end, or down while above it. A step of zero
+// fails.
 static void count_by(Lowering& in, const RangeStmt& s, Reg counter, Reg last, RangeStep step,
                      const Pass& pass) {
   const Label body = in.code.label();
@@ -285,7 +285,7 @@ void for_list(Lowering& in, const ForListStmt& s) {
   count_up(in, s.span, counter, last, [&] {
     const Emitter::Mark pass = in.code.mark();
     load_item(in, item, list, counter, *s.variable->type, *s.items);
-    // The list owns the item, so the variable only borrows it.
+    // The list owns the element, so the loop variable borrows it.
     if (s.variable->storage == Storage::kLocal) {
       in.homes.give(*s.variable, item);
     } else {
@@ -299,7 +299,8 @@ void for_list(Lowering& in, const ForListStmt& s) {
   end_loop(in, mark);
 }
 
-// The list as it is when the loop begins: counted if the body could change it.
+// The list at the beginning of the loop. Its count is increased if the body could change the
+// variable.
 static Reg visited_list(Lowering& in, const Expr& items, const Summary& body) {
   if (items.kind == ExprKind::kVariable) {
     const Variable& variable = *items.as<VariableExpr>().variable;

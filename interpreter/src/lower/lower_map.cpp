@@ -1,4 +1,4 @@
-// Maps: literals, entries, questions.
+// Compiles maps: literals, entries, has, keys, values and remove.
 
 #include "lower/places.hpp"
 #include "lower/values.hpp"
@@ -8,7 +8,7 @@ namespace armlet::lang {
 using namespace hir;
 
 void make_map(Lowering& in, const MapExpr& e, Reg to) {
-  const Reg map = in.code.reference();  // an entry may mention what `to` holds
+  const Reg map = in.code.reference();  // the entries may use the value that `to` has
   in.code.at(e.span, &e);
   in.code.push(OpCode::NEWMAP, map.bits, in.code.type(e.type), 0);
   for (std::size_t i = 0; i < e.keys.size(); ++i) {
@@ -25,12 +25,12 @@ void make_map(Lowering& in, const MapExpr& e, Reg to) {
   in.code.emit(OpCode::TAKE, to, map);
 }
 
-// A key that stays good over what its hold says.
+// The register of a key that stays valid as long as `hold` demands.
 Reg key(Lowering& in, const Expr& e, Hold hold) {
   return e.type->is_reference() ? borrow(in, e, hold) : value(in, e);
 }
 
-// m[k], borrowed if it is a reference.
+// Loads m[k]; a reference is borrowed.
 void load_entry(Lowering& in, const EntryExpr& e, Reg to, Hold hold) {
   const Reg map = borrow(in, *e.object, stronger(hold, hold_over(in, *e.key)));
   const Reg at = key(in, *e.key, Hold::kNow);
@@ -39,8 +39,7 @@ void load_entry(Lowering& in, const EntryExpr& e, Reg to, Hold hold) {
   in.code.word(in.code.type(e.object->type));
 }
 
-// m.get(k, otherwise); the other value is computed in any case. One count of a reference goes to
-// `to`.
+// m.get(k, otherwise): `otherwise` is evaluated in any case. `to` owns one count of the result.
 void own_entry_or(Lowering& in, const EntryExpr& e, Reg to) {
   const Hold later = hold_over(in, *e.otherwise);
   const Reg map = borrow(in, *e.object, stronger(hold_over(in, *e.key), later));
@@ -67,7 +66,7 @@ void make_map_list(Lowering& in, const MapQueryExpr& e, Reg to) {
   in.code.emit(e.question == MapQuestion::kKeys ? OpCode::MAPKEYS : OpCode::MAPVALUES, to, map);
 }
 
-// From the address of a map to that of an entry.
+// Computes the address of an entry from the address of its map.
 void step_to_entry(Lowering& in, const Step& step, Reg to, Reg key, bool makes) {
   in.code.emit(makes ? OpCode::ENTRYMAKE : OpCode::ENTRYADDR, to, to, key);
   if (!makes) in.code.word(in.code.type(step.map));
@@ -80,8 +79,8 @@ bool has_key(const Place& place) {
   return false;
 }
 
-// Returns the register of the removed value; a reference there is owned and has to be taken at
-// once.
+// Returns the register of the removed value. A reference there is owned and has to be moved to its
+// destination before the next call.
 Reg remove_key(Lowering& in, const MutateExpr& e) {
   const Reg result = in.code.number();
   in.code.at(e.span, &e);

@@ -1,4 +1,4 @@
-// Matrices and the parts of matrices and lists.
+// Compiles matrices and the parts of matrices and lists.
 
 #include <array>
 
@@ -14,7 +14,7 @@ static Reg part_ends(Lowering& in, std::span<const PartEnds> ends);
 
 namespace {
 
-// Which places are single indices, as PART and PUTPART read it.
+// The bits that tell PART and PUTPART which of the index positions are single indices.
 std::uint32_t single_places(const PartEnds& rows, const PartEnds& cols) {
   return (rows.is_range ? 0U : 1U) | (cols.is_range ? 0U : 2U);
 }
@@ -30,7 +30,7 @@ void make_matrix(Lowering& in, const MatrixExpr& e, Reg to) {
   in.code.word(e.cols);
 }
 
-// The ends in consecutive registers, two for each place between the brackets.
+// The bounds of a part in consecutive registers, two for each index position.
 static Reg part_ends(Lowering& in, std::span<const PartEnds> ends) {
   Reg base;
   for (std::size_t i = 0; i < 2 * ends.size(); ++i) {
@@ -73,7 +73,8 @@ void load_matrix_element(Lowering& in, const ElementExpr& e, Reg to, Hold hold) 
   in.code.emit(OpCode::WITH, column);
 }
 
-// As for elements: first what stands in the brackets, then the value, then the way to the place.
+// The order of evaluation is that of elements: the bounds, then the value, then the steps to the
+// assignment target.
 void store_part(Lowering& in, const StorePartStmt& s) {
   const Emitter::Mark mark = in.code.mark();
   in.code.at(s.span);

@@ -1,4 +1,4 @@
-// Expressions whose value is a number, truth value or choice: bits without a count.
+// Compiles expressions whose value is a number, a bool or an enum value: bits without a count.
 
 #include <stdexcept>
 
@@ -57,7 +57,8 @@ bool is_field_of_element(const Expr& e) {
 
 bool is_product(const Expr& e) { return is_chain_link(e) && e.as<BinaryExpr>().op == Op::kMulR; }
 
-// The value in a register that may belong to a variable: only to be read, and soon.
+// The register of the value, which may be that of a variable: the caller must not write to it, and
+// must read it before the variable changes.
 Reg value(Lowering& in, const Expr& e) {
   Reg reg;
   if (in_register(in, e, reg)) return reg;
@@ -66,7 +67,8 @@ Reg value(Lowering& in, const Expr& e) {
   return reg;
 }
 
-// Like `value`, but computes in the target rather than in a new register, if it may.
+// Like `value`, but computes into the destination `hint` instead of a new register, if that is
+// allowed.
 Reg value_near(Lowering& in, const Expr& e, Dest hint) {
   Reg reg;
   if (in_register(in, e, reg)) return reg;
@@ -148,11 +150,11 @@ static void compute(Lowering& in, const Expr& e, Dest to) {
     case ExprKind::kCallNative:
     case ExprKind::kGuarded:
       return call_into(in, e, to);
-    case ExprKind::kBool:  // these are known
+    case ExprKind::kBool:  // constants
     case ExprKind::kInt:
     case ExprKind::kReal:
     case ExprKind::kEnum:
-    case ExprKind::kText:  // and these are objects
+    case ExprKind::kText:  // objects
     case ExprKind::kList:
     case ExprKind::kNewArray:
     case ExprKind::kRecord:
@@ -200,7 +202,8 @@ static void unary_into(Lowering& in, const UnaryExpr& e, Dest to) {
   in.code.emit(arithmetic_instruction(e.op), to.reg, operand);
 }
 
-// A chain such as a + b * c - d is a loop from its innermost left operand on.
+// A chain such as a + b * c - d is compiled by a loop from its innermost left operand on, so that
+// long chains need no stack.
 static void binary_into(Lowering& in, const BinaryExpr& e, Dest to) {
   std::vector<const BinaryExpr*> chain{&e};
   const Expr* first = e.left;
@@ -229,7 +232,7 @@ static void binary_into(Lowering& in, const BinaryExpr& e, Dest to) {
   }
 }
 
-// to = left op right. Nothing is written to `to` before the right side has been evaluated.
+// to = left op right. `to` is not written before the right side has been evaluated.
 void arithmetic(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg to) {
   if (in.options.optimise) {
     if (multiply_add(in, site, op, left, right, to)) return;
@@ -245,7 +248,8 @@ void arithmetic(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg
   in.code.emit(arithmetic_instruction(op), to, left, other);
 }
 
-// x + a * b. The product is rounded, then the sum: the same bits as two instructions.
+// x + a * b as one instruction. The product is rounded, then the sum: the same bits as with two
+// instructions.
 static bool multiply_add(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg to) {
   if (op != Op::kAddR && (op != Op::kSubR || left != to)) return false;
   if (!is_product(right)) return false;
@@ -265,7 +269,7 @@ static bool multiply_add(Lowering& in, Site site, Op op, Reg left, const Expr& r
   return true;
 }
 
-// a * b + x where x is in a register already; `left` is a.
+// a * b + x where a register has x; `left` is the register of a.
 static bool add_to_product(Lowering& in, const BinaryExpr& product, const BinaryExpr& sum, Reg left,
                            Reg to) {
   Reg added;
@@ -278,7 +282,7 @@ static bool add_to_product(Lowering& in, const BinaryExpr& product, const Binary
   return true;
 }
 
-// x + i where the int i is converted: one instruction.
+// x + i with an int i: one instruction converts and adds.
 static bool with_int(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg to) {
   Slot known;
   const OpCode variant = variant_of(Variant::kWithInt, arithmetic_instruction(op));
@@ -289,7 +293,7 @@ static bool with_int(Lowering& in, Site site, Op op, Reg left, const Expr& right
   return true;
 }
 
-// x - xs[i].field
+// x - xs[i].field as one instruction.
 static bool with_field(Lowering& in, Site site, Op op, Reg left, const Expr& right, Reg to) {
   const OpCode variant = variant_of(Variant::kFieldOfElement, arithmetic_instruction(op));
   if (variant == kNoVariant || !is_field_of_element(right)) return false;
@@ -304,8 +308,8 @@ static bool with_field(Lowering& in, Site site, Op op, Reg left, const Expr& rig
   return true;
 }
 
-// 1.5 * x, 2 * i; i * x and xs[i].field * x with x in a register: the sides change places, the bits
-// stay.
+// 1.5 * x, 2 * i; i * x and xs[i].field * x with x in a register: the operands are exchanged, which
+// does not change the result.
 static bool turned(Lowering& in, const BinaryExpr& e, Reg to) {
   Reg right;
   std::int64_t small = 0;
@@ -325,7 +329,7 @@ static bool turned(Lowering& in, const BinaryExpr& e, Reg to) {
          with_field(in, {e.span, &e}, e.op, right, *e.left, to);
 }
 
-// x += a * xs[i], x += a * rows[i][j]; a has been evaluated.
+// x += a * xs[i] and x += a * rows[i][j], after a was evaluated.
 static bool add_product_of_element(Lowering& in, Site site, Reg a, const Expr& b, Reg to) {
   if (b.kind != ExprKind::kElement || b.constant != nullptr) return false;
   const auto& element = b.as<ElementExpr>();
@@ -413,7 +417,6 @@ static void length_into(Lowering& in, const LengthExpr& e, Reg to) {
 }
 
 // ---- fields and elements, also as borrowed references
-// --------------------------------------------------------------
 
 void load_field(Lowering& in, const FieldExpr& e, Reg to, Hold hold) {
   if (in.options.optimise && e.object->kind == ExprKind::kElement &&
@@ -431,7 +434,7 @@ void load_field(Lowering& in, const FieldExpr& e, Reg to, Hold hold) {
   in.code.push(OpCode::FLD, to.bits, record.bits, e.field);
 }
 
-// rows[i][j], where evaluating j neither fails nor runs anything.
+// rows[i][j] as one instruction, if the evaluation of j cannot fail and runs no other code.
 static bool load_element_twice(Lowering& in, const ElementExpr& e, Reg to, Hold hold) {
   if (!in.options.optimise || e.object->kind != ExprKind::kElement || !is_plain(*e.index))
     return false;

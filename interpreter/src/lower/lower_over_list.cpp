@@ -1,5 +1,5 @@
-// map, filter, fold and their relatives: loops that no statement of the text stands for. Each pass
-// is one step, and the call in it another, as in a loop that is written out.
+// Compiles map, filter, fold and similar functions to loops. Each iteration counts one step and its
+// call another, as in a loop of the text.
 
 #include "lower/places.hpp"
 #include "lower/values.hpp"
@@ -9,7 +9,7 @@ namespace armlet::lang {
 
 using namespace hir;
 
-// What is done with each element.
+// Emits the code for one element.
 using Element = std::function<void(Reg counter)>;
 
 static void add_item(Lowering& in, const OverListExpr& e, Reg list, Reg item, const Type* element);
@@ -40,7 +40,8 @@ const NativeFunction& sorter(const LanguageFunctions& language, const Type* key)
 
 }  // namespace
 
-// The result is built beside `to`, which may be a variable that the operands use.
+// The result is built in another register than `to`, because the operands may use the variable of
+// `to`.
 void over_list(Lowering& in, const OverListExpr& e, Reg to) {
   Reg result;
   switch (e.verb) {
@@ -72,7 +73,8 @@ void over_list(Lowering& in, const OverListExpr& e, Reg to) {
   if (result.is_reference()) in.code.set_owned(result, false);
 }
 
-// An operand that stays as it is while the loop runs. A function that is known needs no register.
+// An operand that does not change while the loop runs. A function that is known at compile time
+// needs no register.
 static Reg held(Lowering& in, const OverListExpr& e, std::size_t operand) {
   const Expr& value_of = *e.operands[operand];
   if (value_of.kind == ExprKind::kFunctionValue) return {};
@@ -94,7 +96,7 @@ static Reg length_of(Lowering& in, const OverListExpr& e, Reg list) {
   return length;
 }
 
-// Passes with the counter from 0 up to but excluding `last`.
+// Iterates with the counter from 0 to `last` - 1.
 static void each(Lowering& in, const OverListExpr& e, Reg last, const Element& pass) {
   const Reg counter = in.code.number();
   const Label body = in.code.label();
@@ -116,7 +118,7 @@ static void each(Lowering& in, const OverListExpr& e, Reg last, const Element& p
   in.code.bind(leave);
 }
 
-// The arguments are in the window at `base`, where the result comes.
+// Calls the function with the arguments in the window at `base`, which then has the result.
 static void call_each(Lowering& in, const OverListExpr& e, Reg function, Reg base) {
   const bool folds = e.verb == ListVerb::kFold;
   const Expr& called = *e.operands[folds ? 2 : 1];
@@ -135,7 +137,7 @@ static void call_each(Lowering& in, const OverListExpr& e, Reg function, Reg bas
   }
 }
 
-// An empty list.
+// Makes an empty list.
 static Reg new_list(Lowering& in, const OverListExpr& e, const Type* element) {
   const Reg list = in.code.reference();
   const Reg size = in.code.number();
@@ -152,7 +154,7 @@ static void add_item(Lowering& in, const OverListExpr& e, Reg list, Reg item, co
   in.code.emit(element->is_reference() ? OpCode::PUSHREF : OpCode::PUSH, place, item);
 }
 
-// What the function gives for every element; also the keys of sort.
+// The list of the function's results for all elements; sort uses it for its keys.
 static Reg map_list(Lowering& in, const OverListExpr& e, Reg list, const Type* element) {
   const Reg function = held(in, e, 1);
   const Reg last = length_of(in, e, list);
@@ -243,7 +245,7 @@ static Reg test_list(Lowering& in, const OverListExpr& e) {
   return result;
 }
 
-// The keys of all elements first, then the sorting, which calls nothing.
+// Computes the keys of all elements first, then sorts by them without any call.
 static Reg sort_list(Lowering& in, const OverListExpr& e) {
   const Type* key = e.operands[1]->type->result;
   const Reg list = held(in, e, 0);

@@ -1,4 +1,4 @@
-// Assignments: variables, and places inside lists and records.
+// Compiles assignments to variables, elements and fields.
 
 #include "lower/places.hpp"
 #include "lower/statements.hpp"
@@ -26,9 +26,8 @@ static void store_inside(Lowering& in, const Place& place, const Indices& indice
 static void load_place(Lowering& in, const Place& place, const Indices& indices, Reg to);
 
 // ---- whole variables
-// ----------------------------------------------------------------------------------------------
 
-// Reading or changing a variable of the program before its declaration has run is an error.
+// Using a global variable before its declaration has run is an error at run time.
 void check_set(Lowering& in, const Variable& variable) {
   if (variable.storage == Storage::kGlobal && variable.maybe_unset) {
     in.code.push(OpCode::GCHECK, variable.index, 0, 0);
@@ -45,7 +44,7 @@ void assign(Lowering& in, const AssignStmt& s) {
   }
 }
 
-// A variable declared without a value is set by its first assignment.
+// The first assignment to a variable declared without a value makes it set.
 static void assign_whole(Lowering& in, const AssignStmt& s) {
   const Variable& variable = *s.place.variable;
   in.code.at(s.span);
@@ -86,8 +85,8 @@ void store_register(Lowering& in, const Variable& variable, Reg from) {
   }
 }
 
-// x = ... may use x as its work register if x is read first, or not at all, and nothing can fail
-// half-way.
+// x = ... may compute in the register of x if x is read first, or not at all, and no part of the
+// expression can fail.
 static bool can_write_early(const Lowering& in, const Variable& variable, const Expr& value) {
   if (!in.options.optimise || !is_plain(value)) return false;
   const Expr* e = &value;
@@ -97,7 +96,7 @@ static bool can_write_early(const Lowering& in, const Variable& variable, const 
   return e->kind == ExprKind::kVariable || !mentions(*e, variable);
 }
 
-// s = s + t grows s in place.
+// s = s + t appends to the text s without a copy.
 static bool append_text(Lowering& in, const Variable& variable, const Expr& value) {
   if (!in.options.optimise || value.kind != ExprKind::kConcat || value.constant != nullptr)
     return false;
@@ -141,8 +140,8 @@ static void assign_compound(Lowering& in, const AssignStmt& s) {
   in.code.release(mark);
 }
 
-// The right side, evaluated before the place is read: what it changes counts. What cannot fail may
-// wait.
+// The right side of a compound assignment is evaluated before the target is read, because it may
+// change the target. A right side without side effects that cannot fail may be evaluated later.
 static Addend addend(Lowering& in, const AssignStmt& s) {
   Addend out;
   if (is_plain(*s.value)) return out;
@@ -158,7 +157,7 @@ static Addend addend(Lowering& in, const AssignStmt& s) {
   return out;
 }
 
-// The product is rounded, then the sum: the same bits as two instructions.
+// The product is rounded, then the sum: the same bits as with two instructions.
 static void add_to(Lowering& in, const AssignStmt& s, const Addend& added, Reg to) {
   if (!added.is_evaluated) return operate(in, s, to, to);
   in.code.at(s.span);
@@ -175,12 +174,11 @@ static void operate(Lowering& in, const AssignStmt& s, Reg left, Reg to) {
 }
 
 // ---- inside lists and records
-// -------------------------------------------------------------------------------------
 
 static bool is_literal_text(const Expr& e) { return e.kind == ExprKind::kText; }
 
-// What stands in the brackets is evaluated first, then the value; then the way to the place is
-// walked at once.
+// The indices are evaluated first, then the value. The steps to the assignment target come last,
+// without other code between them.
 static void assign_inside(Lowering& in, const AssignStmt& s) {
   const Emitter::Mark mark = in.code.mark();
   in.code.at(s.span);
@@ -202,7 +200,7 @@ static void assign_inside(Lowering& in, const AssignStmt& s) {
   in.code.release(mark);
 }
 
-// xs[i].field += a * b in one instruction.
+// xs[i].field += a * b as one instruction.
 static bool add_product_inside(Lowering& in, const AssignStmt& s, const Indices& indices) {
   const auto& steps = s.place.steps;
   if (s.op != Op::kAddR || steps.size() != 2 || steps[0].is_field || !steps[1].is_field ||
@@ -219,8 +217,7 @@ static bool add_product_inside(Lowering& in, const AssignStmt& s, const Indices&
   return true;
 }
 
-// rows[i][j] += value: the row is looked up once. Likewise xs[i] += value where xs is a variable of
-// the program.
+// rows[i][j] += value looks the row up once. Likewise xs[i] += value with a global variable xs.
 static bool operate_inside(Lowering& in, const AssignStmt& s, const Indices& indices) {
   const Step& last = s.place.steps.back();
   if (last.is_field || last.column != nullptr) return false;
@@ -237,7 +234,8 @@ static bool operate_inside(Lowering& in, const AssignStmt& s, const Indices& ind
   return true;
 }
 
-// All steps but the last lead to lists or records, and the last one is inside one.
+// Whether all steps but the last lead to lists or records, and the last one is an element or field
+// of one.
 static bool is_chain_of_objects(const Lowering& in, const Place& place) {
   if (has_key(place) || leads_through_unset(in, place)) return false;
   for (std::size_t i = 0; i + 1 < place.steps.size(); ++i) {
@@ -246,7 +244,8 @@ static bool is_chain_of_objects(const Lowering& in, const Place& place) {
   return true;
 }
 
-// What the last step leads into, which nobody else sees from here on.
+// The list or record that the last step is an element or field of. It is copied first if it is
+// shared.
 static Reg owned_inside(Lowering& in, const Place& place, const Indices& indices, Reg object) {
   const Reg inner = in.code.number();
   for (std::size_t i = 0; i + 1 < place.steps.size(); ++i) {
@@ -278,19 +277,19 @@ Indices index_values(Lowering& in, const Place& place) {
 }
 
 // A value that is part of the variable it is stored into is counted first, so that no object can
-// come to hold itself.
+// contain itself.
 Hold hold_for(const Place& place, const Expr& value) {
   return root_variable(value) == place.variable ? Hold::kOwn : Hold::kNow;
 }
 
-// Stores may change the list or record of the variable in a register.
+// Whether stores may change the list or record of the variable through a register.
 static bool can_own(const Lowering& in, const Variable& variable) {
   if (!in.options.optimise) return false;
   return variable.storage == Storage::kGlobal ||
          (variable.storage == Storage::kLocal && in.homes.of(variable).is_reference());
 }
 
-// That register; of a variable of the program good until anything else runs.
+// The register of that list or record. That of a global variable is valid until other code runs.
 static Reg own_register(Lowering& in, const Variable& variable) {
   Reg reg;
   if (variable.storage == Storage::kLocal) return in.homes.of(variable);
@@ -333,7 +332,7 @@ static void store_inside(Lowering& in, const Place& place, const Indices& indice
   }
 }
 
-// The address of the place, good until anything else runs.
+// The address of the assignment target, valid until other code runs.
 Reg address(Lowering& in, const Place& place, const Indices& indices, Missing missing) {
   const Variable& variable = *place.variable;
   const Reg to = in.code.number();
@@ -369,10 +368,10 @@ Reg address(Lowering& in, const Place& place, const Indices& indices, Missing mi
   return to;
 }
 
-// The number at the place as it is now.
+// Loads the current number at the assignment target.
 static void load_place(Lowering& in, const Place& place, const Indices& indices, Reg to) {
   if (leads_through_unset(in, place))
-    (void)address(in, place, indices);  // fails if an element is not set
+    (void)address(in, place, indices);  // fails if an element has no value
   Reg object = borrow_variable(in, *place.variable, Hold::kNow);
   const std::size_t steps = place.steps.size();
   for (std::size_t i = 0; i < steps; ++i) {
@@ -398,10 +397,9 @@ static void load_place(Lowering& in, const Place& place, const Indices& indices,
 }
 
 // ---- lists that grow and shrink
-// -----------------------------------------------------------------------------------
 
-// Returns the register of the removed element; a reference there is owned and has to be taken at
-// once.
+// Returns the register of the removed element. A reference there is owned and has to be moved to
+// its destination before the next call.
 Reg mutate(Lowering& in, const MutateExpr& e) {
   if (e.mutation == Mutation::kRemoveKey) return remove_key(in, e);
   const bool reference = e.value != nullptr && e.value->type->is_reference();

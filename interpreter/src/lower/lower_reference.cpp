@@ -1,4 +1,5 @@
-// Expressions whose value is an object: texts, lists, records, closures, values of the host.
+// Compiles expressions whose value is an object: texts, lists, records, closures, values of the
+// host.
 
 #include <algorithm>
 #include <stdexcept>
@@ -29,23 +30,23 @@ static void to_text(Lowering& in, const ToTextExpr& e, Reg to);
 
 namespace {
 
-// print(x) of a text is the text.
+// print(x) of a text shows the text itself.
 bool is_text_already(const ToTextExpr& e) {
   return e.value->type->is(Kind::kText) && e.style.is_plain() && e.unit.empty();
 }
 
-// m.get(k, other)
+// Whether the expression is m.get(k, other).
 bool gives_other(const Expr& e) {
   return e.kind == ExprKind::kEntry && e.as<EntryExpr>().otherwise != nullptr;
 }
 
-// What the program, or a list or record that somebody else keeps, holds already.
+// Whether the value has another owner: a variable, or a list or record that is kept elsewhere.
 bool belongs_to_other(const Expr& e) {
   return !gives_other(e) && is_one_of(e.kind, {ExprKind::kText, ExprKind::kAbsent, ExprKind::kField,
                                                ExprKind::kEntry, ExprKind::kElement});
 }
 
-// A text that is known.
+// The characters of a constant text.
 bool constant_text(const Expr& e, std::string_view& out) {
   if (e.kind == ExprKind::kText) {
     out = e.as<TextExpr>().value;
@@ -66,7 +67,6 @@ Hold hold_over(const Lowering& in, const Expr& later) {
 }
 
 // ---- borrowing
-// ----------------------------------------------------------------------------------------------------
 
 Reg borrow(Lowering& in, const Expr& e, Hold hold) {
   if (hold != Hold::kOwn) {
@@ -93,7 +93,8 @@ Reg borrow(Lowering& in, const Expr& e, Hold hold) {
   return to;
 }
 
-// Into a register that owns nothing: of a window, or a number register.
+// Loads a borrowed reference into a register that owns nothing: a number register, such as one of a
+// window.
 void borrow_into(Lowering& in, const Expr& e, Reg to, Hold hold) {
   std::string_view text;
   if (constant_text(e, text)) {
@@ -138,7 +139,6 @@ Reg null_reference(Lowering& in) {
 }
 
 // ---- counting
-// -----------------------------------------------------------------------------------------------------
 
 static void own_variable(Lowering& in, const Variable& variable, Reg to) {
   Reg reg;
@@ -152,7 +152,7 @@ static void own_variable(Lowering& in, const Variable& variable, Reg to) {
   }
 }
 
-// One count of the value goes to `to`, a reference register.
+// Evaluates into a reference register, which then owns one count of the value.
 void own_into(Lowering& in, const Expr& e, Reg to) {
   std::string_view text;
   if (constant_text(e, text)) {
@@ -214,9 +214,8 @@ static void own_converted(Lowering& in, const ConvertExpr& e, Reg to) {
 }
 
 // ---- making
-// -------------------------------------------------------------------------------------------------------
 
-// New objects.
+// Makes a new object.
 static void make(Lowering& in, const Expr& e, Reg to) {
   switch (e.kind) {
     case ExprKind::kList:
@@ -256,7 +255,7 @@ static void make(Lowering& in, const Expr& e, Reg to) {
     case ExprKind::kCallNative:
     case ExprKind::kGuarded:
       return call_own(in, e, to);
-    case ExprKind::kBool:  // these are no objects
+    case ExprKind::kBool:  // no objects
     case ExprKind::kInt:
     case ExprKind::kReal:
     case ExprKind::kEnum:
@@ -265,7 +264,7 @@ static void make(Lowering& in, const Expr& e, Reg to) {
     case ExprKind::kAnd:
     case ExprKind::kOr:
     case ExprKind::kLength:
-    case ExprKind::kText:  // and these are no new ones
+    case ExprKind::kText:  // not new objects
     case ExprKind::kAbsent:
     case ExprKind::kVariable:
     case ExprKind::kCond:
@@ -325,7 +324,8 @@ static void make_record(Lowering& in, const RecordExpr& e, Reg to) {
   in.code.push(OpCode::MAKEREC, to.bits, base.bits, in.tables.layout(e.type));
 }
 
-// Lambdas copy what the variables hold; conditions share their boxes.
+// Closures of lambdas copy the values of variables; those of conditions share the boxes of
+// variables.
 static void make_closure(Lowering& in, const ClosureExpr& e, Reg to) {
   Reg base;
   in.code.at(e.span, &e);
@@ -380,7 +380,6 @@ static void make_character(Lowering& in, const CharacterExpr& e, Reg to) {
 }
 
 // ---- texts
-// --------------------------------------------------------------------------------------------------------
 
 static void join(Lowering& in, const ConcatExpr& e, Reg to) {
   std::vector<Expr*> parts = joined_parts(e);
@@ -390,7 +389,7 @@ static void join(Lowering& in, const ConcatExpr& e, Reg to) {
   in.code.push(OpCode::CONCAT, to.bits, base.bits, static_cast<std::uint32_t>(parts.size()));
 }
 
-// a + b + c is one joining of three texts, however it is nested.
+// a + b + c is compiled to one joining of three texts, however it is nested.
 std::vector<Expr*> joined_parts(const ConcatExpr& e) {
   std::vector<Expr*> parts;
   std::vector<Expr*> open(e.parts.rbegin(), e.parts.rend());

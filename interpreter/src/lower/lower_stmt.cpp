@@ -1,4 +1,4 @@
-// Statements, apart from assignments, loops and try.
+// Compiles statements, apart from assignments, loops and try.
 
 #include <algorithm>
 #include <map>
@@ -28,14 +28,14 @@ static void check(Lowering& in, const AssertStmt& s);
 
 static void lower_statement(Lowering& in, const Stmt& s);
 
-// What the checker has written out has no words of its own.
+// Whether the statement is in the text. The checker adds statements that are not.
 static bool is_written(const Stmt& s) {
   if (s.kind == StmtKind::kBlock || s.span.empty()) return false;
   return s.kind != StmtKind::kInit || !s.as<InitStmt>().variable->name.empty();
 }
 
-// Where the variables that a statement declares can be seen; those that it declares inside of its
-// blocks have been told already.
+// The byte from which the variables of a statement are visible. Variables of its inner blocks have
+// their scope already.
 static std::uint32_t scope_begin(const Stmt& s) {
   if (s.kind == StmtKind::kRange) return s.as<RangeStmt>().body->span.begin;
   if (s.kind == StmtKind::kForList) return s.as<ForListStmt>().body->span.begin;
@@ -55,7 +55,8 @@ void statement(Lowering& in, const Stmt& s) {
   }
   const Homes::Point point{in.homes.count(), in.code.position()};
   lower_statement(in, s);
-  // A declaration is seen from its end to that of the block around it.
+  // A declared variable is visible from the end of its declaration to the end of the block around
+  // it.
   const Span scope{scope_begin(s), s.span.end, s.span.source};
   if (s.kind == StmtKind::kInit) {
     in.homes.open(point, s.span.end);
@@ -114,7 +115,7 @@ static void lower_statement(Lowering& in, const Stmt& s) {
 void block(Lowering& in, const Block& b) {
   const Emitter::Mark mark = in.code.mark();
   const Homes::Point point{in.homes.count(), in.code.position()};
-  // What an entry watches at its top level is watched while later entries run, too.
+  // A `when` or `every` at the top level of an entry stays active while later entries run.
   const bool lives_on =
       in.tables.program().entry.is_one && in.is_program() && &b == in.function.body;
   if (!lives_on && std::ranges::any_of(b.body, starts_watching)) {
@@ -128,9 +129,8 @@ void block(Lowering& in, const Block& b) {
 }
 
 // ---- variables
-// ----------------------------------------------------------------------------------------------------
 
-// Gives a variable its register or box.
+// Gives a variable its register or its box.
 static void declare(Lowering& in, const Variable& variable) {
   switch (variable.storage) {
     case Storage::kGlobal:
@@ -147,13 +147,12 @@ static void declare(Lowering& in, const Variable& variable) {
   }
 }
 
-// The register of a new variable holds nothing yet, so it may be written before the value is
-// complete.
+// The register of a new variable has no value yet, so the expression may compute in it.
 static void init(Lowering& in, const InitStmt& s) {
   const Variable& variable = *s.variable;
   declare(in, variable);
   if (s.value == nullptr) {
-    // What a debugger shows of it is not what the register held before.
+    // A debugger must not show the old contents of the register as the value of the variable.
     if (in.options.markers && variable.storage == Storage::kLocal)
       in.code.emit(variable.type->is_reference() ? OpCode::DROP : OpCode::ZERO,
                    in.homes.of(variable));
@@ -186,7 +185,6 @@ void note_set(Lowering& in, const Variable& variable) {
 }
 
 // ---- choices
-// ------------------------------------------------------------------------------------------------------
 
 static void if_else(Lowering& in, const IfStmt& s) {
   const Label end = in.code.label();
@@ -210,7 +208,7 @@ static void if_else(Lowering& in, const IfStmt& s) {
   in.code.bind(end);
 }
 
-// A statement whose declarations, if it is one, end with it.
+// Compiles a statement whose declarations, if it is one, are visible only inside of it.
 void scoped(Lowering& in, const Stmt& s) {
   const Emitter::Mark mark = in.code.mark();
   const Stmt* only = &s;
@@ -228,7 +226,7 @@ static void switch_case(Lowering& in, const SwitchStmt& s) {
   store(in, *s.subject, *s.value);
   const Label end = in.code.label();
   std::vector<Label> bodies;
-  // Every value of an enum has its case, so without a default the last case needs no test.
+  // If every value of an enum has its case and there is no default, the last case needs no test.
   const SwitchCase* fallback = nullptr;
   if (s.value->type->is(Kind::kEnum) && !s.cases.empty()) fallback = &s.cases.back();
   for (const SwitchCase& c : s.cases) {
@@ -254,7 +252,7 @@ static void switch_case(Lowering& in, const SwitchStmt& s) {
   in.code.release(mark);
 }
 
-// The number that a case `subject == number` asks for.
+// The number in a case `subject == number`.
 static bool number_of_case(const Expr& test, const Variable& subject, std::int64_t& out) {
   if (test.kind != ExprKind::kBinary || test.as<BinaryExpr>().op != Op::kEqI) return false;
   const auto& equal = test.as<BinaryExpr>();
@@ -263,7 +261,7 @@ static bool number_of_case(const Expr& test, const Variable& subject, std::int64
   return asks && small_int(*equal.right, out);
 }
 
-// Numbers that lie close together are looked up, the first case of each.
+// Cases with numbers close together use a table of jumps, with the first case of each number.
 static bool switch_by_table(Lowering& in, const SwitchStmt& s, const std::vector<Label>& bodies,
                             Label otherwise) {
   constexpr std::size_t kFewest = 4;
@@ -290,7 +288,6 @@ static bool switch_by_table(Lowering& in, const SwitchStmt& s, const std::vector
 }
 
 // ---- going elsewhere
-// ----------------------------------------------------------------------------------------------
 
 static void jump(Lowering& in, const JumpStmt& s) {
   const JumpTargets exit = in.ways.to(s.target);
@@ -323,8 +320,8 @@ static void give_back(Lowering& in, const ReturnStmt& s) {
   in.code.release(mark);
 }
 
-// A local variable is handed over; what belongs to someone else is counted; new values are handed
-// over.
+// Returns a reference: local variables and new values are moved, values with other owners are
+// counted.
 static void give_back_reference(Lowering& in, const Expr& e) {
   if (!in.ways.finally_runs()) {
     const bool variable =
@@ -349,7 +346,6 @@ static void raise(Lowering& in, const ThrowStmt& s) {
 }
 
 // ---- waiting and checking
-// -----------------------------------------------------------------------------------------
 
 static void wait(Lowering& in, const WaitStmt& s) {
   const Emitter::Mark mark = in.code.mark();

@@ -1,4 +1,4 @@
-// parallel; and blocks that hold a `when` or `every`, which watch until the block is left.
+// Compiles `parallel`, and blocks that contain `when` or `every`, whose watches end with the block.
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ bool starts_watching(const Stmt* s) {
   return s->kind == StmtKind::kWhen || s->kind == StmtKind::kEvery;
 }
 
-// Every way out of the block ends its watches: like a finally block, written by nobody.
+// Every exit from the block ends its watches, as a finally block would.
 void watched_block(Lowering& in, Seq<const Stmt* const> body) {
   const auto first = std::ranges::find_if(body, starts_watching);
   const Span head = head_of(**first);

@@ -1,4 +1,4 @@
-// try, catch, finally, retry; and what has to be done on the way out of them.
+// Compiles try, catch, finally and retry, and the code that runs when a statement leaves them.
 
 #include "lower/statements.hpp"
 #include "lower/values.hpp"
@@ -9,8 +9,8 @@ using namespace hir;
 
 static void handle(Lowering& in, const TryStmt& s);
 
-// Code on the way out belongs to none of the tries it leaves: their ranges stop here and go on
-// behind it.
+// The code of an exit belongs to none of the tries it leaves: their ranges end before it and begin
+// again behind it.
 void leave(Lowering& in, std::size_t depth, const std::function<void()>& go) {
   std::vector<TryScope> left;
   while (in.ways.tries() > depth) {
@@ -61,7 +61,7 @@ void try_catch(Lowering& in, const TryStmt& s) {
   in.code.release(mark);
 }
 
-// The catch block: failures in it are no longer caught here, but what is done finally still is.
+// The catch block: this try does not catch failures in it, but its finally block runs after them.
 static void handle(Lowering& in, const TryStmt& s) {
   in.code.begin_handler(in.ways.begin_handler(in.code.position()), false);
   const Emitter::Mark mark = in.code.mark();

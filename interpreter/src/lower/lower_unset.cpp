@@ -1,4 +1,4 @@
-// Elements that may have no value yet: what reads them looks first.
+// Compiles checks for list elements that may have no value yet.
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ bool may_hold_unset(const Lowering& in, const Type& type) {
   return in.tables.program().unset.may_be_in(&type);
 }
 
-// Whether a step before the last one goes through an element that may be not set.
+// Whether a step before the last one uses an element that may have no value.
 bool leads_through_unset(const Lowering& in, const Place& place) {
   for (std::size_t i = 0; i + 1 < place.steps.size(); ++i) {
     const Step& step = place.steps[i];
@@ -26,7 +26,7 @@ bool leads_through_unset(const Lowering& in, const Place& place) {
   return false;
 }
 
-// An element that a loop visits; `written` is the list.
+// Loads an element that a loop visits; `written` is the expression of the list.
 void load_item(Lowering& in, Reg to, Reg list, Reg index, const Type& element,
                const Expr& written) {
   if (!may_be_unset(in, element)) {
@@ -37,14 +37,15 @@ void load_item(Lowering& in, Reg to, Reg list, Reg index, const Type& element,
   in.code.emit(OpCode::LDSET, to, list, index);
 }
 
-// A value that is used as a whole. only_itself: what lies in the elements of a list is not read.
+// Checks a value that is used as a whole. only_itself: the elements of a list are not checked.
 void check_whole(Lowering& in, const Expr& e, Reg value, bool only_itself) {
   if (!may_hold_unset(in, *e.type)) return;
   in.code.at(e.span);
   in.code.push(OpCode::CHECKSET, value.bits, in.code.type(e.type), only_itself ? 1 : 0);
 }
 
-// Functions of the library find all elements set, unless they only hand on what they are given.
+// Library functions get lists whose elements all have values, except functions that only return
+// their argument.
 void check_arguments(Lowering& in, const CallNativeExpr& e, Reg base) {
   const LanguageFunctions* const language = in.tables.program().language;
   if (language != nullptr && (e.function == language->filled || e.function == language->last))

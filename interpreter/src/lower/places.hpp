@@ -1,5 +1,5 @@
 #pragma once
-// The rules for places that are read, stored into and changed.
+// The rules for reading, assigning and changing variables, elements and fields.
 
 #include "lower/context/lowering.hpp"
 

@@ -23,7 +23,7 @@ void for_list(Lowering& in, const hir::ForListStmt& s);
 // ---- lower_try.cpp
 void try_catch(Lowering& in, const hir::TryStmt& s);
 void check_throws(Lowering& in, const hir::AssertThrowsStmt& s);
-// Leaves the tries above `depth`, running what they do finally, then does `go`.
+// Leaves the tries above `depth` with their finally blocks, then emits `go`.
 void leave(Lowering& in, std::size_t depth, const std::function<void()>& go);
 
 // ---- lower_tasks.cpp

@@ -1,5 +1,5 @@
 #pragma once
-// The rules for expressions that are used from several sources.
+// The rules for expressions, which other rules share.
 
 #include <span>
 
@@ -8,7 +8,7 @@
 
 namespace armlet::lang {
 
-// What a reference needs to outlast the evaluation of `later`.
+// How long a reference has to stay valid if `later` is evaluated before its use.
 [[nodiscard]] Hold hold_over(const Lowering& in, const hir::Expr& later);
 
 // ---- lower_number.cpp

@@ -90,7 +90,6 @@ hir::Expr* enum_values(Checker& checker, const Type* type, Span span) {
 }
 
 // ---- default values
-// ------------------------------------------------------------------------------
 
 namespace {
 

@@ -19,7 +19,6 @@ constexpr std::size_t kMostPinnedConstants = 200;
 Emitter::Emitter(Span span) : whole_(span), span_(span) {}
 
 // ---- registers
-// ----------------------------------------------------------------------------------------------------
 
 Reg Emitter::number() {
   const Reg reg = Reg::make(RegClass::kNumber, numbers_++);
@@ -75,7 +74,6 @@ void Emitter::check_limits() const {
 }
 
 // ---- code
-// ---------------------------------------------------------------------------------------------------------
 
 void Emitter::push(OpCode op, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   if (!reachable_) return;
@@ -119,7 +117,8 @@ Reg Emitter::moved_to_first(Reg result) {
   const bool has_word = code_.size() > 1 && effects_of(code_, position() - 2).words == 2;
   const std::uint32_t at = position() - (has_word ? 2 : 1);
   const OpCode op = code_[at].op;
-  const bool asks_host = op >= OpCode::CALLD1 && op <= OpCode::CALLD3;  // writes before it fails
+  // Calls of library functions of doubles write their result before they can fail.
+  const bool asks_host = op >= OpCode::CALLD1 && op <= OpCode::CALLD3;
   const Effects effects = effects_of(code_, at);
   if (effects.effect != Effect::kPure || asks_host || code_[at].a != result.bits) return result;
   const Reg first = Reg::make(RegClass::kParameter, 0);
@@ -148,7 +147,6 @@ std::uint32_t Emitter::index_of(Slot constant) {
 }
 
 // ---- labels
-// -------------------------------------------------------------------------------------------------------
 
 Label Emitter::label() {
   labels_.emplace_back();
@@ -203,7 +201,6 @@ void Emitter::branch(OpCode op, std::uint32_t a, Label to) {
 }
 
 // ---- tables
-// -------------------------------------------------------------------------------------------------------
 
 void Emitter::begin_handler(const std::vector<Range>& ranges, bool is_finally) {
   for (const Range& range : ranges) {
@@ -232,7 +229,6 @@ void Emitter::shown(std::uint32_t assert_index, std::vector<Reg> registers) {
 }
 
 // ---- the end
-// ------------------------------------------------------------------------------------------------------
 
 std::uint16_t Emitter::place(Reg reg) const {
   std::uint32_t at = reg.number();
@@ -269,7 +265,7 @@ Instr Emitter::narrow(const WideInstr& wide, std::uint32_t pc) const {
   return instr;
 }
 
-// Pinned constants are loaded before anything else.
+// Constants of the whole function are loaded before its first instruction.
 void Emitter::add_prologue() {
   std::vector<WideInstr> body;
   std::swap(body, code_);
@@ -309,7 +305,8 @@ void Emitter::fill_tables(FunctionCode& into, std::uint32_t shift) const {
   }
 }
 
-// Branches that jump backward count steps; which ones do is known now.
+// Branches that jump backward count a step each, and need other instructions than forward branches.
+// The directions are known once all labels are bound.
 static void tell_loops_apart(std::vector<Instr>& code) {
   for (std::size_t i = 0; i + 1 < code.size(); ++i) {
     OpCode& op = code[i].op;
@@ -319,12 +316,13 @@ static void tell_loops_apart(std::vector<Instr>& code) {
   }
 }
 
-// A loop that counts up behind a single instruction, which it leads back to.
+// Finds loops whose body is one instruction followed by the instruction that counts up and jumps
+// back.
 static void find_loops_of_one(std::vector<Instr>& code) {
   for (std::size_t i = 0; i + 3 < code.size(); ++i) {
     const OpCode variant = variant_of(Variant::kEach, code[i].op);
     if (variant == kNoVariant) continue;
-    // What it adds up is in the next word.
+    // The accumulated sum is named in the next word.
     if (operand_of(variant, 0) == 'd' && code[i].a != code[i + 1].a) continue;
     std::size_t words = 1;
     while (is_operand_word(code[i + words].op)) ++words;

@@ -1,4 +1,4 @@
-// What is done to the instructions of a function when all of them are there.
+// The order of the optimisation passes, and the changes of positions that follow from them.
 
 #include <algorithm>
 #include <functional>
@@ -45,7 +45,7 @@ void Emitter::edit(const Edits& edits) {
   if (!removes && edits.insertions.empty()) return;
   std::vector<WideInstr> code;
   code.reserve(code_.size() + edits.insertions.size());
-  // By old position: where the code for there begins now, and a loop that begins there.
+  // By old position: the new position of the code there, and of a loop that begins there.
   std::vector<std::uint32_t> moved(code_.size() + 1);
   std::vector<std::uint32_t> moved_loops(code_.size() + 1);
   auto next = edits.insertions.begin();
@@ -65,7 +65,7 @@ void Emitter::edit(const Edits& edits) {
 void Emitter::relocate(const std::vector<std::uint32_t>& moved,
                        const std::vector<std::uint32_t>& moved_loops) {
   std::vector<bool> begins_loop(labels_.size(), false);
-  for (LabelInfo& label : labels_) label.used = false;  // jumps may be gone
+  for (LabelInfo& label : labels_) label.used = false;  // a pass may have removed jumps
   for (const WideInstr& instr : code_) {
     if (instr.label == kUnbound) continue;
     labels_[instr.label].used = true;

@@ -1,5 +1,5 @@
 #pragma once
-// Which uses of a variable may be its last one, so that its value can change its owner.
+// Uses of a variable that may be its last one, so that its value can be moved instead of copied.
 
 #include <algorithm>
 #include <vector>
@@ -10,11 +10,11 @@ namespace armlet::lang {
 
 class LastUses {
  public:
-  // All of the value that a statement assigns or returns, or the call that it consists of.
+  // The whole value that a statement assigns or returns, or the call that is the statement.
   void set_whole(const hir::Expr* value) { whole_ = value; }
   [[nodiscard]] bool is_whole(const hir::Expr& value) const { return whole_ == &value; }
 
-  // A loop borrows the elements of a list.
+  // A loop borrows the elements of a list while it runs.
   void lend(const hir::Variable& list) { lent_.push_back(&list); }
   void take_back() { lent_.pop_back(); }
   [[nodiscard]] bool is_lent(const hir::Variable& variable) const {

@@ -1,6 +1,5 @@
 #pragma once
-// The loops around what is being lowered, and the variables of the program that they keep in
-// registers.
+// The loops around the code that is emitted, and the global variables that they keep in registers.
 
 #include <unordered_map>
 #include <vector>
@@ -13,7 +12,7 @@ namespace armlet::lang {
 class Loops {
  public:
   void begin() { pinned_before_.push_back(pinned_.size()); }
-  // What the innermost loop keeps is in its register no longer.
+  // Ends the innermost loop: the global variables that it kept are no longer in registers.
   void end() {
     for (; pinned_.size() > pinned_before_.back(); pinned_.pop_back()) {
       registers_.erase(pinned_.back());
@@ -22,7 +21,7 @@ class Loops {
   }
   [[nodiscard]] bool any() const { return !pinned_before_.empty(); }
 
-  // Until the innermost loop ends the variable of the program is in this register.
+  // Keeps a global variable in a register until the innermost loop ends.
   void pin(const hir::Variable& variable, Reg reg) {
     pinned_.push_back(&variable);
     registers_.emplace(&variable, reg);
@@ -35,7 +34,7 @@ class Loops {
   }
 
  private:
-  std::vector<std::size_t> pinned_before_;  // by loop: how many were pinned when it began
+  std::vector<std::size_t> pinned_before_;  // by loop: the count of kept variables when it began
   std::vector<const hir::Variable*> pinned_;
   std::unordered_map<const hir::Variable*, Reg> registers_;
 };

@@ -1,10 +1,10 @@
 #pragma once
-// One function of the checked program on its way to bytecode.
+// The state while one function of the checked program is compiled to bytecode.
 //
-// The rules, one for each kind of node, are functions of lower_*.cpp that take this first. Numbers
-// are evaluated into number registers, destination first, so that few moves are needed. References
-// are either borrowed, when someone else keeps them alive while they are needed, or counted into a
-// reference register.
+// The rules, one for each kind of node, are functions of lower_*.cpp that take this state first.
+// Numbers are evaluated into number registers, directly into the destination where possible, so
+// that few moves are needed. References are either borrowed, while another owner keeps them alive,
+// or counted and kept in a reference register.
 
 #include "lower/context/emitter.hpp"
 #include "lower/context/homes.hpp"
@@ -31,7 +31,7 @@ struct Lowering {
   Loops loops;
   WaysOut ways;
   LastUses uses;
-  Span marked{};  // the statement whose MARK was made last
+  Span marked{};  // the statement of the last MARK instruction
 };
 
 }  // namespace armlet::lang

@@ -1,14 +1,15 @@
 #pragma once
-// How a program is lowered.
+// Options of the compiler.
 
 #include <atomic>
 
 namespace armlet::lang {
 
 struct LowerOptions {
-  const std::atomic<bool>* cancelled = nullptr;  // by the host: lowering throws Cancelled soon
-  bool optimise = true;                          // off: plain code with the same results
-  bool markers = false;  // an instruction before each statement, and where its variables are
+  const std::atomic<bool>* cancelled = nullptr;  // set by the host: lowering then throws Cancelled
+  bool optimise = true;                          // false: plain code with the same results
+  // For debuggers: an instruction before each statement, and the registers of variables.
+  bool markers = false;
 };
 
 }  // namespace armlet::lang

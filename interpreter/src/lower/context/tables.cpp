@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kMostEntries = 0xFFFF;
 
-// The index of a new entry at the end of `table`.
+// Adds an entry to `table` and returns its index.
 template <class T>
 std::uint32_t append(std::vector<T>& table, T entry, const char* what) {
   if (table.size() >= kMostEntries) throw TooLarge{{}, what, kMostEntries};

@@ -1,6 +1,6 @@
 #pragma once
-// The tables of a program that all its functions share: each entry once, found again by what it
-// holds.
+// The tables of a program that all functions share, such as constants and layouts. Each entry
+// exists once and is found by its contents.
 
 #include <cstdint>
 #include <map>
@@ -26,7 +26,7 @@ class Tables {
   [[nodiscard]] std::uint32_t add_expect(const hir::AssertThrowsStmt& statement);
   [[nodiscard]] std::uint32_t add_wait(const hir::WaitUntilStmt& statement);
 
-  // Functions whose bodies stand in place of their calls: inlining.hpp.
+  // Functions whose calls are inlined: inlining.hpp.
   void inline_calls(std::unordered_set<const hir::Function*> functions) {
     inlined_ = std::move(functions);
   }
@@ -35,7 +35,7 @@ class Tables {
     return inlined_.contains(&function);
   }
 
-  // Layouts point to their lists of references, which must have stopped moving.
+  // Sets the pointers from layouts to their lists of references, after the last list was added.
   void finish();
   [[nodiscard]] CompiledProgram& program() { return program_; }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What stands around the statement that is being lowered, and where its ways out lead: break,
-// continue, retry, return, and failures.
+// The blocks around the statement that is compiled, and the exits from them: break, continue,
+// retry, return, and failures.
 
 #include <vector>
 
@@ -10,30 +10,30 @@
 
 namespace armlet::lang {
 
-// What `break`, `continue` and `retry` go to.
+// The targets of `break`, `continue` and `retry`.
 struct JumpTargets {
   const hir::Stmt* target;
   Label leave;           // break
   Label again;           // continue, retry
-  std::size_t tries;     // how many tries are around it
+  std::size_t tries;     // count of tries around it
   Reg retries, instant;  // for RETRY
 };
 
 struct TryScope {
   const hir::Block* finally;  // null: none
-  Reg watches;                // of a watched block; no bits: there are none
-  bool catching;              // failures here go to a handler
-  std::uint32_t begin;        // of the range that is open
+  Reg watches;          // register of the watches of a block with `when` or `every`; no bits: none
+  bool catching;        // failures here go to a handler
+  std::uint32_t begin;  // of the range of code that is open
   std::vector<Emitter::Range> caught;
   std::vector<Emitter::Range> finals;
   [[nodiscard]] bool is_watched() const { return watches.bits != 0; }
   [[nodiscard]] bool has_end() const { return finally != nullptr || is_watched(); }
 };
 
-// A function that stands in place of its call.
+// A call that is inlined.
 struct Expansion {
   Dest to;    // its result
-  Label end;  // where it returns to
+  Label end;  // the end of the inlined code, where `return` jumps to
 };
 
 class WaysOut {
@@ -47,11 +47,12 @@ class WaysOut {
   // ---- tries and watched blocks
   [[nodiscard]] std::size_t tries() const { return tries_.size(); }
   void open(TryScope scope) { tries_.push_back(std::move(scope)); }
-  // The innermost one ends here, or is left on a way out.
+  // Ends the innermost try at this position, at the end of its code or for an exit from it.
   [[nodiscard]] TryScope close(std::uint32_t position);
-  // It goes on here.
+  // Continues a try behind the code of an exit.
   void reopen(TryScope scope, std::uint32_t position);
-  // Its handler begins here: failures are no longer caught. The ranges where they were.
+  // Begins the handler of the innermost try, in which failures are not caught again. Returns the
+  // ranges of code whose failures the handler catches.
   [[nodiscard]] const std::vector<Emitter::Range>& begin_handler(std::uint32_t position);
   [[nodiscard]] bool finally_runs() const;
 

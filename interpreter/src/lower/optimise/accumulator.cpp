@@ -18,8 +18,8 @@ constexpr Variant kVariants[] = {Variant::kLastA, Variant::kLastB, Variant::kLas
 
 Last change_by(OpCode op) { return properties_of(op).last; }
 
-// Walks the code once in its order. `held` is always the register whose value is the double
-// computed last, by its bits.
+// Visits the instructions in their order. `held` is always the bits of the register whose value the
+// accumulator has: the double that was computed last.
 class LastDouble {
  public:
   LastDouble(std::vector<WideInstr>& code, const CodeShape& shape)
@@ -37,8 +37,9 @@ class LastDouble {
   }
 
  private:
-  // A loop whose passes all end with the double that the next one needs first gets it before the
-  // first pass too.
+  // A loop may need a double at the start of each iteration that it computes at the end of the one
+  // before. The accumulator then gets that double before the first iteration as well. Returns the
+  // register, or kNone.
   std::uint32_t enter(std::uint32_t at) {
     const std::uint32_t end = flow_.loop_ends[at];
     if (end == CodeFlow::kNone) return kNone;
@@ -54,7 +55,7 @@ class LastDouble {
     return carried;
   }
 
-  // The first double computed from here on is computed from `held`.
+  // Whether the first double computed from here on has `held` as an operand.
   bool begins_with(std::uint32_t at, std::uint32_t held) const {
     for (std::uint32_t i = at; i < code_.size() && (i == at || !flow_.targets[i]);
          i += effects_of(code_, i).words) {
@@ -77,7 +78,7 @@ class LastDouble {
     return kNone;
   }
 
-  // The operand of the instruction that can be taken from the processor because it is `held`.
+  // The form of the instruction that takes its operand `held` from the accumulator.
   std::optional<Variant> find_variant(std::uint32_t at, std::uint32_t held) const {
     const WideInstr& instr = code_[at];
     if (change_by(instr.op) != Last::kMakes) return std::nullopt;

@@ -1,9 +1,10 @@
 #pragma once
-// Operands that need not be read back from memory.
+// The accumulator: operands that need not be read from memory.
 //
-// Registers lie in memory, and a double that was just stored there comes back several times later
-// than the arithmetic takes. The machine therefore keeps the double computed last in a register of
-// the processor as well, and has forms of its instructions that take an operand from there.
+// The registers of the virtual machine are memory, and a double that was just stored there can be
+// read again only after a delay that is several times longer than the arithmetic. The virtual
+// machine therefore keeps the double that was computed last in a register of the processor as well,
+// the accumulator, and has forms of its instructions that take an operand from it.
 
 #include <vector>
 
@@ -11,8 +12,8 @@
 
 namespace armlet::lang {
 
-// Chooses these forms; the results are the same bits. What a loop needs first and computes last is
-// got ready before its first pass.
+// Selects these forms; the results have the same bits. If a loop starts with the double that it
+// computes last, the accumulator is loaded before the first iteration.
 [[nodiscard]] Edits use_accumulator(std::vector<WideInstr>& code, const CodeShape& shape);
 
 }  // namespace armlet::lang

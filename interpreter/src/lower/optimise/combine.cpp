@@ -10,9 +10,10 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::size_t kMostUses = 3;         // of the index of an element beside another
-constexpr std::uint32_t kFarthestPair = 40;  // instructions that are looked at for them
+constexpr std::uint32_t kFarthestPair = 40;  // instructions in which uses of an index are searched
 
-// A move or a count that is made when the comparison that jumps over it fails.
+// The instructions for a move or an increment that runs if a comparison fails, in place of a branch
+// around it.
 struct Choice {
   OpCode move = kNoVariant;
   OpCode count = kNoVariant;
@@ -26,7 +27,8 @@ Choice otherwise(OpCode op) {
           turned};
 }
 
-// Ra += c together with the comparison behind it. `second`: what is counted is compared with.
+// The instruction for Ra += c with the comparison after it. `second`: Ra is the second operand of
+// the comparison.
 OpCode counting(OpCode op, bool second, std::uint32_t by) {
   const OpCode variant =
       variant_of(Variant::kBehindCount, second ? variant_of(Variant::kTurned, op) : op);
@@ -55,7 +57,7 @@ class Combiner {
     for (const auto& handler : shape_.handlers) ++ways_[handler.handler];
   }
 
-  // The next `count` words belong to one way through the code, and there are that many.
+  // Whether the next `count` words exist and no jump leads into them.
   bool is_straight(std::uint32_t at, std::uint32_t count) const {
     if (at + count > code_.size()) return false;
     for (std::uint32_t i = at + 1; i < at + count; ++i) {
@@ -77,7 +79,8 @@ class Combiner {
     }
   }
 
-  // Takes words out of the code; until then they are operands that name no register.
+  // Removes a word from the code. Until the end of the pass it is an operand that names no
+  // register.
   void remove(std::uint32_t at) {
     code_[at].op = OpCode::OFFSET;
     edits_.removed[at] = true;
@@ -178,13 +181,13 @@ class Combiner {
     const std::uint32_t with = second ? test.a : test.b;
     const bool is_told = operand_of(op, 2) == 'i';
     sum = {op, sum.a, with, is_told ? sum.c : 0, sum.label, sum.expr, sum.span};
-    // The jump stays where it is, behind the comparison.
+    // The jump stays in the last word, behind the comparison.
     test = code_[at + 2];
     remove_jump(at + 2);
     return true;
   }
 
-  // Its word has moved up.
+  // Removes the word of the jump, whose contents have moved up.
   void remove_jump(std::uint32_t at) {
     code_[at].label = WideInstr::kNoLabel;
     remove(at);
@@ -233,7 +236,7 @@ class Combiner {
     }
   }
 
-  // t = i + k, when t is only an index from here on, and first of all.
+  // t = i + k, if t is used only as an index, and first by the next instruction.
   bool look_beside(std::uint32_t at) {
     const WideInstr sum = code_[at];
     const std::uint32_t t = sum.a;
@@ -252,7 +255,8 @@ class Combiner {
     return true;
   }
 
-  // All that reads t before it gets another value, of which the first is the next instruction.
+  // Finds all instructions that read t before it gets another value; the first is the next
+  // instruction.
   bool find_indexings(std::uint32_t at, std::uint32_t t, std::uint32_t base) {
     uses_.clear();
     const std::uint32_t end = std::min(deaths_.block_end(at), at + kFarthestPair);
@@ -278,8 +282,8 @@ class Combiner {
     return !uses_.empty() && deaths_.dies(t, uses_.back());
   }
 
-  // Elements that were looked up by a register and are now beside another get their second word.
-  // It stands where the instruction was, so that what leads there finds the first one.
+  // Elements with the index i + k need a second word for k. It is inserted at the position of the
+  // instruction, so that jumps to the instruction still lead to its first word.
   void split_late_words() {
     std::ranges::sort(late_, {}, &Late::at);
     for (const Late& late : late_) {
@@ -296,7 +300,7 @@ class Combiner {
   std::vector<WideInstr>& code_;
   const CodeShape& shape_;
   Deaths deaths_;
-  std::vector<std::uint32_t> ways_;  // jumps and handlers that lead to each position
+  std::vector<std::uint32_t> ways_;  // count of jumps and handlers that lead to each position
   std::vector<std::uint32_t> uses_;
   std::vector<Late> late_;
   Edits edits_;

@@ -8,7 +8,7 @@ namespace armlet::lang {
 
 namespace {
 
-constexpr std::uint32_t kFarthestUse = 300;  // instructions that are looked at for one value
+constexpr std::uint32_t kFarthestUse = 300;  // instructions in which uses of a value are searched
 
 }  // namespace
 

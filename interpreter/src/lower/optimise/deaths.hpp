@@ -1,5 +1,5 @@
 #pragma once
-// Whether what a number register, or a reference register, holds is still needed.
+// Tells whether the contents of a number register or reference register are still needed.
 
 #include <optional>
 #include <vector>
@@ -14,12 +14,13 @@ class Deaths {
          RegClass watched = RegClass::kNumber)
       : code_(code), shape_(shape), watched_(watched) {}
 
-  // Nobody reads what register `bits` holds after the instruction at `at`. The code may have been
-  // changed since the first question where that changes no registers that outlive a block.
+  // Whether no instruction reads the contents that register `bits` has after the instruction at
+  // `at`. Between two questions the code may change, except for registers that are used in several
+  // blocks.
   [[nodiscard]] bool dies(std::uint32_t bits, std::uint32_t at);
-  // A failure of the instruction at `at` leads to where the register may be read.
+  // Whether a failure of the instruction at `at` leads to code that may read the register.
   [[nodiscard]] bool is_live_in_handler(std::uint32_t bits, std::uint32_t at);
-  // The end of the block with the instruction at `at`; 0 if nothing is known.
+  // The end of the block with the instruction at `at`; 0 if it is not known.
   [[nodiscard]] std::uint32_t block_end(std::uint32_t at);
 
  private:
@@ -29,7 +30,7 @@ class Deaths {
   const std::vector<WideInstr>& code_;
   const CodeShape& shape_;
   RegClass watched_;
-  std::optional<Liveness> liveness_;  // when it is first needed
+  std::optional<Liveness> liveness_;  // made at the first question
 };
 
 }  // namespace armlet::lang

@@ -45,7 +45,7 @@ Effects effects_of(const std::vector<WideInstr>& code, std::uint32_t at) {
     ++effects.words;
   }
   find_window(effects, properties.window, instr);
-  // A row of references is emptied.
+  // The instruction clears a row of reference registers.
   if (properties.window == WindowKind::kCounted && effects.window.is_reference()) {
     effects.effect = Effect::kUnknown;
     effects.has_window = false;

@@ -1,5 +1,5 @@
 #pragma once
-// What instructions read and change, for passes over finished code.
+// The registers and the memory that an instruction reads and changes, for optimisation passes.
 
 #include <vector>
 
@@ -10,10 +10,11 @@ namespace armlet::lang {
 struct Effects {
   Effect effect = Effect::kUnknown;
   std::uint32_t words = 1;   // the instruction and its operands in the next word
-  bool defines = false;      // register a of the instruction
-  bool reads_first = false;  // and reads it, though it names a destination
-  bool empties = false;      // register b too
-  // Number registers from here on are lost; the first of them are read before.
+  bool defines = false;      // register a of the instruction is written
+  bool reads_first = false;  // and read before, although it is the destination
+  bool empties = false;      // register b is cleared
+  // A call overwrites the number registers from `window` on, and reads the first `window_reads` of
+  // them.
   static constexpr std::uint32_t kAll = 0x0FFF'FFFFU;
   bool has_window = false;
   Reg window;
@@ -21,15 +22,15 @@ struct Effects {
   [[nodiscard]] bool reads_in_window(std::uint32_t bits) const {
     return has_window && bits >= window.bits && bits - window.bits < window_reads;
   }
-  // A register that must stay where it is.
+  // A register that the instruction needs under its number, so it cannot be replaced.
   bool has_fixed = false;
   Reg fixed;
 };
 
-// Of the instruction at `at`, which is not an operand word.
+// The effects of the instruction at `at`, which must not be an operand word.
 [[nodiscard]] Effects effects_of(const std::vector<WideInstr>& code, std::uint32_t at);
 
-// The result depends on the operands, and on memory as it is, alone.
+// Whether the result depends only on the operands and the current contents of memory.
 [[nodiscard]] constexpr bool is_load(Effect effect) {
   return effect == Effect::kLoad || effect == Effect::kInside;
 }
@@ -37,8 +38,8 @@ struct Effects {
   return effect == Effect::kPure || is_load(effect);
 }
 
-// Calls f(std::uint32_t& bits) for each register that an instruction reads and names, those of its
-// operand word included; not for register a of a kUpdate.
+// Calls f(std::uint32_t& bits) for each register that an instruction names and reads, also in its
+// operand word; not for register a of a kUpdate.
 template <class Code, class F>
 void for_each_read(Code& code, std::uint32_t at, const Effects& effects, F f) {
   for (std::uint32_t word = at; word < at + effects.words; ++word) {
@@ -50,7 +51,7 @@ void for_each_read(Code& code, std::uint32_t at, const Effects& effects, F f) {
   }
 }
 
-// Whether the instruction at `at` may need what the register holds.
+// Whether the instruction at `at` may need the contents of the register.
 [[nodiscard]] bool reads_register(const std::vector<WideInstr>& code, std::uint32_t at,
                                   const Effects& effects, std::uint32_t bits);
 

@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t kFewestLoads = 3;
 constexpr std::size_t kFewestStores = 2;
-constexpr std::uint32_t kFarthestElement = 300;  // instructions between the first and the last
+constexpr std::uint32_t kFarthestElement = 300;  // instructions between the first and the last use
 
-// A field of an element of a list.
+// Whether the instruction loads a field of an element of a list.
 bool loads_field(OpCode op) {
   return has_variant(Variant::kOfRecord, op) && properties_of(op).defines;
 }
@@ -41,7 +41,8 @@ class ElementSharer {
   }
 
  private:
-  // The loads, or stores, of this element from here on for as long as it stays the same record.
+  // Finds the loads, or the stores, of fields of the same element until the element may be another
+  // record.
   void find_uses(std::uint32_t from, std::uint32_t list, std::uint32_t index, bool stores) {
     uses_.clear();
     const auto end = std::min(static_cast<std::uint32_t>(code_.size()), from + kFarthestElement);
@@ -62,7 +63,7 @@ class ElementSharer {
     }
   }
 
-  // Where the record is from the first use on.
+  // Inserts the instruction that looks the record up before its first use; returns its register.
   Reg insert_record(OpCode op, std::uint32_t list, std::uint32_t index) {
     const Reg record = fresh_();
     WideInstr look_up = code_[uses_[0]];

@@ -1,5 +1,5 @@
 #pragma once
-// Several fields of one element of a list.
+// Looks up an element of a list once for several of its fields.
 
 #include <functional>
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace armlet::lang {
 
-// xs[i].x, xs[i].y, xs[i].z: the record is looked up once, as long as nothing may come between that
-// changes what it is.
+// xs[i].x, xs[i].y, xs[i].z: the record xs[i] is looked up once, as long as no instruction between
+// the uses can replace it.
 //
-// fresh  a register of its own for every call.
+// fresh  gives an unused register at each call.
 [[nodiscard]] Edits share_elements(std::vector<WideInstr>& code, const CodeShape& shape,
                                    const std::function<Reg()>& fresh);
 

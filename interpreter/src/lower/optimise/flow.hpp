@@ -1,5 +1,6 @@
 #pragma once
-// Where the code of a function is entered, and changes to it that move what comes behind them.
+// The jump targets and loops in the code of a function, and edits that insert and remove
+// instructions.
 
 #include <cstdint>
 #include <vector>
@@ -13,16 +14,17 @@ struct CodeFlow {
   static constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
   static constexpr std::uint32_t kLongestLoop = 300;  // instructions
 
-  // By position: something else than the instruction before leads here.
+  // By position: whether a jump or a handler leads here.
   std::vector<bool> targets;
-  // By position: the only LOOP that leads back here, of a loop that is not too long; kNone.
+  // By position of the first instruction of a loop: the position of its only LOOP instruction.
+  // kNone if there are several, or if the loop is too long.
   std::vector<std::uint32_t> loop_ends;
 };
 [[nodiscard]] CodeFlow find_flow(const std::vector<WideInstr>& code, const CodeShape& shape);
 
 struct Insertion {
   std::uint32_t at;  // before the instruction there
-  bool before_loop;  // that begins there: done once, not in every pass
+  bool before_loop;  // of the loop that begins there: executed once, not in each iteration
   WideInstr instr;
 };
 

@@ -41,7 +41,7 @@ class Fuser {
     sum.c = 0;
   }
 
-  // t = x[k]; s = s + t * y[j], or + t * rows[i][j], when nobody else reads t.
+  // t = x[k]; s = s + t * y[j], or s + t * rows[i][j], if no other instruction reads t.
   void join_elements(std::uint32_t at) {
     WideInstr& load = code_[at];
     WideInstr& sum = code_[at + 1];

@@ -1,5 +1,5 @@
 #pragma once
-// Neighbours that become one instruction.
+// Joins neighbouring arithmetic instructions to one.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace armlet::lang {
 
-// Sums and differences of two products; products of two elements that are added to something.
+// Joins sums and differences of two products, and additions of the product of two elements.
 [[nodiscard]] Edits fuse(std::vector<WideInstr>& code, const CodeShape& shape);
 
 }  // namespace armlet::lang

@@ -12,7 +12,7 @@ using namespace hir;
 
 namespace {
 
-// A parameter that can change its owner.
+// The parameter that an expression consists of, if its value can be moved; null otherwise.
 Variable* passed_parameter(const Expr* e) {
   while (e != nullptr && e->kind == ExprKind::kConvert &&
          e->as<ConvertExpr>().conversion == Conversion::kSame) {
@@ -25,14 +25,15 @@ Variable* passed_parameter(const Expr* e) {
   return can ? variable : nullptr;
 }
 
-// What the functions of a program do with their parameters.
+// Collects what the functions of a program do with their parameters.
 class Collector {
  public:
   void run(const Module& module) {
     for (const Function* function : module.functions) {
       if (function->body != nullptr) statement(*function->body);
     }
-    // A function that passes its parameter on to one that adopts it adopts it too.
+    // A function that passes its parameter on to one that takes it over takes it over too. The loop
+    // ends when nothing changes.
     for (bool more = true; more;) {
       more = false;
       for (const Passed& passed : passed_) {
@@ -98,8 +99,9 @@ Edits hand_over_last_uses(std::vector<WideInstr>& code, const CodeShape& shape) 
       instr.c = 0;
       if (instr.a == instr.b || !deaths.dies(instr.b, at)) continue;
       instr.op = OpCode::TAKE;
-      // What was adopted just before is adopted into the variable at once: nothing leads in
-      // between, because parameters are adopted where the function begins.
+      // A parameter that was taken over by the instruction before is moved to the variable
+      // directly. No jump leads between the two, because parameters are taken over where the
+      // function begins.
       WideInstr* before = at == 0 ? nullptr : &code[at - 1];
       if (before != nullptr && before->op == OpCode::ADOPT && before->a == instr.b) {
         before->a = instr.a;

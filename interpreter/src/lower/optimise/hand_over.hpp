@@ -1,6 +1,5 @@
 #pragma once
-// Values that change their owner instead of being copied: arguments and variables whose last use is
-// to be assigned or passed on.
+// Moves values instead of copying them, where an argument or a variable is used for the last time.
 
 #include <unordered_set>
 #include <vector>
@@ -9,12 +8,12 @@
 
 namespace armlet::lang {
 
-// Marks the parameters that their functions assign to a variable of their own, or pass on to
-// another function that does. Such a function begins by adopting what the caller hands over.
+// Marks the parameters that functions take over: those that they assign to a variable of their own,
+// or pass on to a function that does. Such a function begins by becoming the owner of the argument.
 void mark_adopted_parameters(const hir::Module& module);
 
-// Decides, now that all code is there, which uses are the last ones. MOVEREF with c = 1 becomes
-// TAKE where nothing reads its source again; GIVE becomes MOVE where something does.
+// Finds the last uses, once all code of the function exists. MOVEREF with c = 1 becomes TAKE if no
+// instruction reads its source again; GIVE becomes MOVE if one does.
 [[nodiscard]] Edits hand_over_last_uses(std::vector<WideInstr>& code, const CodeShape& shape);
 
 }  // namespace armlet::lang

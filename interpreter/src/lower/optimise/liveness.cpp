@@ -9,8 +9,8 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::size_t kLongestFunction = 20'000;
-constexpr std::size_t kMostWords = 1U << 18U;  // of all sets together
-constexpr int kMostSteps = 32;  // from two blocks to the one that both are reached through
+constexpr std::size_t kMostWords = 1U << 18U;  // words of all sets together
+constexpr int kMostSteps = 32;                 // from two blocks up to their common dominator
 
 bool test(const std::vector<std::uint64_t>& bits, std::uint32_t i) {
   return (bits[i / 64] >> (i % 64) & 1U) != 0;
@@ -79,8 +79,8 @@ void Liveness::link_blocks(const CodeShape& shape) {
   }
 }
 
-// Blocks lie in the order of the text, so only loops lead up. A handler can be reached from
-// anywhere.
+// Blocks are in the order of the text, so only loops lead to an earlier block. A handler may be
+// reached from any instruction.
 void Liveness::find_dominators(const CodeShape& shape) {
   std::vector<bool> is_handler(blocks_.size(), false);
   for (const auto& handler : shape.handlers) is_handler[block_at(handler.handler)] = true;
@@ -106,9 +106,9 @@ void Liveness::find_dominators(const CodeShape& shape) {
   }
 }
 
-// Registers read before they are written, and registers written.
+// Collects the registers that a block reads before it writes them, and those that it writes.
 void Liveness::read_block(const CodeBlock& block, Bits& reads, Bits& writes) const {
-  // What has been read from here on up stays read; only smaller ones are new.
+  // The registers from this one on count as read already; only those below can be new.
   std::uint32_t read_from = registers_;
   const auto read = [&](Reg reg) {
     if (is_watched(reg) && !test(writes, reg.number())) set(reads, reg.number());

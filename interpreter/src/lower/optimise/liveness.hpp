@@ -1,5 +1,5 @@
 #pragma once
-// Which registers of one class are read later, for the blocks of one function.
+// Liveness analysis: the registers of one class that later blocks of a function may read.
 
 #include <cstdint>
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace armlet::lang {
 
-// What a pass needs to know about a function besides its instructions.
+// Facts about a function, besides its instructions, that the optimisation passes need.
 struct CodeShape {
   struct HandlerRange {
     std::uint32_t begin;
     std::uint32_t end;
     std::uint32_t handler;
   };
-  std::vector<std::uint32_t> labels;  // positions, by number
+  std::vector<std::uint32_t> labels;  // positions, by number of the label
   std::vector<HandlerRange> handlers;
-  std::vector<Reg> counters;  // of loops: messages read them whenever something fails
-  std::uint32_t numbers = 0;  // number registers
+  std::vector<Reg> counters;  // of loops: messages of failures read them
+  std::uint32_t numbers = 0;  // count of number registers
   std::uint32_t references = 0;
 };
 
@@ -26,22 +26,22 @@ struct CodeBlock {
   static constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  std::uint32_t dominator = kNone;      // the last block that every way to here passes through
-  std::uint32_t loop_last = kNone;      // of a block that a loop begins with: the loop's last block
-  std::vector<std::uint32_t> next;      // blocks that may follow
-  std::vector<std::uint32_t> handlers;  // blocks where failures in this one go on
+  std::uint32_t dominator = kNone;      // the last block that all paths to here pass through
+  std::uint32_t loop_last = kNone;      // if a loop begins with the block: the loop's last block
+  std::vector<std::uint32_t> next;      // blocks that may be executed next
+  std::vector<std::uint32_t> handlers;  // blocks where failures in this one continue
 };
 
 class Liveness {
  public:
-  // Of the number registers, or of the reference registers.
+  // Analyses the number registers, or the reference registers.
   Liveness(const std::vector<WideInstr>& code, const CodeShape& shape,
            RegClass watched = RegClass::kNumber);
 
-  // False: the function is too large to be looked at.
+  // False if the function is too large for the analysis.
   [[nodiscard]] bool is_known() const { return known_; }
   [[nodiscard]] const std::vector<CodeBlock>& blocks() const { return blocks_; }
-  // Whether what the register holds at the end of the block, or when something in it fails, may be
+  // Whether the contents of the register at the end of the block, or at a failure in it, may be
   // read.
   [[nodiscard]] bool is_live_after(std::uint32_t block, Reg reg) const;
   [[nodiscard]] bool is_live_in_handler(std::uint32_t block, Reg reg) const;

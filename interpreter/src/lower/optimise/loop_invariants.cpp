@@ -9,22 +9,23 @@ namespace armlet::lang {
 
 namespace {
 
-constexpr std::size_t kMostRows = 8;  // of one loop, as VmState::kMissingRows says
+constexpr std::size_t kMostRows = 8;  // in one loop; VmState::kMissingRows has the same limit
 
-// Stores numbers into a list of a register, or a row.
+// Whether the instruction stores a number into a list in a register, or makes a row the only owner
+// of its contents.
 bool stores_numbers(OpCode op) {
   return op == OpCode::ST || op == OpCode::STLD || op == OpCode::OWNED;
 }
 
-// Reads the register only as a list.
+// Whether the instruction uses the register only as a list.
 bool takes_list(const WideInstr& instr, std::uint32_t reg) {
   if (instr.op == OpCode::ST) return instr.a == reg && instr.b != reg && instr.c != reg;
   const bool looks_up = instr.op == OpCode::LD || instr.op == OpCode::OWNED;
   return looks_up && instr.b == reg && instr.c != reg;
 }
 
-// Which lists are rows of which stays as it is, apart from copies that stores make of what others
-// see too.
+// Whether the instruction leaves every row in its list of lists. Stores may copy a shared row
+// first, which keeps its contents.
 bool leaves_rows(const WideInstr& instr, const Effects& effects) {
   if (is_value(effects.effect) || effects.effect == Effect::kUpdate) return true;
   const ControlFlow flow = properties_of(instr.op).flow;
@@ -60,12 +61,12 @@ class RowHoister {
   struct Row {
     std::uint32_t list;
     std::uint32_t index;
-    std::uint32_t segment;  // of the loop, with the first use
+    std::uint32_t segment;  // number of the straight part of the loop with the first use
     Reg row;
   };
 
-  // Whether it only computes and stores numbers, and contains no other loop. Notes the registers
-  // that it writes, and the lists whose rows it stores into.
+  // Whether the loop contains only computations and stores of numbers, and no inner loop. Collects
+  // the registers that it writes and the lists whose rows it stores into.
   bool look_at_loop(std::uint32_t begin, std::uint32_t end) {
     written_.clear();
     changed_.clear();
@@ -87,7 +88,7 @@ class RowHoister {
   bool is_changed(std::uint32_t list) const {
     return std::ranges::find(changed_, list) != changed_.end();
   }
-  // Two registers that are no variables may hold the same list.
+  // Whether another register may refer to the same list; only variables have lists of their own.
   bool may_be_changed_elsewhere(std::uint32_t list) const {
     const auto is_variable = [](std::uint32_t bits) { return Reg{bits}.is_reference(); };
     return !is_variable(list) && std::ranges::any_of(changed_, [&](std::uint32_t other) {
@@ -102,9 +103,10 @@ class RowHoister {
     if (op == OpCode::OWNED) own(at);
   }
 
-  // The register that has this row, looked up before the loop; `at` says where it is written.
-  // False: it changes, or there are too many. A missing row is told of at its first use: another
-  // use shares it only if the first one comes before it in every pass.
+  // The register with row `index` of `list`, which is looked up before the loop; `at` is the
+  // position of the use. Returns false if the row changes in the loop or if there are too many
+  // rows. A missing row is reported at its first use, so another use can share the register only if
+  // the first one is executed before it in each iteration.
   bool row_of(std::uint32_t at, std::uint32_t list, std::uint32_t index, Reg& out) {
     for (const Row& row : rows_) {
       if (row.list != list || row.index != index) continue;
@@ -129,7 +131,7 @@ class RowHoister {
 
   void load(std::uint32_t at) {
     WideInstr& whole = code_[at];
-    WideInstr& inner = code_[at + 1];  // what belongs to rows[i][j]
+    WideInstr& inner = code_[at + 1];  // the access to an element of the row
     Reg row;
     if (!row_of(at, whole.b, whole.c, row)) return;
     const bool multiplies = whole.op == OpCode::MADDLDLD;
@@ -157,7 +159,7 @@ class RowHoister {
     remove(at + 1);
   }
 
-  // What reads the register until it gets another value reads that of the row.
+  // Lets the instructions after `at` that read the copied row use the register of the hoisted row.
   void own(std::uint32_t at) {
     const WideInstr whole = code_[at];
     Reg row;
@@ -190,9 +192,9 @@ class RowHoister {
   Deaths deaths_;
   const std::function<Reg()>& fresh_;
   Edits edits_;
-  std::uint32_t loop_ = 0;  // that is looked at, and its end
+  std::uint32_t loop_ = 0;  // the loop that is analysed, and its end
   std::uint32_t end_ = 0;
-  std::uint32_t segment_ = 0;  // straight pieces of it, counted
+  std::uint32_t segment_ = 0;  // count of its straight parts so far
   std::vector<std::uint32_t> written_;
   std::vector<std::uint32_t> changed_;
   std::vector<Row> rows_;
@@ -206,7 +208,7 @@ Edits hoist_loop_invariants(std::vector<WideInstr>& code, const CodeShape& shape
     return instr.op == OpCode::LDLD || instr.op == OpCode::MADDLDLD || instr.op == OpCode::STLD ||
            instr.op == OpCode::OWNED;
   });
-  // A failure in front of a loop could miss a handler inside it.
+  // A failure before a loop would not reach a handler inside of it.
   if (!has_rows || !shape.handlers.empty()) return {};
   return RowHoister(code, shape, fresh).run();
 }

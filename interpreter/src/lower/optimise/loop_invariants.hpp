@@ -1,5 +1,5 @@
 #pragma once
-// Rows of nested lists that stay the same in all passes of a loop.
+// Loop-invariant code motion for the rows of nested lists.
 
 #include <functional>
 #include <vector>
@@ -9,10 +9,10 @@
 namespace armlet::lang {
 
 // rows[i][j] in a loop that changes neither rows nor i: rows[i] is looked up once, before the loop.
-// A row that is missing is told of where the program needs it. Where the loop stores into rows,
-// nobody else sees the row from there on.
+// A missing row is reported at the position in the text where the program uses it. If the loop
+// stores into rows, the row is made an unshared copy at that point.
 //
-// fresh  a register of its own for every call.
+// fresh  gives an unused register at each call.
 [[nodiscard]] Edits hoist_loop_invariants(std::vector<WideInstr>& code, const CodeShape& shape,
                                           const std::function<Reg()>& fresh);
 

@@ -40,7 +40,7 @@ class OperandTaker {
     }
   }
 
-  // The instruction behind `words` words of this one, if nothing else leads to it.
+  // The instruction after the `words` words of this one; null if a jump leads to it.
   const WideInstr* after(std::uint32_t at, std::uint32_t words) const {
     const std::uint32_t next = at + words;
     return next < code_.size() && !flow_.targets[next] ? &code_[next] : nullptr;
@@ -59,7 +59,7 @@ class OperandTaker {
     code_[at].label = WideInstr::kNoLabel;
     edits_.removed[at] = true;
   }
-  // The jump of the comparison behind moves up to this one.
+  // Moves the jump of the comparison behind into this instruction.
   void take_jump(std::uint32_t at, std::uint32_t test) {
     code_[at + 1] = code_[test + 1];
     if (test != at) {
@@ -85,7 +85,7 @@ class OperandTaker {
     return true;
   }
 
-  // t = x[i]; jump if t
+  // t = x[i]; jump if t is true
   bool test_truth(std::uint32_t at) {
     const WideInstr& load = code_[at];
     const WideInstr* test = after(at, 1);
@@ -156,7 +156,7 @@ class OperandTaker {
     make(at + 2, OpCode::WITH, other, 0, 0);
   }
 
-  // t = global; u = t[i], where what is between them only computes.
+  // t = global; u = t[i], with only computations between the two.
   void load_from_global(std::uint32_t at) {
     const std::uint32_t t = code_[at].a;
     const std::uint32_t global = code_[at].b;
@@ -173,7 +173,7 @@ class OperandTaker {
     remove(at);
   }
 
-  // t = global, which is its own; t[i] = v
+  // t = global, as the only owner; t[i] = v
   void store_in_global(std::uint32_t at) {
     const WideInstr own = code_[at];
     const WideInstr* store = after(at, 1);
@@ -242,7 +242,7 @@ class OperandTaker {
     if (order->a != t && !deaths_.dies(t, at + 1)) return;
     const std::uint32_t other = order->b == t ? order->c : order->b;
     const OpCode op = test->op == OpCode::IFEQIK ? OpCode::IFEQTK : OpCode::IFNETK;
-    // It fails where the comparison does.
+    // A failure of the joined instruction belongs to the comparison in the text.
     WideInstr comparison = replaced(at + 1, op, other, text.b, 0);
     comparison.label = WideInstr::kNoLabel;
     code_[at] = comparison;

@@ -11,12 +11,12 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::uint32_t kFarthestRepetition =
-    300;  // instructions between a value and its repetition
+    300;  // instructions between a value and its repeated computation
 
 bool is_number(Reg reg) { return reg.reg_class() == RegClass::kNumber; }
 
-// Stores into a list or record that is a variable: what other variables hold stays as it is,
-// because values are never shared.
+// Whether the instruction stores into a list or record of a variable. Such a store leaves the
+// values of other variables unchanged, because variables do not share lists.
 bool stores_in_variable(const WideInstr& instr, Effect effect, std::uint32_t& holder) {
   if (effect != Effect::kStoreA && effect != Effect::kStoreB) return false;
   holder = effect == Effect::kStoreA ? instr.a : instr.b;
@@ -54,7 +54,8 @@ class RepeatFinder {
   }
 
  private:
-  // The instruction, the values of its operands, the region, and for loads the state of memory.
+  // The key of a value: the instruction, the numbers of its operands' values, the region, and for
+  // loads the state of memory.
   using Key = std::array<std::uint64_t, 8>;
   struct Hash {
     std::size_t operator()(const Key& key) const {
@@ -66,10 +67,10 @@ class RepeatFinder {
   struct Known {
     std::uint32_t value;
     std::uint32_t at;  // the instruction that computes it, or stores it
-    Reg home;          // the register that it left it in
+    Reg home;          // the register with the result
   };
   using Values = std::array<std::vector<std::uint32_t>, 4>;
-  // What is known at the end of a block that later ones begin with.
+  // The known values at the end of a block, for later blocks that begin with them.
   struct Snapshot {
     Values values;
     std::uint32_t region;
@@ -79,7 +80,7 @@ class RepeatFinder {
     std::uint64_t borrowed;
     std::unordered_map<std::uint32_t, std::uint64_t> stored;
   };
-  // A loop around the block that is looked at, and what registers held before it.
+  // A loop around the current block, with the values of the registers before it.
   struct Loop {
     std::uint32_t begin;  // of its code
     std::uint32_t last;   // block
@@ -92,14 +93,15 @@ class RepeatFinder {
 
   const CodeBlock& block() const { return liveness_.blocks()[block_]; }
 
-  // Nothing is known of what registers hold.
+  // Starts a region in which no register has a known value.
   void forget() {
     region_ = ++last_region_;
     first_value_ = last_value_ + 1;
     top_number_ = 0;
   }
 
-  // By block: how many later ones than the next begin with what is known at its end.
+  // By block: the count of blocks, apart from the next one, that begin with the values known at its
+  // end.
   void count_followers() {
     const auto& blocks = liveness_.blocks();
     followers_.assign(blocks.size(), 0);
@@ -146,7 +148,8 @@ class RepeatFinder {
     return size;
   }
 
-  // Code can be put before a loop that is entered from the block above only, and not by a jump.
+  // Code can be inserted before a loop only if the loop is entered from the block above it, without
+  // a jump.
   void begin_loop(std::uint32_t from) {
     const std::uint32_t begin = block().begin;
     if (from + 1 != block_ || !shape_.handlers.empty() || size_of_values() > kLargestSnapshot)
@@ -158,8 +161,8 @@ class RepeatFinder {
     loops_.push_back({begin, block().loop_last, values_});
   }
 
-  // What blocks between the one that is looked at and its dominator change, and what passes of
-  // loops change that began between them.
+  // Removes the values that may change between the dominator and the current block: in the blocks
+  // between the two, and in later iterations of loops that begin there.
   void lose_between(std::uint32_t from) {
     const auto& blocks = liveness_.blocks();
     std::uint32_t end = block_;
@@ -197,7 +200,7 @@ class RepeatFinder {
     }
   }
 
-  // What a load at this place depends on besides its operands.
+  // The state of memory that a load at this position depends on, besides its operands.
   std::uint64_t memory_for(std::uint32_t at) const {
     if (properties_of(code_[at].op).effect != Effect::kInside) return memory_;
     const Reg holder{code_[at].b};
@@ -235,7 +238,7 @@ class RepeatFinder {
     }
   }
 
-  // A variable of the program that was just stored need not be loaded.
+  // After a store to a global variable its value is known without a load.
   void note_stored(std::uint32_t at) {
     const Reg from{code_[at].b};
     Key key{};
@@ -252,7 +255,7 @@ class RepeatFinder {
     if (is_new) {
       entry.value = ++last_value_;
     } else if (value_of(to) == entry.value) {
-      remove(at, effects);  // it would write what is there
+      remove(at, effects);  // the register has this value already
       return;
     } else if (is_number(to) && (reuse(entry, at) || keep_through_loop(entry, at))) {
       remove(at, effects);
@@ -260,7 +263,7 @@ class RepeatFinder {
     } else if (is_load(effects.effect) && value_of(entry.home) == entry.value) {
       replace_by_move(at, effects, entry.home);
     } else if (value_of(entry.home) != entry.value) {
-      entry.at = at;  // nearer, and still there
+      entry.at = at;  // a closer register, still valid
       entry.home = to;
     }
     set_value(to, entry.value);
@@ -313,9 +316,9 @@ class RepeatFinder {
     for (std::uint32_t word = at + 1; word < at + effects.words; ++word) gone_[word] = true;
   }
 
-  // The reads of register `reg` after `at` for as long as it keeps what it got there; false if they
-  // cannot be changed. `keeper`: the register to be read instead, which must keep its value so
-  // long.
+  // Collects the reads of register `reg` after `at` until it gets another value; returns false if
+  // they cannot be changed. `keeper` is the register to read instead, which must keep its value
+  // until the last of these reads.
   bool collect_reads(Reg reg, std::uint32_t at, const Reg* keeper, bool may_outlive_block) {
     reads_.clear();
     if (is_counter(reg) || liveness_.is_live_in_handler(block_, reg)) return false;
@@ -340,7 +343,7 @@ class RepeatFinder {
     return may_outlive_block ? false : end == block().end && !liveness_.is_live_after(block_, reg);
   }
 
-  // Whether an instruction touches the register only where it names it.
+  // Whether the instruction uses the register only as a named operand, which can be replaced.
   bool leaves_free(const Effects& effects, std::uint32_t at, Reg reg) const {
     if (effects.effect == Effect::kUnknown) return false;
     if (effects.effect == Effect::kUpdate && code_[at].a == reg.bits) return false;
@@ -358,7 +361,7 @@ class RepeatFinder {
     return std::ranges::find(shape_.counters, reg) != shape_.counters.end();
   }
 
-  // The value was in a register before a loop around: it is kept in one of its own.
+  // A register had the value before a surrounding loop: the loop keeps it in a register of its own.
   bool keep_through_loop(Known& entry, std::uint32_t at) {
     for (const Loop& loop : loops_) {
       for (std::size_t c = 0; c < loop.values.size(); ++c) {
@@ -383,7 +386,8 @@ class RepeatFinder {
     return false;
   }
 
-  // Lets the readers of the value computed again at `at` read the register that has it.
+  // Lets the readers of the value that is computed again at `at` read the register that has it
+  // already.
   bool reuse(Known& entry, std::uint32_t at) {
     const Reg home = entry.home;
     const Reg again{code_[at].a};
@@ -392,8 +396,8 @@ class RepeatFinder {
       for (std::uint32_t* read : reads_) *read = home.bits;
       return true;
     }
-    // Its register has been used for something else: it gets one of its own, if nobody can have
-    // come to read it on another way.
+    // The register of the value has another one now: the value moves to a fresh register, unless
+    // code outside of this block may read the old one.
     if (entry.at < block().begin || Reg{code_[entry.at].a} != home) return false;
     if (!is_number(home) || !collect_reads(again, at, nullptr, false)) return false;
     const std::vector<std::uint32_t*> late = reads_;
@@ -416,11 +420,11 @@ class RepeatFinder {
   std::unordered_map<Key, Known, Hash> known_;
   Values values_;  // by class and number of the register
   std::uint32_t region_ = 0;
-  std::uint32_t first_value_ = 1;  // of this region; smaller ones are out of date
+  std::uint32_t first_value_ = 1;  // smaller ones are no longer valid in this region
   std::uint32_t last_value_ = 0;
   std::uint32_t top_number_ = 0;  // the highest number register with a value
-  // Grow with every change: of memory; of what registers that are no variables may look into; of
-  // single variables, by register, when nothing else changes.
+  // Counters of changes: of memory; of objects that registers other than variables may refer to;
+  // and by register, of single variables when nothing else changes.
   std::uint64_t memory_ = 0;
   std::uint64_t borrowed_ = 0;
   std::unordered_map<std::uint32_t, std::uint64_t> stored_;

@@ -1,5 +1,5 @@
 #pragma once
-// Values that are computed again though a register has them.
+// Value numbering: values that are computed again although a register has them.
 
 #include <functional>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace armlet::lang {
 
-// Value numbering: finds instructions whose value a register holds already, lets what reads their
-// result read that register instead, and says which instructions can go. What is known at the end
-// of a block is known in all blocks that only it leads to, as far as nothing between them, nor
-// later passes of a loop around, change it. A value whose register is needed for something else
-// before it is wanted again moves to a `fresh` one.
+// Finds instructions whose value a register has already, lets the readers of their result read that
+// register, and reports which instructions can be removed. The values known at the end of a block
+// are known in all blocks that it dominates, as long as no block between them and no later
+// iteration of a loop changes them. If the register of a value is overwritten before the next use,
+// the value moves to a `fresh` register.
 [[nodiscard]] Edits number_values(std::vector<WideInstr>& code, const CodeShape& shape,
                                   const std::function<Reg()>& fresh);
 

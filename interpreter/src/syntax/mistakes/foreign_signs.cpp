@@ -204,7 +204,6 @@ Answer needless_then(const FailureSite& site) {
 }
 
 // ---- a colon and an indented block
-// ---------------------------------------------------------------
 
 std::size_t indent_of(const FailureSite& site, std::size_t token) { return site.column(token); }
 
