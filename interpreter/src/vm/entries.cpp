@@ -80,7 +80,7 @@ void Before::restore() {
     watch.has_failed = watches_[i].has_failed;
     watch.next_ns = watches_[i].next_ns;
   }
-  release();  // before the layouts of records that the entry has made go
+  release();  // before the layouts of the entry's records are removed
   state_.heap.drain();
   state_.records.layouts.resize(layouts_);
   state_.records.references.resize(layouts_);
@@ -157,7 +157,7 @@ void drop_newest(VmState& state) {
   LoadedCode& unit = *state.programs.units.back();
   for (const Callee& callee : unit.callees) {
     Callee& known = state.programs.callees[callee.function->function->index];
-    if (known.own == &callee) known = Callee{};  // the first entry has replaced nothing
+    if (known.own == &callee) known = Callee{};  // the first entry has replaced no function
   }
   for (const Slot text : unit.texts) state.heap.release(text.o);
   state.heap.drain();
@@ -166,8 +166,8 @@ void drop_newest(VmState& state) {
 
 }  // namespace
 
-// Nothing of an entry that failed stays, and of one without functions nothing but its variables:
-// the session does not grow by it.
+// An entry that failed is removed completely. Of an entry without functions only its variables
+// stay, so that the session does not grow.
 void finish_entry(VmState& state, bool done) {
   state.main.stack.rest();
   state.host.require_values();

@@ -18,7 +18,7 @@ namespace armlet::lang {
 bool StepMeter::refill() {
   settle();
   std::uint64_t most = std::min(kChunk, limit - std::min(limit, since_pause));
-  // What cannot be paused goes on beyond the end of the slice.
+  // An operation that cannot be paused continues beyond the end of the slice.
   if (total < slice_end) most = std::min(most, slice_end - total);
   if (total < look_at) most = std::min(most, look_at - total);
   chunk = left = static_cast<std::int64_t>(most);
@@ -62,7 +62,7 @@ void VmState::make_error_layout() {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].type->is_reference()) references->push_back(static_cast<std::uint16_t>(i));
   }
-  references->push_back(static_cast<std::uint16_t>(fields.size()));  // the link to the failure
+  references->push_back(static_cast<std::uint16_t>(fields.size()));  // the hidden fault
   *layout = {type, static_cast<std::uint16_t>(fields.size() + 1), *references};
   records.error = layout.get();
   records.layouts.push_back(std::move(layout));
@@ -75,7 +75,7 @@ void VmState::reopen() {
   steps.limit = options.limits.steps;
 }
 
-// What it gives is left where its arguments were.
+// The result of a call is at the start of its arguments.
 void VmState::finish_call(bool done) {
   const Callee& callee = *programs.callees[host.call->function].own;
   if (done && callee.function->function->result->is_reference())
@@ -86,7 +86,7 @@ void VmState::finish_call(bool done) {
 }
 
 void VmState::clear() {
-  main.waiting.reset();  // it may keep values of the program
+  main.waiting.reset();  // may own values of the program
   tree.clear();
   recordings.reset();
   for (Task* task : {&main, condition_task.get(), host.task.get()}) {
@@ -125,7 +125,7 @@ const RecordLayout& VmState::layout_of(const Type* record) {
     if (fields[i].type->is_reference()) references->push_back(static_cast<std::uint16_t>(i));
   }
   auto size = static_cast<std::uint16_t>(fields.size());
-  if (record->is_table()) references->push_back(size++);  // the rows; the columns are made of them
+  if (record->is_table()) references->push_back(size++);  // the rows; columns are made from them
   records.layouts.push_back(
       std::make_unique<RecordLayout>(RecordLayout{record, size, *references}));
   records.references.push_back(std::move(references));
@@ -158,7 +158,7 @@ bool VmState::take_cancellation() {
   if (is_due) {
     due.pop_back();
     look_for_cancellation();
-  } else if (is_asked) {  // this run is another one from here on
+  } else if (is_asked) {  // this run differs from the recorded one from here on
     arm_cancellations({});
   }
   if (is_asked || is_due) cancellations.noticed.push_back({here, cancellations.refusals});

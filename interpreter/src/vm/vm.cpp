@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t kEndless = std::numeric_limits<std::int64_t>::max();
 
-// A clock without a world.
+// The virtual clock of a run without a world.
 class Clock final : public Timeline {
  public:
   [[nodiscard]] std::int64_t now_ns() const override { return now_ns_; }
@@ -51,7 +51,7 @@ lang::Exit run_slice(lang::VmState& state, std::uint32_t function, std::int64_t 
       if (!lang::make_texts(state)) return lang::Exit::kFailed;
     }
     return state.scheduler->go_on(until_ns);
-  } catch (...) {  // of the host, where no instruction of the program is to blame
+  } catch (...) {  // of the host, without an instruction of the program as the cause
     lang::raise_thrown(state, state.main);
     return lang::Exit::kFailed;
   }
@@ -81,8 +81,8 @@ Vm::Vm(std::shared_ptr<const Program> program, VmOptions options)
 
 Vm::~Vm() = default;
 
-// Functions of the library call the program, which calls functions of the library, and so on: a
-// slice has an ample stack.
+// Library functions may call the program, which may call library functions, and so on, so a slice
+// needs a large stack.
 Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
   lang::VmState& state = *state_;
   if (budget.steps == 0)
@@ -115,7 +115,7 @@ Progress Vm::go_on(std::uint32_t function, const Budget& budget) {
     if (exit != lang::Exit::kSliced) {
       result_ = ended(state, exit);
       if (result_.error) state.host.error = result_.error;
-      // The timeline may have told of the same wish first.
+      // The timeline may have reported the same stop request already.
       if (result_.status == Progress::kCancelled) static_cast<void>(take_cancellation());
       if (state.host.call) state.finish_call(exit == lang::Exit::kDone);
       if (is_entry) finish_entry();
@@ -211,7 +211,8 @@ RunResult Vm::run_test(std::size_t index) {
 
 namespace {
 
-// What `when` and `every` start, and conditions, draw from the stream of the task around them.
+// Conditions and the bodies of `when` and `every` take random numbers from the task that contains
+// them.
 lang::Task& source_of_chance(const lang::VmState& state) {
   lang::Task* task = state.running;
   while (task->origin.watch != nullptr || task == state.condition_task.get() ||
@@ -235,7 +236,7 @@ std::shared_ptr<const void>& Vm::task_data() { return state_->running->host_data
 void Vm::advise(const Failure& advice) {
   if (!options_.advice) return;
   Diagnostic diagnostic = lang::diagnostic_of(*state_, advice);
-  diagnostic.when.reset();  // advice is about the text, whenever it was given
+  diagnostic.when.reset();  // advice is about the text, so it has no time
   options_.advice(diagnostic);
 }
 

@@ -1,4 +1,4 @@
-// Where a program is when it fails: the calls and the pass of the loop that are running.
+// The circumstances of a failure: the running calls, and the iteration of the running loop.
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ std::string ordinal(std::int64_t n) {
   return std::to_string(n) + ending;
 }
 
-// The calls without a frame of their own that are running in a frame, inner ones first.
+// The inlined calls that run in a frame, the innermost first.
 std::vector<const ExpandedCall*> expanded_calls(const Frame& frame) {
   std::vector<const ExpandedCall*> calls;
   for (const ExpandedCall& call : frame.callee->function->expanded) {
@@ -43,7 +43,7 @@ std::string loop_note(const Frame& frame) {
          std::to_string(innermost_loop->line);
 }
 
-// A call that is running, and where it is: inlined into its caller, or in the frame of its caller.
+// A running call, inlined into its caller or with a frame of its own.
 struct RunningCall {
   const std::string* name;
   const Span* inlined_at;
@@ -57,7 +57,7 @@ std::string described(const VmState& state, const RunningCall& call) {
   return site == nullptr ? *call.name : *call.name + ", called on " + line_name(state, *site);
 }
 
-// Inner ones first.
+// The running calls, the innermost first.
 std::vector<RunningCall> running_calls(const VmState& state) {
   std::vector<RunningCall> calls;
   const Frame* frame = innermost(state);
@@ -72,8 +72,8 @@ std::vector<RunningCall> running_calls(const VmState& state) {
   return calls;
 }
 
-// Of deep recursion only both ends are reported. Failures there may be many, so that the rest is
-// not made into text.
+// Of deep recursion only both ends are reported, and only they are made into text, because programs
+// may cause such failures many times.
 std::vector<std::string> call_path(const VmState& state) {
   constexpr std::size_t kMost = 10;
   const std::vector<RunningCall> calls = running_calls(state);

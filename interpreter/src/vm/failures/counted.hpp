@@ -1,13 +1,13 @@
 #pragma once
-// Which variables a loop counts, for what messages propose.
+// Variables that a loop counts with, for proposals in messages.
 
 #include "armlet/interpreter/source.hpp"
 #include "hir/hir.hpp"
 
 namespace armlet::lang {
 
-// Whether a value is a variable that a loop counts, or may count: no parameter, nor what `let`
-// declares.
+// Whether a value is a variable that a loop changes or may change: neither a parameter nor declared
+// by `let`.
 [[nodiscard]] bool is_counted(const SourceSet& sources, const hir::Expr& value);
 
 }  // namespace armlet::lang

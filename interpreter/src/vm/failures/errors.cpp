@@ -1,5 +1,5 @@
-// Error records: what programs see of a failure, and how it comes back to life when they throw it
-// again.
+// Error records: the values of `catch` that describe a failure, and the failures of records that
+// are thrown again.
 
 #include <algorithm>
 #include <new>
@@ -16,8 +16,8 @@ namespace {
 
 using FaultLink = std::shared_ptr<Fault>;
 
-// The link from an error record, or a finally block, to the failure it stands for. Programs never
-// see it.
+// The object that links an error record, or a finally block, with its failure. Programs cannot see
+// it.
 const HostType kFaultType = [] {
   HostType type{};
   type.name = "failure";
@@ -38,7 +38,7 @@ Slot& field(const VmState& state, RecordObj& error, const char* name) {
 Slot field(const VmState& state, const RecordObj& error, const char* name) {
   return error.fields()[state.records.error->type->record->index_of(name)];
 }
-// Behind the fields that the type tells of.
+// The slot behind the fields of the type.
 Slot& link_of(const VmState& state, RecordObj& error) {
   return error.fields()[state.records.error->size - 1];
 }
@@ -53,8 +53,8 @@ RecordObj* new_error(VmState& state) {
   return error;
 }
 
-// The record with its texts, or null after releasing it. Its other texts are names of resources, by
-// their types: all are empty but that of the failure.
+// Completes the record with its texts; returns null, and releases it, if that fails. The other
+// texts of the record are names of resources, by type; all are empty except the one of the failure.
 RecordObj* complete(VmState& state, RecordObj* error, const std::optional<When>& when) {
   const std::vector<RecordField>& fields = state.records.error->type->record->fields;
   for (std::size_t i = 0; i < fields.size(); ++i) {

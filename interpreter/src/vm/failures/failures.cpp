@@ -17,7 +17,7 @@
 namespace armlet::lang {
 namespace {
 
-// The running instruction's text in backquotes, or a stand-in if it is long.
+// The text of the running instruction in backquotes, or `otherwise` if it is long.
 std::string running_text(const VmState& state, const char* otherwise) {
   constexpr std::size_t kLong = 40;
   const CodeSpan* at = code_span(state);
@@ -41,12 +41,12 @@ void set_fault(VmState& state, Diagnostic diagnostic, std::string kind, Reach re
   state.fault->diagnostic = std::move(diagnostic);
   state.fault->kind = std::move(kind);
   state.fault->reach = reach;
-  // A failure takes long where calls are nested deeply: the next step looks at stop requests.
+  // A failure in deeply nested calls takes long, so stop requests are checked at the next step.
   state.steps.book(state.is_leaving ? kFailureStepsLeaving : 0);
 }
 
-// From here on only finally blocks run, and not for long: what is left of the steps is for all of
-// them, also where it ends in one of several tasks.
+// From here on only finally blocks run, with a limit of steps for all of them together, also if
+// they are in several tasks.
 void begin_leaving(VmState& state) {
   state.fault->reach = state.is_leaving ? Reach::kNothing : Reach::kFinally;
   state.fault->is_leaving = true;
@@ -128,7 +128,7 @@ bool raise(VmState& state, const Failure& failure) {
 
 namespace {
 
-// "`grasp`", for the native function whose call the task is at.
+// The name of the native function that the task calls, in backquotes: "`grasp`".
 std::string native_name(const Task& task) {
   const Frame* frame = innermost(task);
   if (frame == nullptr || frame->pc == frame->callee->code) return "a function of the host";
@@ -141,8 +141,8 @@ std::string native_name(const Task& task) {
   return "a function of the host";
 }
 
-// What the exception that is being handled says; empty if it is that of a kernel that was stopped,
-// whose failure is set.
+// The text of the current exception; empty if a kernel threw it because of a stop, since the
+// failure is then set already.
 std::string thrown_words() {
   try {
     throw;
@@ -234,7 +234,8 @@ namespace {
 
 bool is_axis(std::string_view what) { return what == "row" || what == "column"; }
 
-// "the list has 4 values", "the text is empty", "the matrix has 1 row".
+// The size of an object as a sentence: "the list has 4 values", "the text is empty", "the matrix
+// has 1 row".
 std::string size_note(std::string_view what, std::uint64_t size) {
   const std::string name = is_axis(what) ? "matrix" : std::string(what);
   if (size == 0 && !is_axis(what)) return "the " + name + " is empty";
@@ -252,7 +253,7 @@ Diagnostic index_failure(const VmState& state, std::int64_t index, std::uint64_t
   return failure;
 }
 
-// What was written between the brackets, if it is more than the number itself.
+// The text of the index expression, if it is not just the number.
 std::string computed_index(const VmState& state, std::int64_t index, std::string_view what,
                            bool& is_variable) {
   const CodeSpan* at = code_span(state);
@@ -273,7 +274,8 @@ std::string computed_index(const VmState& state, std::int64_t index, std::string
 
 }  // namespace
 
-// Says which indices there are, or what is left to say when there is no valid index at all.
+// Raises the failure of an index outside of a list. The message has the range of valid indices, or
+// says that there are none.
 bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::string_view what) {
   const std::string last = std::to_string(size - 1);
   const std::string name(what);
@@ -293,7 +295,7 @@ bool raise_index(VmState& state, std::int64_t index, std::uint64_t size, std::st
     if (size != 0 || is_axis(what)) failure.mark.label = has;
     return raise(state, std::move(failure));
   }
-  // xs.last of an empty list asks for the index -1, but nobody wrote that.
+  // xs.last of an empty list is compiled as the index -1, which is not in the text.
   const bool is_last = size == 0 && index == -1 && written.ends_with(".last");
   failure.mark.label = is_last ? has : written + " is " + std::to_string(index) + ", " + has;
   if (is_variable && index == static_cast<std::int64_t>(size) && size > 0) {
@@ -345,8 +347,8 @@ bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement,
   return raise(state, std::move(failure));
 }
 
-// The first line of an explanation says why; the others, if there are any, show the values better
-// than print does.
+// The first line of an explanation is the reason; the others, if there are any, show the values
+// more clearly than print does.
 bool raise_assertion(VmState& state, const AssertInfo& info, const TextObj* note,
                      const TextObj* explanation, const Slot* base) {
   const hir::AssertStmt& statement = *info.statement;
@@ -380,9 +382,9 @@ void leave_frame(VmState& state, Task& task) {
   --task.stack.top;
 }
 
-// The cancellation that waits behind the innermost finally code around the running instruction, if
-// that code begins after `begin`; null if there is none. An error in a finally block does not end a
-// cancellation.
+// The cancellation that the innermost finally block around the running instruction will raise at
+// its end, if the code of the block begins after `begin`; null if there is none. An error in a
+// finally block does not end a cancellation.
 static const FaultPtr* cancellation_behind(const Frame& frame, std::uint32_t begin) {
   const FinallyCode* inner = nullptr;
   for (const FinallyCode& code : frame.callee->function->finals) {
@@ -394,7 +396,7 @@ static const FaultPtr* cancellation_behind(const Frame& frame, std::uint32_t beg
   return held != nullptr && held->reach != Reach::kHandlers ? &held : nullptr;
 }
 
-// The handler in this frame; null if there is none. state.fault may become a cancellation.
+// The handler in this frame; null if there is none. A cancellation may replace state.fault.
 static const Handler* handler_in(VmState& state, const Frame& frame) {
   const auto cancel = [&](std::uint32_t begin) {
     if (state.fault->reach != Reach::kHandlers) return false;

@@ -1,9 +1,8 @@
 #pragma once
-// Failures: making their messages, finding who handles them, and the error records that programs
-// see.
+// Failures: making their messages, finding their handlers, and the error records of programs.
 //
-// Functions that raise set state.fault and return false, so that they can be the last word of an
-// operation.
+// Functions that raise a failure set state.fault and return false, so that they can be the last
+// expression of an operation.
 
 #include <string>
 #include <string_view>
@@ -15,40 +14,40 @@ namespace armlet::lang {
 
 // ---- where ----------------------------------------------------------------------------------
 
-// The innermost frame that is not the host's; null if there is none.
+// The innermost frame that is not a host frame; null if there is none.
 [[nodiscard]] const Frame* innermost(const Task& task);
 [[nodiscard]] const Frame* innermost(const VmState& state);
-// What the running instruction of a frame belongs to in the text; null if unknown.
+// The span and the expression of a frame's running instruction; null if unknown.
 [[nodiscard]] const CodeSpan* code_span(const Frame& frame);
-// The same of the innermost frame of the running task that is not the host's.
+// The same for the innermost frame of the running task that is not a host frame.
 [[nodiscard]] const CodeSpan* code_span(const VmState& state);
 // The text of a span; empty for an empty one.
 [[nodiscard]] std::string source_text(const VmState& state, Span span);
-// Line of a span, from 1.
+// The line of a span, counted from 1.
 [[nodiscard]] inline int line_of(const VmState& state, Span span) {
   return state.programs.newest->sources->position(span).line;
 }
 // "line 7", or "line 7 of grip.rbt" in a program of several files.
 [[nodiscard]] std::string line_name(const VmState& state, Span span);
-// What a task is called in messages: "branch 2 of parallel on line 9"; empty for the program.
+// The name of a task in messages: "branch 2 of parallel on line 9"; empty for the program.
 [[nodiscard]] std::string task_name(const Task& task);
-// The line at which a task is; 0 if it has not begun.
+// The current line of a task; 0 if it has not begun.
 [[nodiscard]] int task_line(const VmState& state, const Task& task);
-// Time, task, call path and loop pass of the running task.
+// Time, task, calls and loop iteration of the running task.
 [[nodiscard]] When circumstances(const VmState& state);
 
 // ---- raising --------------------------------------------------------------------------------
 
-// The rows of the language and of the host.
+// The rows of messages of the language and of the host.
 [[nodiscard]] const MessageTables& messages_of(const VmState& state);
-// A failure from the catalogue at the running instruction, to be completed and raised.
+// A failure from the catalogue at the running instruction. The caller completes and raises it.
 [[nodiscard]] Diagnostic start_failure(const VmState& state, const Headline& headline);
 template <std::size_t N>
 [[nodiscard]] Diagnostic start_failure(const VmState& state, CodeFor<N> code,
                                        const std::string (&arguments)[N]) {
   return start_failure(state, Headline(code, arguments));
 }
-// The kind comes from the code. Adds the circumstances.
+// Raises a failure, whose kind follows from its code, and adds the circumstances.
 bool raise(VmState& state, Diagnostic diagnostic);
 template <std::size_t N>
 bool raise(VmState& state, CodeFor<N> code, const std::string (&arguments)[N]) {
@@ -57,25 +56,25 @@ bool raise(VmState& state, CodeFor<N> code, const std::string (&arguments)[N]) {
 inline bool raise(VmState& state, MessageCode<0> code) {
   return raise(state, start_failure(state, Headline(code)));
 }
-// A failure of a native function, with its marks put where the arguments were written.
+// A failure of a native function, with marks at the positions of its arguments in the text.
 [[nodiscard]] Diagnostic diagnostic_of(const VmState& state, const Failure& failure);
 bool raise(VmState& state, const Failure& failure);
 
-// In the handler of an exception that a function of the host has thrown while the task ran: its
-// words become a failure of the program (R0626). The end of a thread goes on as it was.
+// Called while an exception of a host function is handled: its text becomes a failure of the
+// program (R0626). The exception that ends a thread is thrown again.
 void raise_thrown(VmState& state, Task& task);
-// A native function has failed: it should have said why.
+// A native function returned a failure without setting one: sets a general one.
 bool require_failure(VmState& state);
 
 bool raise_out_of_memory(VmState& state);
 bool raise_out_of_output(VmState& state);
-// Finally blocks that go on for too long after a stop request are cancelled like what they end.
+// Cancels finally blocks that take too long after a stop request.
 bool raise_out_of_steps(VmState& state);
 bool raise_cancelled(VmState& state);
 // what: "list", "text", or "row" or "column" of a matrix.
 bool raise_index(VmState& state, std::int64_t index, std::uint64_t size,
                  std::string_view what = "list");
-// The end of a slice, or a place to insert: outside 0 to `most`.
+// Raises the failure of a bound of a slice, or a position to insert at, outside of 0 to `most`.
 bool raise_end(VmState& state, std::int64_t end, std::uint64_t most, std::uint64_t size,
                std::string_view what = "list");
 bool raise_too_deep(VmState& state, const Callee& called, std::uint32_t limit);
@@ -92,19 +91,19 @@ bool raise_expectation(VmState& state, const hir::AssertThrowsStmt& statement,
 
 // ---- handling -------------------------------------------------------------------------------
 
-// Finds who handles state.fault in the frames above the nearest host frame, and makes it the top of
-// the task. False: nobody; the host frame is removed too.
+// Finds the handler of state.fault in the frames above the nearest host frame, and makes its frame
+// the top one. Returns false if there is none; the host frame is then removed too.
 [[nodiscard]] bool unwind(VmState& state, Task& task);
-// Removes the frame on top and releases what its registers own.
+// Removes the top frame and releases the objects of its registers.
 void leave_frame(VmState& state, Task& task);
 
-// The record that `catch (e)` gets; takes state.fault. Null: the heap is full even with its
-// reserve.
+// Makes the record for `catch (e)` from state.fault, which is then reset. Returns null if the heap
+// is full even with its reserve.
 [[nodiscard]] RecordObj* catch_error(VmState& state);
-// An error record as `error(message, kind:)` makes it.
+// The error record of `error(message, kind:)`.
 [[nodiscard]] RecordObj* make_error(VmState& state, TextObj* message, TextObj* kind);
 bool throw_error(VmState& state, const RecordObj& error);
-// Keeps state.fault in an object for the time of a finally block, and brings it back.
+// Stores state.fault in an object while a finally block runs, and sets it again afterwards.
 [[nodiscard]] Obj* hold_fault(VmState& state);
 [[nodiscard]] FaultPtr& held_fault(Obj* held);
 bool rethrow(VmState& state, Obj* held);

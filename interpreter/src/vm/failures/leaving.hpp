@@ -1,7 +1,7 @@
 #pragma once
-// What a program may still do once it is being stopped, in steps: only finally blocks run, and soon
-// they have to be done. These numbers are steps rather than times, so that a run that is taken
-// again stops at the same place.
+// The limits, in steps, for a program that is being stopped: only its finally blocks run, and they
+// have to end soon. The limits are steps and not times, so that a replay stops at the same
+// statement.
 
 #include <cstdint>
 
@@ -9,13 +9,14 @@
 
 namespace armlet::lang {
 
-// Of all finally blocks together, however often they pause.
+// For all finally blocks together, including their pauses.
 inline constexpr std::uint64_t kLeavingSteps = 1'000'000;
-// A failure: its message is made, and finally blocks that fail may call themselves.
+// The steps that a failure counts: its message takes time, and finally blocks that fail may call
+// themselves.
 inline constexpr std::uint64_t kFailureStepsLeaving = 2000;
-// A pause: finally blocks may wait and move some hundred times.
+// The steps that a pause counts: finally blocks may wait and move some hundred times.
 inline constexpr std::uint64_t kPauseStepsLeaving = StepMeter::kChunk;
-// A look at a condition: a wait for one ends where time stands in for work.
+// The steps that the evaluation of a condition counts, so that a wait for a condition ends too.
 inline constexpr std::uint64_t kLookStepsLeaving = 50;
 
 }  // namespace armlet::lang

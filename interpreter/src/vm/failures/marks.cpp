@@ -1,5 +1,5 @@
-// Failures of native functions: their marks are put where the arguments, or single elements of
-// them, were written.
+// The marks of failures of native functions, at the positions of the arguments, or of single
+// elements of them, in the text.
 
 #include <algorithm>
 #include <optional>
@@ -21,8 +21,8 @@ const Expr* through_conversions(const Expr* expr) {
   return expr;
 }
 
-// Where element `item` of a value was written, following fixed variables and positions made from
-// one list.
+// The position of element `item` of a value in the text. Follows constant variables, and positions
+// made from one list.
 Span origin_of(const Expr* expr, int item) {
   constexpr int kMostSteps = 20;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -80,12 +80,12 @@ void replace_all(std::string& text, std::string_view what, const std::string& by
   }
 }
 
-// The fix with its places filled in; nothing if one of them cannot be.
+// The text of a fix with its expressions inserted; empty if one of them is not known.
 std::optional<std::string> fix_of(const VmState& state, const Failure& failure,
                                   const NativeCall& call, Span element, bool is_inside) {
   std::string fix = failure.fix;
   if (fix.find("{line}") != std::string::npos) {
-    // What the mark shows needs no words.
+    // The mark shows the argument itself, so the message need not repeat its text.
     if (element.empty() || is_inside) return std::nullopt;
     replace_all(fix, "line {line}", line_name(state, element));
   }

@@ -56,7 +56,7 @@ std::string with_exponent(const Decimal& d) {
   return out + std::to_string(size);
 }
 
-// The text, and whether it has neither point nor exponent.
+// The text of a number; is_whole: it has neither point nor exponent.
 std::string plain_number(double value, bool& is_whole, int most_digits) {
   is_whole = false;
   if (std::isnan(value)) return "nan";
@@ -74,7 +74,7 @@ std::string plain_number(double value, bool& is_whole, int most_digits) {
   return sign + d.digits.substr(0, before) + '.' + d.digits.substr(before);
 }
 
-// The number of a quantity: noise behind the tenth digit is left out.
+// The number of a quantity, rounded to ten digits, because further digits are rounding errors.
 std::string measured_text(double value) {
   bool is_whole = false;
   return plain_number(value, is_whole, kMostQuantityDigits);
@@ -95,7 +95,7 @@ std::string number_with_digits(double value, int digits, char style) {
   return std::string(text.substr(is_zero && text.starts_with('-') ? 1 : 0));
 }
 
-// The number in front of a unit, with the digits of a style.
+// The number before a unit, with the digits of a style.
 std::string styled_number(double value, const TextStyle& style) {
   return style.has_digits() ? number_with_digits(value, style.digits, style.notation)
                             : measured_text(value);
@@ -106,7 +106,7 @@ std::size_t characters(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, is_start));
 }
 
-// The blanks in front of a text and behind it that fill the width of a style.
+// The numbers of blanks before and after a text that fill the width of a style.
 std::pair<std::size_t, std::size_t> blanks_around(std::string_view text, const TextStyle& style,
                                                   char otherwise = '<') {
   if (text.size() >= std::size_t{style.width} * 4) return {0, 0};
@@ -118,7 +118,7 @@ std::pair<std::size_t, std::size_t> blanks_around(std::string_view text, const T
   return {before, missing - before};
 }
 
-// Fills what stands from `begin` on up to the width of a style.
+// Adds blanks to the text from `begin` on, up to the width of a style.
 void fill_up(std::string& out, std::size_t begin, const TextStyle& style, bool is_number) {
   if (style.width == 0) return;
   const auto [before, behind] =
@@ -135,13 +135,14 @@ void fill_up(std::string& out, std::size_t begin, const TextStyle& style, bool i
 
 class Writer {
  public:
-  // is_shown: the value is what the program shows, not a part of a message.
+  // is_shown: the text is output of the program, not a part of a message.
   Writer(const Format& format, std::size_t limit, bool is_shown)
       : format_(format), limit_(limit), is_shown_(is_shown) {}
   Writer(const Format& format, Vm& vm, TextMaker& text) : format_(format), vm_(&vm), text_(&text) {}
 
   void value(Slot s, const Type& type);
-  // What has been written since the last time goes into the text. False: no more can be written.
+  // Appends the characters since the last flush to the text of the program. Returns false if the
+  // text is complete or cannot grow.
   bool flush();
   std::string out;
 
@@ -158,7 +159,7 @@ class Writer {
   void matrix(const MatrixObj& matrix);
   void reference(Slot s, const Type& type);
 
-  // Whether more is wanted.
+  // Whether the text is still shorter than the limit.
   bool goes_on() {
     if (text_ == nullptr) return out.size() <= limit_;
     return !failed_ && (out.size() < kPiece || flush());
@@ -173,12 +174,12 @@ class Writer {
   TextMaker* text_ = nullptr;
   bool failed_ = false;
   int level_ = 0;
-  double negligible_ = 0.0;  // elements up to this size are written 0
+  double negligible_ = 0.0;  // elements up to this absolute value are written as 0
   bool in_matrix_ = false;
 };
 
-// While numbers that belong together are written, those that are nothing beside the largest of
-// them are written 0.
+// In the lifetime of a Noise, elements of a vector or matrix that are negligible beside the largest
+// one are written as 0.
 class Writer::Noise {
  public:
   Noise(Writer& writer, std::span<const double> numbers) : writer_(writer) {
@@ -198,7 +199,7 @@ class Writer::Noise {
 };
 
 bool Writer::flush() {
-  constexpr std::uint64_t kCost = 8;  // of a byte of a number
+  constexpr std::uint64_t kCost = 8;  // per byte of a number
   failed_ = failed_ || !charge_work(*vm_, kCost * out.size()) || !text_->add(out);
   out.clear();
   return !failed_;
@@ -266,7 +267,7 @@ void Writer::list(const ListObj& list, const Type& element) {
   out += ']';
 }
 
-// ["bolt": 3, "nut": 5]; a format is for the values.
+// ["bolt": 3, "nut": 5]; a format applies to the values.
 void Writer::map(const MapObj& map, const Type& type) {
   out += '[';
   bool is_first = true;
@@ -318,13 +319,13 @@ void Writer::matrix(const MatrixObj& matrix) {
     if (i > 0) out += i % matrix.cols == 0 ? "; " : ", ";
     real(matrix.data()[i], dims::kNone);
   }
-  if (matrix.rows == 1 && count > 0) out += ';';  // read back, it is a matrix again
+  if (matrix.rows == 1 && count > 0) out += ';';  // a program that reads it gets a matrix again
   out += ']';
   in_matrix_ = false;
 }
 
 void Writer::reference(Slot s, const Type& type) {
-  if (s.o == nullptr) {  // an element that is not set, or an argument that was left out
+  if (s.o == nullptr) {  // an element without a value, or an absent argument
     if (level_ > 0) out += "unset";
     return;
   }
@@ -348,7 +349,7 @@ void Writer::reference(Slot s, const Type& type) {
     if (host->type->text != nullptr) {
       const std::size_t begin = out.size();
       host->type->text(host->payload(), out);
-      // Only a value that the program shows by itself has room for more than a line.
+      // Only a value that the program shows by itself may have several lines.
       if (!is_shown_ || level_ > 1) out.resize(std::min(out.find('\n', begin), out.size()));
     } else {
       out += type.host->name;

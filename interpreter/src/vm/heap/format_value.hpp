@@ -1,5 +1,5 @@
 #pragma once
-// The text of a value: as `print` shows it, or in the format of a formatted text.
+// Converts values to text: as `print` shows them, or in the format of a formatted text.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,25 +16,26 @@ class Vm;
 
 namespace armlet::lang {
 
-// Output beyond this is cut; whoever needs all of it asks for less.
+// Texts are cut at this length; callers that need less give a lower limit.
 inline constexpr std::size_t kNoLimit = SIZE_MAX;
 
 // The fewest digits that read back to the same value, at most 15, with a point or an exponent:
 // "2.0", "0.1", "1e-07".
 [[nodiscard]] std::string number_text(double value);
-// The same without a needless ".0": "2", "0.1"; as it stands before a unit.
+// The same without ".0" at the end: "2", "0.1"; used before a unit.
 [[nodiscard]] std::string bare_number_text(double value);
-// "20 mm", "90 deg", "1.5 s": the unit is chosen by size.
+// The text of a quantity, whose unit is chosen by size: "20 mm", "90 deg", "1.5 s".
 [[nodiscard]] std::string quantity_text(double si, Dim dim);
 
-// As `print` shows it: `2.0`, `[1.0, 2.0]`, `Pallet(corner: ..., rows: 2)`, `State.Idle`. Text
-// stands without quotes, text inside lists and records in quotes. Stops adding once the text is
-// longer than `limit`.
+// The text of a value as `print` shows it: `2.0`, `[1.0, 2.0]`, `Pallet(corner: ..., rows: 2)`,
+// `State.Idle`. A text has quotes only inside lists and records. The function stops once the text
+// is longer than `limit`.
 [[nodiscard]] std::string value_text(Slot value, const Type& type, std::size_t limit = kNoLimit);
-// In a format, which applies to every number in the value.
+// The text of a value in a format, which applies to every number in the value.
 [[nodiscard]] std::string format_value(Slot value, const Format& format,
                                        std::size_t limit = kNoLimit);
-// The same at the end of a text of the program, counted as work. False: the failure is set.
+// Appends it to a text of the program, counted as work. Returns false, with the failure set, if
+// that fails.
 [[nodiscard]] bool write_value(Vm& vm, TextMaker& text, Slot value, const Format& format);
 
 }  // namespace armlet::lang

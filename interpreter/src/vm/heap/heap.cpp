@@ -19,7 +19,8 @@ T* begin_object(void* block, ObjKind kind) {
   return object;
 }
 
-// How many elements of a list fit behind its header, and where they are.
+// Storage of a list: the count of elements that have room behind the header, and the address of the
+// elements.
 std::size_t room_of(const ListObj& list) { return list.flags >> 1U; }
 Slot* own_room(ListObj& list) { return reinterpret_cast<Slot*>(&list + 1); }
 
@@ -28,8 +29,9 @@ std::size_t matrix_bytes(const MatrixObj& m) {
   return sizeof(MatrixObj) + sizeof(double) * m.rows * m.cols;
 }
 
-// A dead object needs its count and `extra` no more: they hold the address of the next dead one.
-// Where these have eight bytes blocks are 16-aligned, so 48 bits reach 52-bit addresses.
+// Dead objects form a list: the fields for the count and `extra` have the address of the next dead
+// object. With pointers of eight bytes, blocks are aligned to 16 bytes, so the 48 bits are enough
+// for addresses of 52 bits.
 constexpr unsigned kUnusedBits = sizeof(void*) == 8 ? 4 : 0;
 void link_dead(Obj* object, Obj* next) {
   const auto bits = std::uint64_t{reinterpret_cast<std::uintptr_t>(next)} >> kUnusedBits;
@@ -43,7 +45,7 @@ Obj* linked_dead(const Obj* object) {
 
 }  // namespace
 
-// A closure knows which of its captures are references through a pointer in front of them.
+// A pointer before a closure leads to the list of its captures that are references.
 struct ClosureReferences {
   const std::vector<std::uint16_t>* captured;
 };
@@ -71,7 +73,8 @@ void* Heap::take_slowly(std::size_t units) {
   return block;
 }
 
-// Dead objects are freed until there is room, and some of them before the heap grows.
+// Frees dead objects until there is room for `bytes`. A few are freed each time before the heap
+// grows.
 void Heap::make_way(std::uint64_t bytes) {
   was_refused_ = false;
   if (dead_ != nullptr) reclaim(kReclaimed);
@@ -79,7 +82,7 @@ void Heap::make_way(std::uint64_t bytes) {
     reclaim(kReclaimed);
 }
 
-// Fresh pages of the system are zeros.
+// Pages that come from the system are zeros already.
 void* Heap::take_zeros(std::size_t bytes) {
   const std::size_t units = units_of(bytes);
   const std::uint64_t size = std::uint64_t{units} * kUnit;
@@ -110,7 +113,7 @@ bool Heap::charge(std::uint64_t bytes) {
 void* Heap::carve(std::size_t units) {
   const std::size_t bytes = units * kUnit;
   if (static_cast<std::size_t>(chunk_end_ - chunk_at_) < bytes) {
-    // Nothing is lost when that throws.
+    // Reserving first: if it throws, no memory is lost.
     if (chunks_.size() == chunks_.capacity()) chunks_.reserve(2 * chunks_.size() + 1);
     const std::size_t size = size_of_chunk(chunks_.size());
     auto* chunk = static_cast<std::byte*>(reserve(size));
@@ -124,7 +127,7 @@ void* Heap::carve(std::size_t units) {
   return block;
 }
 
-// Whether so much more memory of the system keeps to the limit and its slack.
+// Whether `bytes` more from the system stay within the limit and its tolerance.
 bool Heap::has_room(std::size_t bytes) const {
   const std::uint64_t most = limit_ + limit_ / 100 + kChunk;
   return reserved_ <= most && bytes <= most - reserved_;
@@ -137,7 +140,7 @@ void* Heap::reserve(std::size_t bytes) {
   return block;
 }
 
-// From the host, or from the system.
+// Gets memory from the host's allocator, or from the system.
 void* Heap::obtain(std::size_t bytes, bool zero) {
   void* block = nullptr;
   if (memory_.take != nullptr) {
@@ -284,7 +287,7 @@ ClosureObj* Heap::new_closure(std::uint32_t function, std::uint16_t captures,
   if (closure == nullptr) return nullptr;
   closure->extra = captures;
   closure->function = function;
-  closure->reserved = captures;  // `extra` is lost when the object dies
+  closure->reserved = captures;  // `extra` is overwritten when the object dies
   reinterpret_cast<ClosureReferences*>(closure->captures() + captures)->captured = references;
   return closure;
 }
@@ -318,7 +321,7 @@ Obj* Heap::bury_children(const Slot* slots, std::uint32_t count, Obj* waiting) {
   return waiting;
 }
 
-// A part of `destroy`, which is half of what short-lived objects cost.
+// Inlined in `destroy`, which takes half of the time for short-lived objects.
 [[gnu::always_inline]] inline void Heap::free_object(Obj* object) {
   switch (object->kind) {
     case ObjKind::kText:
@@ -364,7 +367,8 @@ void Heap::drain() {
   while (dead_ != nullptr) reclaim(kReclaimed);
 }
 
-// A part of a long list, from its end; what is left of it waits with the others.
+// Releases up to `most` elements from the end of a long list. The rest of the list waits with the
+// other dead objects.
 Obj* Heap::bury_elements(ListObj& list, std::size_t most, Obj* waiting) {
   const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(list.size, most));
   list.size -= count;
@@ -471,7 +475,7 @@ bool copy_shared(Heap& heap, Slot& place) {
   if (old->kind == ObjKind::kRecord) copy = copy_record(heap, *static_cast<RecordObj*>(old));
   if (old->kind == ObjKind::kMatrix) copy = copy_matrix(heap, *static_cast<MatrixObj*>(old));
   if (copy == nullptr) return false;
-  --old->refs;  // it is shared, so it stays alive
+  --old->refs;  // it is shared, so it has other owners
   place.o = copy;
   return true;
 }

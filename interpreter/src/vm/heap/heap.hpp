@@ -1,12 +1,12 @@
 #pragma once
-// The counted heap of one Vm: every block is charged against one exact limit, in units of 16 bytes.
-// What the heap has from the system stays within 1 % and one chunk of that limit, also when free
-// blocks of one size are of no use for another.
+// The heap of one Vm, with reference counts. Every block counts for one exact limit, in units of 16
+// bytes. The memory that the heap takes from the system stays within 1 % and one chunk of that
+// limit, even if free blocks of one size cannot be used for another.
 //
 // Small blocks come from free lists, one per size; large ones from the system or from the host.
-// Destroying an object never recurses: dead objects wait in a list threaded through their own
-// headers. Of many only some are freed at once, the others when the next ones die or memory is
-// needed.
+// Destroying an object is not recursive: dead objects wait in a list that is linked through their
+// headers. Of many dead objects only some are freed at once, the others when more objects die or
+// memory is needed.
 
 #include <algorithm>
 #include <cstddef>
@@ -30,9 +30,9 @@ class Heap {
   Heap(const Heap&) = delete;
   Heap& operator=(const Heap&) = delete;
 
-  // A block of zeros, which costs no time for each byte if it is large.
+  // A block of zeros. For a large block the time does not depend on its size.
   [[nodiscard]] void* take_zeros(std::size_t bytes);
-  // A 16-aligned block, or null if it would pass the limit.
+  // A block aligned to 16 bytes, or null if it would exceed the limit.
   [[nodiscard]] void* take(std::size_t bytes) {
     const std::size_t units = units_of(bytes);
     if (units < kClasses) [[likely]] {
@@ -45,7 +45,7 @@ class Heap {
     }
     return take_slowly(units);
   }
-  // `bytes` as it was taken.
+  // bytes: the size with which the block was taken.
   void give_back(void* block, std::size_t bytes) {
     const std::size_t units = units_of(bytes);
     used_ -= units * kUnit;
@@ -57,10 +57,11 @@ class Heap {
       free_large(block, units);
     }
   }
-  // The block with its first bytes kept, perhaps elsewhere; null leaves the old block as it was.
+  // Changes the size of a block and keeps its first bytes; the block may move. Returns null, with
+  // the old block unchanged, if there is no room.
   [[nodiscard]] void* resize(void* block, std::size_t old_bytes, std::size_t new_bytes);
 
-  // Counts memory that is not the heap's own against its limit; false if it would pass it.
+  // Counts memory outside of the heap for its limit; returns false if it would exceed the limit.
   [[nodiscard]] bool charge(std::uint64_t bytes);
   void discharge(std::uint64_t bytes) {
     used_ -= bytes;
@@ -71,7 +72,7 @@ class Heap {
     if (object != nullptr && --object->refs == 0) destroy(object);
   }
 
-  // New objects with one count; null if the limit would be passed.
+  // New objects with a count of one; null if they would exceed the limit.
   [[nodiscard]] TextObj* new_text(std::string_view text);
   [[nodiscard]] TextObj* new_text_buffer(std::size_t size);                     // bytes not set
   [[nodiscard]] ListObj* new_list(std::uint64_t size, bool references);         // elements zero
@@ -86,15 +87,15 @@ class Heap {
   [[nodiscard]] BoxObj* new_box(bool reference);          // holds zero
   [[nodiscard]] HostObj* new_host(const HostType& type);  // payload not constructed
 
-  // The byte offsets of every kMarked-th character of a text, which have `count` entries; null if
-  // there are none.
+  // The table of a text with the byte offsets of every kMarked-th character, `count` of them; null
+  // if there is none.
   static constexpr std::uint32_t kMarked = 64;
   [[nodiscard]] const std::uint32_t* marks_of(const TextObj& text) const {
     return text.marks == 0 ? nullptr : marks_[text.marks - 1].offsets;
   }
-  // A table for them, not set; null if the limit would be passed.
+  // Makes that table, with undefined contents; null if it would exceed the limit.
   [[nodiscard]] std::uint32_t* make_marks(TextObj& text, std::uint32_t count);
-  // A text whose characters change forgets what was known of them.
+  // Removes the character count and the table of a text whose characters change.
   void forget_characters(TextObj& text) {
     text.characters = TextObj::kUncounted;
     if (text.marks != 0) drop_marks(text);
@@ -102,13 +103,14 @@ class Heap {
 
   // Frees all dead objects that are still waiting.
   void drain();
-  // If no object is left, its memory is given back: perhaps nothing comes for long.
+  // If no object is left, returns all memory to the system, since the heap may stay empty for long.
   void rest();
 
   [[nodiscard]] std::uint64_t used() const { return used_; }
   [[nodiscard]] std::uint64_t limit() const { return limit_; }
 
-  // Lets messages about a full heap be made: while a Reserve lives, the limit is a little higher.
+  // While a Reserve exists, the limit is a little higher, so that the message of a full heap can be
+  // made.
   class Reserve {
    public:
     explicit Reserve(Heap& heap) : heap_(heap) {
@@ -126,21 +128,19 @@ class Heap {
     Heap& heap_;
   };
 
-  // Bytes that the heap has from the system.
+  // The bytes that the heap has taken from the system.
   [[nodiscard]] std::uint64_t reserved() const { return reserved_; }
-  // Whether the last thing that could not be had is something that the host would not give, below
-  // the limit.
+  // Whether the last allocation that failed was refused by the host, and did not exceed the limit.
   [[nodiscard]] bool was_refused() const { return was_refused_; }
 
-  // For tests: the n-th allocation from now (1: the next) and `count - 1` after it are refused. 0:
-  // none.
+  // For tests: `count` allocations from the n-th one on (1: the next) are refused. 0: none.
   void refuse_from(std::uint64_t allocation, std::uint64_t count = UINT64_MAX) {
     refuse_from_ = allocation;
     refused_ = count;
     attempts_ = 0;
     close_gate();
   }
-  // Allocations asked for since then.
+  // The count of allocations since then.
   [[nodiscard]] std::uint64_t attempts() const { return attempts_; }
 
  private:
@@ -155,14 +155,14 @@ class Heap {
   static constexpr std::size_t kClasses = 33;  // blocks up to 512 bytes
   static constexpr std::size_t kChunk = 64 * 1024;
   static constexpr std::uint64_t kShortList =
-      16;  // longer ones have their elements in a block of their own
+      16;  // longer lists have a second block for their elements
   static constexpr std::uint64_t kReserve = 64 * 1024;
-  static constexpr std::size_t kReclaimed = 1024;  // dead objects that are freed in one go
+  static constexpr std::size_t kReclaimed = 1024;  // dead objects that are freed at once
 
-  // Of chunk number i, from 1 kB on: what does little takes little.
+  // The size of chunk number i, from 1 kB on: small programs need little memory.
   static std::size_t size_of_chunk(std::size_t i) { return i < 6 ? kChunk >> (6 - i) : kChunk; }
   static std::size_t units_of(std::size_t bytes) { return (bytes + kUnit - 1) / kUnit; }
-  // While allocations are counted for a test, the fast way is shut.
+  // In tests that count allocations the fast path is closed.
   void close_gate() { gate_ = refuse_from_ != 0 ? 0 : limit_; }
   bool is_refused() {
     return refuse_from_ != 0 && ++attempts_ >= refuse_from_ && attempts_ - refuse_from_ < refused_;
@@ -201,7 +201,7 @@ class Heap {
   std::uint64_t refused_ = 0;
   std::uint64_t attempts_ = 0;
   std::vector<Marks> marks_;
-  std::vector<std::uint32_t> free_marks_;  // entries without a table
+  std::vector<std::uint32_t> free_marks_;  // free indices of tables
 };
 
 inline void Heap::rest() {
@@ -213,14 +213,14 @@ inline void Heap::rest() {
   std::fill(std::begin(free_), std::end(free_), nullptr);
 }
 
-// Elements and bytes that an object holds at most. Where addresses have four bytes, so few that the
-// size of their block, 32 bytes for each at most, has no more.
+// The largest count of elements or bytes in an object. With 32-bit addresses it is so small that
+// the size of a block, with at most 32 bytes for each element, fits 32 bits.
 inline constexpr std::uint64_t kMaxCount = sizeof(void*) == 8 ? 0xFFFF'FFFEULL : 0x03FF'FFFEULL;
 [[nodiscard]] constexpr std::size_t text_bytes(std::uint64_t capacity) {
   return sizeof(TextObj) + capacity;
 }
 
-// The block of the entries of a map and of its index.
+// The size of the block with the entries of a map and their index.
 [[nodiscard]] constexpr std::size_t map_bytes(std::uint64_t capacity) {
   return capacity * (sizeof(MapEntry) + 2 * sizeof(std::uint32_t));
 }
@@ -229,26 +229,27 @@ inline void retain_object(Obj* object) {
   if (object != nullptr) ++object->refs;
 }
 
-// Makes the shared object in `place` the only owner of its contents by copying it. False: the heap
-// is full.
+// Makes the object in `place` the only owner of its contents, by a copy if it is shared. Returns
+// false if the heap is full.
 [[nodiscard]] bool copy_shared(Heap& heap, Slot& place);
 
-// Makes room for at least `capacity` elements. False: the heap is full.
+// Makes room for at least `capacity` elements. Returns false if the heap is full.
 [[nodiscard]] bool reserve_list(Heap& heap, ListObj& list, std::uint64_t capacity);
 
-// Adds `tail` to the text in `place`, in place when nobody else sees it. False: the heap is full.
+// Appends `tail` to the text in `place`, without a copy if the text is not shared. Returns false if
+// the heap is full.
 [[nodiscard]] bool append_text(Heap& heap, Slot& place, const TextObj& tail);
-// The text, which nobody else may see, with a piece more; null begins one. Null if the heap is
-// full, and the text is released.
+// Appends a piece to an unshared text; null starts a new one. Returns null, and releases the text,
+// if the heap is full.
 [[nodiscard]] TextObj* append_bytes(Heap& heap, TextObj* text, std::string_view piece);
 
-// Code points in a text that have been counted already, or are now.
+// The count of code points in a text, which is stored at the first call.
 [[nodiscard]] std::uint32_t character_count(TextObj& text);
-// Code points that begin in a piece of a text, and the byte at which one of these begins.
+// The count of code points that begin in a piece of a text.
 [[nodiscard]] std::uint32_t characters_in(std::string_view piece);
 [[nodiscard]] std::uint32_t offset_in(std::string_view piece, std::uint32_t index);
 
-// Copies elements, counting those that are references.
+// Copies elements, and increases the counts of those that are references.
 inline void copy_slots(Slot* to, const Slot* from, std::size_t count, bool references) {
   if (count > 0) std::memcpy(static_cast<void*>(to), from, count * sizeof(Slot));
   for (std::size_t i = 0; references && i < count; ++i) retain_object(to[i].o);

@@ -1,4 +1,4 @@
-// Texts of the heap: making them longer, and their characters.
+// Texts on the heap: appending, and counting characters.
 
 #include <cstring>
 
@@ -64,7 +64,7 @@ TextObj* append_bytes(Heap& heap, TextObj* text, std::string_view piece) {
     void* grown = size > kMaxCount
                       ? nullptr
                       : heap.resize(text, text_bytes(text->capacity), text_bytes(capacity));
-    // A third less than asked for may still fit.
+    // If the heap has no room for the growth reserve, it may still have room for the text alone.
     if (grown == nullptr && size <= kMaxCount) {
       capacity = size;
       grown = heap.resize(text, text_bytes(text->capacity), text_bytes(capacity));

@@ -50,7 +50,7 @@ std::vector<std::string_view> names_of(const Things& things) {
   return names;
 }
 
-// Those of the main file; in a session each by its newest declaration, whichever entry has it.
+// The functions of the main file; in a session the newest declaration of each name, from any entry.
 std::vector<const hir::Function*> open_functions(const CompiledProgram& program) {
   std::vector<const hir::Function*> out;
   if (program.entry.kept == nullptr) {

@@ -6,7 +6,7 @@
 
 namespace armlet::lang {
 
-// VmState::evaluate for a function with parameters, whose arguments are borrowed.
+// VmState::evaluate for a function with parameters. The arguments are borrowed.
 [[nodiscard]] bool evaluate_with(VmState& state, Task& owner, Obj* function,
                                  std::span<const Slot> arguments, Slot& result);
 

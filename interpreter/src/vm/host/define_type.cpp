@@ -16,7 +16,7 @@ std::pair<std::string_view, std::string_view> parts_of(std::string_view field) {
   return {field.substr(0, colon), type};
 }
 
-// The type that a field has if the text gives none; empty if the type of C++ does not tell.
+// The declared type of a field for a C++ type, if it follows from that type; otherwise empty.
 std::string_view told_type(const ValueKind& kind) {
   using Form = ValueKind::Form;
   static constexpr std::pair<Form, std::string_view> kTypes[] = {{Form::kReal, "double"},
@@ -30,7 +30,7 @@ std::string_view told_type(const ValueKind& kind) {
   return {};
 }
 
-// The name of the parameter that is the value: "Valve" -> "valve".
+// The name of the parameter for a value of a type: "Valve" -> "valve".
 std::string parameter_name(std::string_view type) {
   std::string name(type);
   if (!name.empty() && name[0] >= 'A' && name[0] <= 'Z')

@@ -1,4 +1,4 @@
-// The variables of the program's top level, for the host that owns the Vm.
+// Reading and changing global variables of the program by the host that owns the Vm.
 
 #include "armlet/interpreter/host/globals.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 std::string quoted(std::string_view name) { return '`' + std::string(name) + '`'; }
 
-// Puts a value there, whose count is handed over.
+// Replaces the value of a variable, which takes over the count of the new value.
 void replace(lang::VmState& state, const lang::hir::Variable& variable, Slot value) {
   state.keep_global(variable.index);
   Slot& place = state.globals.values[variable.index];
@@ -91,7 +91,8 @@ Slot slot_of_global(Vm& vm, std::string_view name, const ValueKind& kind) {
 
 namespace {
 
-// Why the value cannot go; empty if it has gone.
+// Copies a value into a variable of another program. Returns the reason if it cannot be copied,
+// otherwise an empty text.
 std::string carry(lang::VmState& from, const lang::hir::Variable& old, lang::VmState& to,
                   const lang::hir::Variable& fresh) {
   const std::string was = type_phrase(old.type);

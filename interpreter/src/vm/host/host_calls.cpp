@@ -1,4 +1,4 @@
-// Calls of the program by the host.
+// Calls of the program's functions by native functions of the host.
 
 #include <algorithm>
 #include <string>
@@ -85,11 +85,11 @@ bool VmState::evaluate(Task& owner, Obj* condition, bool& result) {
 
 }  // namespace lang
 
-// A window always has room for arguments (vm/tasks/task.cpp), even when there is none for the
-// frames.
+// A window always has room for arguments (vm/tasks/task.cpp), even when the stack has no room for
+// another frame.
 namespace {
 
-// The machine, when its program may be called here and now.
+// The state of the virtual machine, if the program may be called now in this thread.
 Vm::State& require_running(Vm::State& state) {
   const void* thread = state.host.thread.load(std::memory_order_relaxed);
   if (thread == lang::this_thread()) [[likely]]
@@ -139,9 +139,9 @@ PreparedCall::PreparedCall(Vm& vm, Obj* function)
                         (lang::fits(task, below, window_) &&
                          task.stack.grow(state_.heap, below + 2, window_, callee.registers));
   if (++state_.host.calls <= lang::VmState::kHostCalls && has_room) [[likely]] {
-    lang::push_host(task, below, window_);  // every call leaves it as it is
+    lang::push_host(task, below, window_);  // a call leaves the frame unchanged
   } else {
-    below_ = nullptr;  // run refuses
+    below_ = nullptr;  // so that run() is refused
   }
 }
 

@@ -15,7 +15,7 @@ namespace armlet {
 
 namespace lang {
 
-constexpr std::size_t kLongest = 200;  // of a value that is shown
+constexpr std::size_t kLongest = 200;  // characters of a shown value
 
 std::string seen_text(Slot value, const Type& type) {
   std::string text = value_text(value, type, kLongest);
@@ -55,14 +55,14 @@ bool find_value(const ScopedVariable& each, const Frame& frame, Span at, Slot& v
 
 namespace {
 
-// A reference that is null was given away where it was used last.
+// A null reference: the value was moved at its last use.
 SeenVariable seen(const lang::hir::Variable& variable, Slot value) {
   const bool is_there = !variable.type->is_reference() || value.o != nullptr;
   return {std::string(variable.name), type_name(variable.type),
           is_there ? lang::seen_text(value, *variable.type) : std::string(), variable.declared};
 }
 
-// at  what the frame has come to in the text.
+// at  the span of the frame's current statement.
 std::vector<SeenVariable> seen_variables(const lang::Frame& frame, Span at) {
   std::vector<SeenVariable> out;
   for (const lang::ScopedVariable& each : frame.callee->function->scopes) {
@@ -102,7 +102,7 @@ std::vector<SeenVariable> seen_variables(Vm& vm) {
                           : std::string(),
                    variable->declared});
   }
-  std::ranges::reverse(out);  // the newest came first
+  std::ranges::reverse(out);  // from the newest first to the order of the text
   return out;
 }
 
@@ -131,7 +131,7 @@ Span place_of(const lang::VmState& state, const lang::Task& task) {
 
 namespace {
 
-// A task that the host has started is named as the variable that holds its function.
+// A task that the host has started has the name of the variable with its function.
 std::string name_of(const lang::Task& task) {
   return task.origin.started_as.empty() ? lang::task_name(task) : task.origin.started_as;
 }

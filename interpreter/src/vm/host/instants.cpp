@@ -6,7 +6,8 @@
 
 namespace armlet {
 
-// Asked after each slice, and nothing is changed: it is enough that nobody runs the program.
+// Called after each slice. It only reads, so it need not own the Vm as long as no thread runs the
+// program.
 Instant instant_of(Vm& vm) {
   const lang::VmState& state = vm.state();
   if (const void* other = state.host.thread.load(std::memory_order_acquire)) [[unlikely]]

@@ -45,7 +45,7 @@ Signal last_element(Vm& vm, Slot* args) {
   return Signal::kDone;
 }
 
-// All elements are one object until one of them is changed.
+// All elements share one object until one of them is changed.
 Signal fill(Vm& vm, Slot* args) {
   const std::int64_t size = args[0].i;
   Obj* const value = args[1].o;

@@ -1,5 +1,5 @@
 #pragma once
-// The functions of the machine for what the language says without a name of the library.
+// Native functions of the virtual machine for statements and operators of the language.
 
 #include "vocabulary/language_functions.hpp"
 

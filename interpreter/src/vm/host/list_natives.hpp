@@ -1,5 +1,5 @@
 #pragma once
-// What the loops over lists ask of the machine beside their passes.
+// Native functions that the loops of map, filter, sort and similar functions use.
 
 #include "armlet/interpreter/native.hpp"
 

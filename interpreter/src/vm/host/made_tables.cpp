@@ -1,4 +1,4 @@
-// Tables that functions of the host make.
+// Tables that functions of the host create.
 
 #include "armlet/interpreter/host/table_text.hpp"
 #include "armlet/interpreter/host/vm.hpp"
@@ -9,7 +9,7 @@
 namespace armlet {
 namespace {
 
-// The type that the checker has made for these columns; the program has it, so nothing is added.
+// The type that the checker made for a table with these columns; no type is added at run time.
 const Type* table_type_of(Vm& vm, std::span<const TableColumn> columns) {
   TypePool& types = *vm.program().compiled().types;
   std::vector<RecordField> row;
@@ -22,7 +22,7 @@ const Type* table_type_of(Vm& vm, std::span<const TableColumn> columns) {
   return types.table(std::move(row));
 }
 
-// Null: the failure is set.
+// Returns null, with the failure set, if the row cannot be made.
 RecordObj* new_row(Vm& vm, const Type& row, const TableText& table, std::size_t at) {
   RecordObj* out = new_record(vm, &row);
   for (std::size_t i = 0; out != nullptr && i < table.columns.size(); ++i) {

@@ -1,4 +1,4 @@
-// What native functions may ask of the machine: new objects, failing, pausing.
+// Services for native functions: new objects, failures, pauses.
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace armlet {
 
 namespace {
 
-// A new object, after telling the Vm when there is none.
+// Returns a new object. If it is null, the failure of a full heap is set first.
 template <class T>
 T* checked(Vm& vm, T* object) {
   if (object == nullptr) lang::raise_out_of_memory(vm.state());

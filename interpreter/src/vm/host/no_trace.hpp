@@ -9,7 +9,7 @@
 
 namespace armlet::lang {
 
-// What a read must leave as it was.
+// The state that a call that only reads must not change; restored at the end of the call.
 class NoTrace {
  public:
   explicit NoTrace(VmState& state)
@@ -39,7 +39,7 @@ class NoTrace {
 
  private:
   VmState& state_;
-  std::vector<std::uint8_t> kept_;  // of the entry under way, if there is one
+  std::vector<std::uint8_t> kept_;  // of the current entry, if there is one
   std::unique_ptr<Before> entry_;   // likewise
   StepMeter steps_;
   Marks marks_;

@@ -1,4 +1,4 @@
-// Functions of the program, called by the host that owns the Vm.
+// Calls of functions of the program by the host that owns the Vm.
 
 #include "armlet/interpreter/host/program_function.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 using Outcome = ReadyFunction::Outcome;
 
-// What is asked of a function, as it is written in C++.
+// The signature that the host requests, with its C++ types.
 struct Asked {
   std::span<const ValueKind> takes;
   const ValueKind& gives;
@@ -32,7 +32,7 @@ struct Asked {
   }
 };
 
-// Why the function cannot be called like that; empty if it can.
+// The reason why a function does not have the requested signature; empty if it has.
 std::string misfit(const lang::hir::Function& function, const Asked& asked) {
   const std::size_t count = function.parameters.size();
   if (count != asked.takes.size())
@@ -61,7 +61,8 @@ const lang::hir::Function& require_function(const lang::VmState& state, std::str
                       asked.text() + "`: " + misfit(first, asked) + '.');
 }
 
-// The host's calls run on a task of their own, so that one of the program may be paused.
+// Calls by the host run on a task of their own, so they are possible while a task of the program is
+// paused.
 void make_task(lang::VmState& state) {
   std::unique_ptr<lang::Task>& task = state.host.task;
   if (task != nullptr) return;
@@ -76,7 +77,8 @@ void make_task(lang::VmState& state) {
   task.host_data = state.main.host_data;
 }
 
-// While it lives, the host's task is the running one. Who has the turn makes its only call.
+// In the lifetime of a Running the task of the host is the running one. Only one such call can
+// exist at a time, since it needs exclusive use of the Vm.
 class Running {
  public:
   [[gnu::always_inline]] Running(lang::VmState& state, lang::Task& task)
@@ -100,14 +102,14 @@ class Running {
   Supervised kernels_;
 };
 
-// A stop request that came before the call is for the run that is paused; where none is, it came
-// too late.
+// A stop request that arrived before the call is kept for the paused run. Without a paused run it
+// is dropped, because it arrived too late.
 [[gnu::cold, gnu::noinline]] void keep_for_paused_run(lang::VmState& state) {
   if (state.vm.result().status == Progress::kPaused) state.vm.cancel();
 }
 
-// With the arguments in their window, where the result is left. The loop leaves the task at the
-// frame of the host.
+// Runs the loop with the arguments in their window, where the result is stored as well. At its end
+// the top frame is that of the host.
 [[gnu::always_inline]] inline lang::Left enter(lang::VmState& state, const lang::Callee& callee) {
   lang::Task& task = *state.host.task;
   Slot* window = state.host.window;
@@ -118,7 +120,7 @@ class Running {
     return {lang::Exit::kFailed};
   lang::Frame* frame = task.stack.frames + 2;
   frame->base = window;
-  asm volatile("" : "+r"(window));  // two stores take less than making one of them
+  asm volatile("" : "+r"(window));  // two stores are faster than combining both values first
   frame->callee = &callee;
   lang::clear_references(*frame);
   return lang::enter_function(state, task, frame, window, callee.code);
@@ -136,7 +138,7 @@ class Running {
   return fail(state);
 }
 
-// On a stack of its own, if this one is not ample.
+// Runs the call on a larger stack if the current one is too small.
 [[gnu::cold, gnu::noinline]] Outcome run_elsewhere(lang::VmState& state,
                                                    const lang::Callee& callee) {
   Outcome outcome{false};
@@ -144,8 +146,8 @@ class Running {
   return outcome;
 }
 
-// Found once for a thread, a part of its stack and a program: all variables have values, and the
-// stack is ample.
+// The slow start of a call: checks that all global variables have values and that the stack is
+// large enough. The result is valid for a thread, a part of its stack, and a program.
 [[gnu::cold, gnu::noinline]] Outcome run_unready(lang::VmState& state, const lang::Callee& callee,
                                                  std::uintptr_t here) {
   lang::require_values_of_globals(state);
@@ -168,7 +170,8 @@ class Running {
   return run_unready(state, callee, here);
 }
 
-// What belongs to the caller: a result that holds what it may not is released here.
+// Passes the result to the caller. A result that the caller cannot own, or with unset elements, is
+// released and reported.
 Outcome given(lang::VmState& state, const lang::Callee& callee, Outcome outcome, Slot& result) {
   result = *state.host.window;
   if (!outcome.done || !callee.checks_result) return outcome;
@@ -232,7 +235,7 @@ Outcome ReadyFunction::run(std::span<const Slot> arguments, Slot& result) const 
   return outcome;
 }
 
-// A window has room for three arguments, however few the function has.
+// A window always has room for three arguments, even if the function has fewer.
 Outcome ReadyFunction::run(Slot first, Slot second, Slot third, Slot& result) const {
   lang::VmState& state = *state_;
   const lang::Turn turn(state);

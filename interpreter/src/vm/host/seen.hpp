@@ -1,5 +1,5 @@
 #pragma once
-// How a run that has paused is read: frames, and values as they are shown.
+// Reads a run that is paused: frames, and values as text.
 
 #include <cstdint>
 #include <string>
@@ -8,19 +8,21 @@
 
 namespace armlet::lang {
 
-// As `print` shows it, cut when it is long.
+// The text of a value as `print` shows it, shortened if it is long.
 [[nodiscard]] std::string seen_text(Slot value, const Type& type);
 
 // throws  ArgumentError before the first run.
 void require_seen(const VmState& state);
 
-// The frame as it stands: before the statement that begins next, if the task has paused there.
+// A copy of the frame at its current position: before the next statement, if the task is paused
+// there.
 [[nodiscard]] Frame as_it_stands(const VmState& state, const Task& task, const Frame& frame);
 
-// What a frame has come to in the text; empty: nothing yet.
+// The span of the statement that the frame executes; empty before the first one.
 [[nodiscard]] Span span_of(const Frame& frame);
 
-// Whether a variable of the table can be seen where the frame stands; a box has its value by then.
+// Finds the value of a variable of the table, if the variable is visible at the frame's position.
+// The value of a boxed variable is read from its box.
 [[nodiscard]] bool find_value(const ScopedVariable& each, const Frame& frame, Span at, Slot& value);
 
 }  // namespace armlet::lang

@@ -1,4 +1,4 @@
-// Tasks that the host starts, and functions that it reads.
+// Tasks that the host starts, and calls that only read.
 
 #include "armlet/interpreter/host/tasks.hpp"
 
@@ -35,7 +35,7 @@ const lang::hir::Variable& require_function(const lang::VmState& state, std::str
                                        : "of " + std::to_string(parameters) + " parameters."));
 }
 
-// Values in slots of a program, while a function reads them.
+// Values in slots of a program, for the time of a call that reads.
 class GivenSlots {
  public:
   GivenSlots(lang::VmState& state, const Type& function)

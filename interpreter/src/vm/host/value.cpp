@@ -16,7 +16,7 @@ CombinedUnit require_unit(std::string_view unit) {
                       "`; units are written as in programs: mm, deg/s, kg*m^2.");
 }
 
-// The same number as the literal of a program, which is rounded once.
+// The same number that a program gets from a literal with this unit, rounded once.
 Value::Number quantity(double number, std::string_view unit) {
   const CombinedUnit known = require_unit(unit);
   const std::string literal = lang::bare_number_text(std::abs(number)) + std::string(unit);
@@ -52,7 +52,7 @@ struct KindText {
 
 namespace {
 
-// Moves the values inside into a list.
+// Moves the parts of a value into a list.
 struct TakeParts {
   Value::List& parts;
 
@@ -78,7 +78,7 @@ struct TakeParts {
 }  // namespace
 
 void Value::dismantle() noexcept {
-  // A list of flat values, as most are, needs no second one.
+  // A list of values without parts needs no second list for its parts. Most lists are of this kind.
   const auto is_flat = [](const Value& each) { return each.content_.index() <= kLastFlat; };
   if (const auto* list = std::get_if<List>(&content_);
       list != nullptr && std::ranges::all_of(*list, is_flat))
@@ -92,7 +92,8 @@ void Value::dismantle() noexcept {
   }
 }
 
-// Both written out: clang 14 fails where a comparison that leads to itself is defaulted.
+// Both operators are written in full, because clang 14 rejects a defaulted comparison that is
+// recursive.
 bool Value::Record::operator==(const Record& other) const {
   return type == other.type && fields == other.fields;
 }

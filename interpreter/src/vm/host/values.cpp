@@ -20,7 +20,7 @@ constexpr int kMostLevels = 200;
   throw ArgumentError(what + ' ' + why + '.');
 }
 
-// Counts how deep values are nested.
+// Counts the depth of nested values.
 class Level {
  public:
   Level(int& level, const std::string& what) : level_(level) {
@@ -99,7 +99,7 @@ class Reader {
     refuse(what_, "holds " + type_phrase(&type) + ", which only the program can hold");
   }
 
-  // A slot may change its object; this one is only read.
+  // An object of the program without const, for a slot that is only read.
   static Obj& unlocked(const Obj& object) { return const_cast<Obj&>(object); }
 
   Value read_items(std::span<const Slot> items, const Type& element) {
@@ -139,7 +139,7 @@ class Reader {
 
 // ---- into the program -----------------------------------------------------------------------
 
-// A count that goes to the program in the end, or back.
+// Owns a count of an object until a value is complete; the program then owns it.
 class Owned {
  public:
   Owned(Heap& heap, Slot slot, bool is_reference)
@@ -198,7 +198,7 @@ class Writer {
   }
 
  private:
-  // A part of the value, while that is written.
+  // A part of a value while it is converted, for messages.
   struct Part {
     const std::string* field;  // null: an element of a list, or an entry of a map
     std::size_t index;

@@ -12,7 +12,7 @@ bool has(const ListObj& list, std::int64_t index) {
   return static_cast<std::uint64_t>(index) < list.size;
 }
 
-// The passes of the loop behind an instruction, which counts up.
+// The remaining iterations of the loop whose counting instruction follows the given instruction.
 class Passes {
  public:
   Passes(StepMeter& steps, Slot* base, const Instr& loop)
@@ -31,10 +31,10 @@ class Passes {
     most_ = static_cast<std::int64_t>(passes);
   }
 
-  // That can follow the present one.
+  // The most iterations that can follow the current one.
   [[nodiscard]] std::int64_t most() const { return most_; }
   [[nodiscard]] bool is_counter(std::uint16_t reg) const { return reg == loop_.a; }
-  // How an index moves from pass to pass: with the counter, or not at all.
+  // How much an index increases in each iteration: as much as the counter, or nothing.
   [[nodiscard]] std::int64_t stride(std::uint16_t reg) const { return is_counter(reg) ? by_ : 0; }
   void finish(std::int64_t done) {
     counter_ += done * by_;
@@ -51,7 +51,7 @@ class Passes {
   std::int64_t most_ = 0;
 };
 
-// An index that moves.
+// An index that increases in each iteration.
 struct Index {
   Index(const Passes& passes, const Slot* base, std::uint16_t reg)
       : at(base[reg].i), by(passes.stride(reg)) {}
@@ -153,7 +153,8 @@ void add_int_each(StepMeter& steps, Slot* base, const Instr* pc) {
   base[pc->a].i = sum;
 }
 
-// A list that others see too is copied by the instruction itself.
+// The ordinary instruction copies a list with several owners first, so this fast form is only for
+// lists with one owner.
 void store_each(StepMeter& steps, Slot* base, const Instr* pc) {
   Passes passes(steps, base, pc[1]);
   const ListObj& x = list_in(base[pc->a]);

@@ -10,8 +10,9 @@
 #include "vm/instructions/unset.hpp"
 #include "vm/values/checked.hpp"
 
-// Every instruction ends with its own jump to the next one: branch predictors learn the program
-// that way. Labels as values are an extension that both of our compilers have.
+// Every instruction ends with a jump of its own to the next one (threaded code), so that branch
+// predictors can learn the sequence of instructions. Labels as values are an extension of both of
+// our compilers.
 #pragma GCC diagnostic ignored "-Wpedantic"
 
 namespace armlet::lang {
@@ -20,7 +21,7 @@ const Instr kReturnToHost[2] = {{OpCode::HALT, 0, 0, 0}, {OpCode::HALT, 0, 0, 0}
 
 namespace {
 
-// The offset of a jump lies across b and c.
+// The offset of a jump uses the bits of operands b and c.
 inline std::int32_t offset_of(const Instr& jump) {
   return static_cast<std::int32_t>((static_cast<std::uint32_t>(jump.c) << 16U) | jump.b);
 }
@@ -38,7 +39,8 @@ inline Slot slot_of_place(Slot* place) { return slot_of(reinterpret_cast<Obj*>(p
   heap.release(old);
 }
 
-// Few slots: the memset that compilers make of such a loop would cost more than the rest of a call.
+// Clears few slots by an ordinary loop. The call of memset that compilers make of such a loop would
+// take longer than the rest of a call.
 inline void clear(Slot* slots, unsigned count) {
   for (; count != 0; --count, ++slots) {
     slots->o = nullptr;
@@ -48,12 +50,12 @@ inline void clear(Slot* slots, unsigned count) {
 
 }  // namespace
 
-#ifndef ARMLET_NOTE_EXECUTED  // tests count which instructions they reach
+#ifndef ARMLET_NOTE_EXECUTED  // tests define it to record the instructions that they execute
 #define ARMLET_NOTE_EXECUTED(op)
 #endif
 
-// Registers of the machine that live in registers of the processor: pc, base and frame. pc is the
-// running instruction.
+// The state of the virtual machine in registers of the processor: pc, base and frame. pc is the
+// current instruction.
 #define RA base[pc->a]
 #define RB base[pc->b]
 #define RC base[pc->c]
@@ -73,19 +75,20 @@ inline void clear(Slot* slots, unsigned count) {
     pc += 2;  \
     GO;       \
   } while (false)
-// Others may look at the task from here on.
+// Saves pc, so that other code can see the position of the task.
 #define SAVE()              \
   do {                      \
     frame->pc = pc + 1;     \
     task.stack.top = frame; \
   } while (false)
-// Costly checks of what functions of the host leave (vm/values/checked.hpp).
+// Slow checks of the results of host functions (vm/values/checked.hpp).
 #ifdef ARMLET_CHECKED
 #define CHECKED_CALL(thunk, args) call_checked(state, *frame, thunk, args)
 #else
 #define CHECKED_CALL(thunk, args) (thunk)(state.vm, args)
 #endif
-// A build that counts no steps shows what counting costs (bench/CMakeLists.txt).
+// A build without the counting of steps shows how much time the counting takes
+// (bench/CMakeLists.txt).
 #ifdef ARMLET_UNCOUNTED
 #define STEP() static_cast<void>(0)
 #define STEP_OF_NEXT_WORD() static_cast<void>(0)
@@ -101,8 +104,9 @@ inline void clear(Slot* slots, unsigned count) {
       goto no_steps_of_next_word;            \
   } while (false)
 #endif
-// Nothing takes `last` from before here. Saying so behind calls keeps it in a register of the
-// processor, which calls do not preserve; where it is needed they are rare.
+// States that no later instruction uses the current value of `last`. After calls this lets the
+// compiler keep `last` in a register that calls do not preserve. Calls are rare where `last` is
+// needed.
 #define FORGET() static_cast<void>(last = 0.0)
 #define SET_REFERENCE(place, object)    \
   do {                                  \
@@ -115,7 +119,7 @@ inline void clear(Slot* slots, unsigned count) {
     (void)(call);  \
     goto failed;   \
   } while (false)
-// The object in the slot will be changed: it is copied first if others see it too.
+// Makes the object in the slot unshared before it changes: a copy is made if it has other owners.
 #define OWN(slot)                               \
   if ((slot).o->refs != 1) [[unlikely]] {       \
     SAVE();                                     \
@@ -140,9 +144,9 @@ Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr
 #undef OP
   };
   Heap& heap = state.heap;
-  // `last` is the double computed last. Instructions that need it take it from here rather than
-  // from its register, which lies in memory: getting it back from there takes longer than the
-  // arithmetic.
+  // `last` is the accumulator, the double that was computed last. Instructions take it from here
+  // and not from its register of the virtual machine, which is in memory: reading it back from
+  // there takes longer than the arithmetic.
   GO;
 
 #include "vm/instructions/ops_data.inc"
@@ -159,10 +163,10 @@ failed:
   GO;
 
 #ifndef ARMLET_UNCOUNTED
-// Behind a comparison comes a LOOP, which does the rest alone.
+// The word after a comparison is a LOOP instruction, which can do the rest of the work alone.
 no_steps_of_next_word:
   ++pc;
-// The instruction is executed again, with steps to count or in the next slice.
+// Out of steps: the instruction is executed again, with new steps or in the next slice.
 no_steps:
   SAVE();
   if (may_pause(state)) {
@@ -175,7 +179,7 @@ no_steps:
 #endif
 }
 
-// What native functions own goes with the exception, and the frames were saved before the call.
+// Objects of native functions are released by the exception; the frames were saved before the call.
 Left interpret(VmState& state, Task& task, double last) {
   while (true) {
     try {

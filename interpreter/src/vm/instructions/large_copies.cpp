@@ -1,4 +1,4 @@
-// Copies of large objects, made in blocks so that they can be stopped.
+// Copies of large objects, made in blocks between which a stop request takes effect.
 
 #include <cstring>
 
@@ -21,7 +21,7 @@ std::size_t elements_of(const Obj& object) {
   return std::size_t{matrix.rows} * matrix.cols;
 }
 
-// The references in it are counted only as far as they are copied: the others are null.
+// Only the references that are copied already are counted; the others are null.
 ListObj* copy_of(VmState& state, const ListObj& old) {
   ListObj* list = state.heap.new_list(old.size, old.holds_references());
   if (list == nullptr) {
@@ -50,10 +50,11 @@ MatrixObj* copy_of(VmState& state, const MatrixObj& old) {
   return nullptr;
 }
 
-constexpr std::size_t kTold = 1000;  // elements; copies of more are told of
+constexpr std::size_t kTold = 1000;  // elements; larger copies are reported
 constexpr std::uint32_t kTooOften = 3;
 
-// Advice, once for each place. The running frames have been saved.
+// Reports a large copy as advice, once for each instruction. The running frames must have been
+// saved.
 void note_large_copy(VmState& state, std::size_t count) {
   if (!state.options.advice) return;
   const Frame& frame = *state.running->stack.top;
@@ -84,7 +85,7 @@ bool copy_to_own(VmState& state, Slot& place) {
   if (old->kind == ObjKind::kList) copy = copy_of(state, *static_cast<ListObj*>(old));
   if (old->kind == ObjKind::kMatrix) copy = copy_of(state, *static_cast<MatrixObj*>(old));
   if (copy == nullptr) return false;
-  --old->refs;  // it is shared, so it stays alive
+  --old->refs;  // it is shared, so it has other owners
   place.o = copy;
   return true;
 }

@@ -1,4 +1,4 @@
-// Instructions about maps.
+// Instructions for maps.
 
 #include "armlet/interpreter/work.hpp"
 #include "vm/failures/failures.hpp"
@@ -16,12 +16,12 @@ void set_reference(VmState& state, Slot& place, Obj* object) {
   state.heap.release(old);
 }
 
-// The type of the map that an instruction is about stands in the next word.
+// The type of the map, whose index is in the next word.
 const Type& type_of(const VmState& state, const Instr* pc) {
   return *state.running->stack.top->callee->function->types[pc[1].b];
 }
 
-// The entry with a key, which must be there.
+// The entry with a key, which must exist; otherwise null, with the failure set.
 MapEntry* present_entry(VmState& state, const MapObj& map, Slot key, const Instr* pc) {
   MapEntry* entry = nullptr;
   if (!find_entry(state, map, key, entry)) return nullptr;
@@ -29,7 +29,7 @@ MapEntry* present_entry(VmState& state, const MapObj& map, Slot key, const Instr
   return entry;
 }
 
-// A list of the keys or of the values.
+// Makes a list of the keys or of the values of a map.
 bool put_list(VmState& state, Slot& to, const MapObj& map, Slot MapEntry::*part, bool references) {
   ListObj* list = state.heap.new_list(map.size, references);
   if (list == nullptr) return raise_out_of_memory(state);

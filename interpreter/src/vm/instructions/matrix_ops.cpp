@@ -1,4 +1,4 @@
-// Making matrices, and reading and changing parts of them.
+// Instructions that make matrices, and that read and change parts of them.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ ListObj& list_in(Slot s) { return *static_cast<ListObj*>(s.o); }
 constexpr std::uint16_t kOneRow = 1;
 constexpr std::uint16_t kOneColumn = 2;
 
-// A rectangle of a matrix.
+// A rectangular part of a matrix.
 struct Part {
   std::uint32_t row = 0;
   std::uint32_t rows = 0;
@@ -50,7 +50,7 @@ std::string size_text(std::uint32_t rows, std::uint32_t cols) {
   return std::to_string(rows) + 'x' + std::to_string(cols);
 }
 
-// Operations for copying a row.
+// The count of operations for copying a row.
 unsigned cost_of_row(std::uint32_t cols) { return 32U + 2U * std::min(cols, 100'000'000U); }
 
 void put(VmState& state, Slot& place, Obj* object) {

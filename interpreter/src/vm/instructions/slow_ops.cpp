@@ -25,14 +25,15 @@ void set_reference(VmState& state, Slot& place, Obj* object) {
   state.heap.release(old);
 }
 
-// The new object, or the failure that there is none.
+// Stores a new object. Returns false, with the failure set, if the heap had no room for it.
 bool put_new(VmState& state, Slot& place, Obj* object) {
   if (object == nullptr) return raise_out_of_memory(state);
   set_reference(state, place, object);
   return true;
 }
 
-// A new object that holds nothing unset; it is released if making it failed, which is set.
+// Stores a new object whose elements are all set. filled: false if filling it failed; the object is
+// then released.
 bool put_filled(VmState& state, Slot& place, Obj* object, bool filled) {
   if (filled) {
     set_reference(state, place, object);
@@ -182,8 +183,8 @@ bool op_makelist(VmState& state, Slot* base, const Instr* pc) {
   return true;
 }
 
-// Lists of lists are made from the inside out: all inner lists of one row share their storage until
-// one is changed. Elements without a zero value begin as null references.
+// Lists of lists are made from the innermost on: the inner lists share their storage until one of
+// them is changed. Elements of types without a zero value begin as null references.
 bool op_newarray(VmState& state, Slot* base, const Instr* pc) {
   const Type* type = state.running->stack.top->callee->function->types[pc[1].b];
   const int count = pc->c;
@@ -245,7 +246,7 @@ bool op_listtoreal(VmState& state, Slot* base, const Instr* pc) {
 
 // ---- lists ----------------------------------------------------------------------------------
 
-// Whether all elements in a part of a list have been set. False: the failure is set.
+// Whether all elements in a part of a list have values. If not, returns false with the failure set.
 static bool check_part(VmState& state, const ListObj& list, std::uint32_t first,
                        std::uint32_t last) {
   if (!list.holds_references()) return true;
@@ -281,7 +282,8 @@ bool op_slice(VmState& state, Slot* base, const Instr* pc) {
   return put_filled(state, base[pc->a], list, in_blocks(state.vm, list->size, 4, copy));
 }
 
-// The new elements are counted before the old ones are released, which may be the same.
+// The counts of the new elements increase before the old ones are released, because both may be the
+// same objects.
 bool op_putslice(VmState& state, Slot* base, const Instr* pc) {
   Slot& place = place_in(base[pc->a]);
   if (!own(state, place)) return false;
@@ -326,7 +328,8 @@ static bool insert_at(VmState& state, Slot& place, std::int64_t index, Slot valu
   return true;
 }
 
-// Counted first, so that a list put into itself is seen to be shared.
+// The count of the object increases first, so that a list that is inserted into itself counts as
+// shared.
 static bool insert_reference(VmState& state, Slot& place, std::int64_t index, Obj* object) {
   retain_object(object);
   if (insert_at(state, place, index, slot_of(object))) return true;
@@ -411,14 +414,14 @@ bool op_expecterr(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool may_pause(VmState& state) {
-  state.steps.left = 0;  // it was counted below
+  state.steps.left = 0;  // counted again below
   return state.host.calls == 0 && state.steps.slice_is_over();
 }
 
-// The frame has been saved behind the MARK, which is executed again when the run goes on.
+// The frame has been saved after the MARK, which is executed again when the run continues.
 bool stops_at_mark(VmState& state) {
   Marks& marks = state.marks;
-  if (state.host.calls != 0) {  // what a run has paused at stays while its host calls functions
+  if (state.host.calls != 0) {  // a pause of the run stays as it is while the host calls functions
     ++marks.begun;
     return false;
   }
@@ -440,7 +443,7 @@ void stop_at_next_step(VmState& state) {
 }
 
 bool count_slowly(VmState& state) {
-  state.steps.left = 0;  // it was counted below
+  state.steps.left = 0;  // counted again below
   if (state.take_cancellation()) return raise_cancelled(state);
   if (!state.steps.refill()) return raise_out_of_steps(state);
   --state.steps.left;

@@ -1,4 +1,4 @@
-// The instructions that start tasks and end the blocks that watch.
+// Instructions that start tasks, and that end blocks with watches.
 
 #include <cmath>
 #include <limits>
@@ -12,7 +12,8 @@ namespace armlet::lang {
 
 namespace {
 
-// A task waits for those that it has started. Who stops it cancels those.
+// The wait of a task for the tasks that it has started. If the wait is stopped, those tasks are
+// cancelled.
 class ChildrenEnd final : public Waiting {
  public:
   ChildrenEnd(const Task& task, std::string what) : task_(task), what_(std::move(what)) {}
@@ -33,7 +34,7 @@ class ChildrenEnd final : public Waiting {
   std::string what_;
 };
 
-// The blocks from `from` on end: at once, or when their tasks have ended.
+// Ends the regions from `from` on: at once, or when their tasks have ended.
 bool end_watches(VmState& state, std::size_t from) {
   Task& task = *state.running;
   if (!TaskTree::has_bodies(task, from)) {
@@ -45,8 +46,8 @@ bool end_watches(VmState& state, std::size_t from) {
   return true;
 }
 
-// Branches draw their random numbers from a stream of their own: the same in every run, whatever
-// other tasks draw, and new ones each time.
+// Each branch has a stream of random numbers of its own: the same in every run, independent of the
+// numbers that other tasks take, and a different one for each start of the branch.
 Random stream_of(const Task& parent, const hir::Function& branch) {
   const std::uint64_t place = std::uint64_t{branch.span.source} << 32U | branch.span.begin;
   return parent.random.split(place).split(parent.parallels);
@@ -57,7 +58,7 @@ Random stream_of(const Task& parent, const hir::Function& branch) {
 bool op_spawn(VmState& state, Slot* base, const Instr* pc) {
   if (state.host.calls > 0) return raise_may_not_pause(state);
   std::vector<Obj*>& nursery = state.running->children.nursery;
-  // What a failure between two branches of another `parallel` left.
+  // Closures that a failure between two branches of another `parallel` has left.
   while (nursery.size() > pc->c) {
     state.heap.release(nursery.back());
     nursery.pop_back();
@@ -142,7 +143,7 @@ bool end_entry(VmState& state) {
   return false;
 }
 
-// An error of a watch that has come as far as its block can be caught from here on.
+// An error of a watch has reached the block of the watch: from here on it can be caught.
 bool op_stopwatch(VmState& state, Slot* base, const Instr* pc) {
   const auto from = static_cast<std::size_t>(base[pc->a].i);
   Task& task = *state.running;

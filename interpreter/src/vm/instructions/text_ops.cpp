@@ -1,4 +1,4 @@
-// Texts: comparing, cutting, joining, and the texts of values.
+// Instructions for texts: comparing, cutting, joining, and converting values to text.
 
 #include <algorithm>
 #include <cstring>
@@ -55,8 +55,9 @@ bool count_characters(VmState& state, TextObj& text) {
   return true;
 }
 
-// Where every kMarked-th character of a counted text begins. False: the failure is set; a full heap
-// is none, and leaves the text without marks.
+// Stores the byte offset of every kMarked-th character of a counted text. Returns false, with the
+// failure set, if a stop is due. If the heap is full the text stays without these marks, which is
+// no failure.
 static bool mark_characters(VmState& state, TextObj& text) {
   if (text.marks != 0) return true;
   const std::uint32_t count = text.characters / Heap::kMarked + 1;
@@ -75,10 +76,11 @@ static bool mark_characters(VmState& state, TextObj& text) {
   return false;
 }
 
-// Byte offset of character `index` <= the number of characters.
+// Finds the byte offset of character `index`, which is at most the count of characters.
 static bool find_character(VmState& state, TextObj& text, std::uint32_t index,
                            std::uint32_t& offset) {
-  constexpr std::uint32_t kShort = 256;  // bytes, which are searched from the start
+  // Bytes; texts up to this length are searched from the start.
+  constexpr std::uint32_t kShort = 256;
   if (text.characters == text.size || index == text.characters) {
     offset = text.characters == text.size ? index : text.size;
     return true;
@@ -92,7 +94,8 @@ static bool find_character(VmState& state, TextObj& text, std::uint32_t index,
   return true;
 }
 
-// A piece of a text whose characters have been counted; null: the failure is set.
+// A part of a text whose characters have been counted; null, with the failure set, if it cannot be
+// made.
 static Obj* part_of_text(VmState& state, TextObj& text, std::uint32_t first, std::uint32_t last) {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
@@ -190,7 +193,7 @@ bool op_concat(VmState& state, Slot* base, const Instr* pc) {
   return true;
 }
 
-// There is room for all of it.
+// Appends the tail in blocks. The text must have room for all of it.
 static bool append_in_blocks(VmState& state, TextObj& text, const TextObj& tail) {
   const std::uint32_t before = text.size;
   const std::uint32_t more = tail.size;
@@ -201,7 +204,7 @@ static bool append_in_blocks(VmState& state, TextObj& text, const TextObj& tail)
   });
 }
 
-// The tail has been taken up to its end only if that was not refused.
+// The tail may be released only if appending all of it was not refused.
 bool append_slowly(VmState& state, Slot& place, const TextObj& tail) {
   Heap& heap = state.heap;
   const std::uint64_t size = std::uint64_t{text_in(place).size} + tail.size;
@@ -219,7 +222,7 @@ bool append_slowly(VmState& state, Slot& place, const TextObj& tail) {
       heap.release(whole);
       return false;
     }
-    // The old text may be the tail: it is needed a little longer.
+    // The old text may be the same object as the tail, which is still needed.
     if (doubles) retain_object(place.o);
     Obj* kept = doubles ? place.o : nullptr;
     set_reference(state, place, whole);

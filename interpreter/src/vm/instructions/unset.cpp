@@ -11,11 +11,11 @@ namespace armlet::lang {
 
 namespace {
 
-constexpr std::size_t kLongName = 60;  // characters; longer texts are not repeated
+constexpr std::size_t kLongName = 60;  // characters; messages do not repeat longer texts
 
 std::string bracketed(std::int64_t index) { return '[' + std::to_string(index) + ']'; }
 
-// What is written for a list or another value, if it is short.
+// The text of an expression in the program, if it is short; otherwise "the list" or another noun.
 std::string name_of(const VmState& state, Span span) {
   std::string text = source_text(state, span);
   const bool is_short = !text.empty() && text.size() <= kLongName;
@@ -29,7 +29,7 @@ bool raise_unset_value(VmState& state, const std::string& name) {
   return raise(state, std::move(failure));
 }
 
-// `rows[i][j + 1]` without its last index.
+// The text of an element without its last index: `rows[i]` for `rows[i][j + 1]`.
 std::string without_index(std::string text) {
   int open = 0;
   for (std::size_t at = text.size(); at-- > 0;) {
@@ -39,7 +39,7 @@ std::string without_index(std::string text) {
   return text;
 }
 
-// In the place of an assignment the variable has the span of all of it.
+// In an assignment target the variable has the span of the whole target.
 bool has_span_of_place(const VmState& state, const hir::Expr& object) {
   if (object.kind != hir::ExprKind::kVariable) return false;
   const std::string_view name = object.as<hir::VariableExpr>().variable->name;
@@ -47,12 +47,12 @@ bool has_span_of_place(const VmState& state, const hir::Expr& object) {
   return !name.empty() && text.size() > name.size() && text.starts_with(name);
 }
 
-// Objects that have been looked at, since several may own them.
+// The objects that the search has visited, because several objects may own them.
 class Seen {
  public:
   explicit Seen(VmState& state) : places_(state) {}
 
-  // False: the failure is set.
+  // Returns false, with the failure set, if the heap is full.
   [[nodiscard]] bool add(const Obj* object, bool& is_new) {
     if (2 * (used_ + 1) > places_.items.size() && !grow()) return false;
     const Obj*& place = place_of(object);
@@ -83,15 +83,16 @@ class Seen {
   std::size_t used_ = 0;
 };
 
-// Looks for an element without a value, in the order in which values are written.
+// Searches an element without a value, in the order in which print writes values.
 class Search {
  public:
-  // unset  what may be without a value, of the program that made the check.
+  // unset  the types that may be without a value, from the program with the check.
   Search(VmState& state, const UnsetElements& unset)
       : state_(state), unset_(unset), open_(state), seen_(state) {}
 
-  // The path to the element if there is one: "[1].points[0]"; empty: there is none. deep: also
-  // inside the elements of a list. False: the failure is set.
+  // Sets the path to the first element without a value, such as "[1].points[0]", or an empty path
+  // if there is none. deep: searches the elements of a list too. Returns false, with the failure
+  // set, if a stop is due.
   [[nodiscard]] bool run(Slot value, const Type& type, bool deep, std::string& path) {
     deep_ = deep;
     if (!enter(value, type)) return false;
@@ -107,7 +108,7 @@ class Search {
   struct Open {
     const Obj* object;
     const Type* type;
-    std::uint32_t next;  // part to be looked at; the one before is open
+    std::uint32_t next;  // the next part to visit; the one before it is being visited
   };
 
   [[nodiscard]] bool enter(Slot value, const Type& type) {
@@ -131,7 +132,7 @@ class Search {
     return found_ || !deep_ || enter(part, *type);
   }
 
-  // False: there are no more.
+  // Returns false if there are no more parts.
   static bool take_part(Open& open, Slot& part, const Type*& type) {
     const std::uint32_t at = open.next++;
     if (open.type->is(Kind::kList)) {

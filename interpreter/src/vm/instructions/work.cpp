@@ -14,7 +14,7 @@ bool charge_steps(Vm& vm, std::uint64_t steps) {
   while (steps > left()) {
     steps -= left();
     if (!lang::count_slowly(state)) return false;
-    --steps;  // the first step of a new chunk is counted there
+    --steps;  // count_slowly counts one step itself
   }
   state.steps.left -= static_cast<std::int64_t>(steps);
   return true;
@@ -93,11 +93,11 @@ Obj* ListMaker::take() {
 
 namespace {
 
-// Longer patterns are found by a table, whose making can be stopped too.
+// Longer patterns are searched with a table. A stop request may interrupt the making of the table.
 constexpr std::size_t kLongPattern = std::size_t{1} << 16U;
 
-// Whether the text that begins at `from` holds the pattern: in windows that overlap, each searched
-// in linear time (Crochemore and Perrin's algorithm in the C library).
+// Whether the text from `from` on contains the pattern. It searches in overlapping windows, each in
+// linear time (Crochemore and Perrin's algorithm in the C library).
 bool find_short(Vm& vm, std::string_view text, std::string_view what, std::size_t from,
                 std::size_t& at) {
   constexpr std::size_t kWindow = 4 * kLongPattern;
@@ -117,8 +117,8 @@ bool find_short(Vm& vm, std::string_view text, std::string_view what, std::size_
   return true;
 }
 
-// Knuth, Morris and Pratt. border[i]: the longest proper beginning of the pattern that also ends
-// its first i + 1 bytes.
+// The algorithm of Knuth, Morris and Pratt. border[i]: the length of the longest proper prefix of
+// the pattern's first i + 1 bytes that is also their suffix.
 bool find_long(Vm& vm, std::string_view text, std::string_view what, std::size_t from,
                std::size_t& at) {
   const Scratch scratch(vm, what.size() * sizeof(std::uint32_t));

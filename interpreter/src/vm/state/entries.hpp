@@ -1,6 +1,7 @@
 #pragma once
-// One machine runs the entries of a session one after the other. Each brings code and tables of its
-// own, found through its functions; what all share are the numbers of functions and variables.
+// A virtual machine runs the entries of a session one after the other. Each entry has code and
+// tables of its own, which its functions refer to; all entries share the numbers of functions and
+// global variables.
 
 #include <cstdint>
 #include <memory>
@@ -14,28 +15,30 @@ namespace armlet::lang {
 
 struct VmState;
 
-// The code of one program in one machine.
+// The code of one program, loaded into a virtual machine.
 struct LoadedCode {
   const CompiledProgram* program;
-  std::vector<Callee> callees;  // of its functions, in their order; frames refer to them
+  std::vector<Callee> callees;  // of its functions, in their order; frames refer to these
   std::vector<Slot> texts;      // literals
 };
 
-// Wishes to stop: where they were noticed, and where a run that is repeated has to notice them.
+// The stop requests of a run: when each took effect, and for a replay the instants at which each
+// has to take effect.
 struct Cancellations {
   std::vector<Cancellation> noticed;
-  std::vector<Cancellation> due;  // the next one last
-  std::uint32_t refusals = 0;     // of the host to let time pass
+  std::vector<Cancellation> due;  // in reverse order: the next one is last
+  std::uint32_t refusals = 0;     // how often the host refused to let time pass
 };
 
 struct GlobalInfo {
-  const hir::Variable* variable = nullptr;  // declared last with this number; null: none was
+  const hir::Variable* variable = nullptr;  // the last declared with this number; null: none
   [[nodiscard]] bool is_reference() const {
     return variable != nullptr && variable->type->is_reference();
   }
 };
 
-// What an entry changes, as it was when it began.
+// The state before the entry of a session that is running, so that an entry that fails can be
+// undone.
 class Before {
  public:
   explicit Before(VmState& state);
@@ -43,19 +46,20 @@ class Before {
   Before(const Before&) = delete;
   Before& operator=(const Before&) = delete;
 
-  // A variable of an earlier entry, which is about to change for the first time.
+  // Keeps the value of a variable of an earlier entry before its first change.
   void keep(std::uint32_t number);
-  // The variables of the entry itself are not kept: they go with it.
+  // Variables of the entry itself need not be kept, because they are removed with it.
   void pass_over(const CompiledProgram& entry);
-  // A column that the entry has made of a table: it takes no work the next time.
+  // Notes that the entry has made a column of a table. The column stays, so that computing it again
+  // counts no steps.
   void note_column(RecordObj& table, std::uint16_t column);
-  // The function that had a number which the entry takes.
+  // Notes the function whose number a function of this entry takes.
   void note(std::uint32_t number, const Callee& replaced) {
     replaced_.push_back({number, replaced});
   }
-  // All that had been counted.
+  // The count of steps before the entry.
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
-  // Gives everything back.
+  // Restores the state before the entry.
   void restore();
 
  private:
@@ -65,48 +69,50 @@ class Before {
     std::uint32_t number;
     GlobalInfo info;
     std::uint8_t is_set;
-    Slot value;  // counted, if it is a reference
+    Slot value;  // its count is increased, if it is a reference
   };
   struct Replaced {
     std::uint32_t number;
     Callee callee;
   };
 
-  // What a watch remembers of its condition and its beats.
+  // The state of a watch: its last condition, and its next beat.
   struct WatchMemory {
     bool was_true;
     bool has_failed;
     std::int64_t next_ns;
   };
   struct Column {
-    RecordObj* table;  // counted
+    RecordObj* table;  // its count is increased
     std::uint16_t column;
   };
 
   VmState& state_;
   std::vector<Variable> variables_;
   std::vector<Column> columns_;
-  const CompiledProgram* own_ = nullptr;  // the entry
+  const CompiledProgram* own_ = nullptr;  // the program of the entry
   std::vector<Replaced> replaced_;
-  std::vector<WatchMemory> watches_;  // of earlier entries, in their order
+  std::vector<WatchMemory> watches_;  // of the watches of earlier entries, in their order
   std::size_t layouts_;
   std::shared_ptr<const void> host_data_;
   Random random_;
   std::uint64_t parallels_;
   std::uint64_t steps_;
-  std::uint64_t work_;  // that has not made a whole step
+  std::uint64_t work_;  // of kernels, less than one step
   std::uint64_t statements_;
   Cancellations cancellations_;
 };
 
-// A function of a program, with the objects of its texts; `own` is still to be set.
+// A function of a program, with the objects of its texts; the caller sets `own`.
 [[nodiscard]] Callee callee_of(const CompiledProgram& program, const FunctionCode& function,
                                const Slot* texts);
-// Adds the code of a program; its texts are made by make_texts. before: null if it is no entry.
+// Loads the code of a program, without the objects of its texts (make_texts). before: null if the
+// program is not an entry.
 void load(VmState& state, const CompiledProgram& program, Before* before);
-// Makes the objects of the literals of the newest unit. False: the heap is full, which is raised.
+// Makes the text objects of the newest program. Returns false, with the failure set, if the heap is
+// full.
 [[nodiscard]] bool make_texts(VmState& state);
-// The newest entry is over.
+// Ends the newest entry. done: false if it failed.
 void finish_entry(VmState& state, bool done);
 
 }  // namespace armlet::lang

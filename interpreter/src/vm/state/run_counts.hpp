@@ -1,6 +1,7 @@
 #pragma once
-// What a run counts, apart from what calls by its host count: whatever the host looks at between
-// two slices, steps, statements and limits of the run are the same.
+// The counts of a run are kept apart from those of calls by its host. Calls that a host makes
+// between two slices therefore change neither the steps nor the statements nor the limits of the
+// run.
 
 #include <cstdint>
 
@@ -11,14 +12,15 @@ struct VmState;
 struct RunCounts {
   std::uint64_t steps = 0;
   std::uint64_t since_pause = 0;  // steps
-  std::uint64_t limit = 0;        // of these; a lower one while the program is being stopped
-  std::uint64_t work = 0;         // of kernels, that has not made a whole step
-  std::uint64_t statements = 0;   // that have begun
-  bool is_leaving = false;        // the program is being stopped
-  bool is_stopped = false;        // by a stop request
+  std::uint64_t limit = 0;       // of steps since a pause; lower while the program is being stopped
+  std::uint64_t work = 0;        // of kernels, less than one step
+  std::uint64_t statements = 0;  // that have begun
+  bool is_leaving = false;       // the program is being stopped
+  bool is_stopped = false;       // by a stop request
 };
 
-// While it lives, the run counts on; before and after it the counts are kept aside.
+// In the lifetime of a CountOfRun the counters are those of the run. Before and after it the counts
+// of the run are stored apart.
 class CountOfRun {
  public:
   explicit CountOfRun(VmState& state);
@@ -30,8 +32,8 @@ class CountOfRun {
   VmState& state_;
 };
 
-// While it lives, a call by the host counts with the run, which cannot be taken again without it.
-// What limits the run between two pauses is none of its business.
+// In the lifetime of a CallOfRun a call by the host counts for the run, since a replay has to
+// repeat the call. The limit of steps between two pauses of the run does not apply to it.
 class CallOfRun {
  public:
   explicit CallOfRun(VmState& state);

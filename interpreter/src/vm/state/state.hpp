@@ -1,5 +1,5 @@
 #pragma once
-// Everything a running Vm consists of, and the operations on it that several parts share.
+// The state of a running Vm, and operations on it that several parts share.
 
 #include <array>
 #include <atomic>
@@ -25,11 +25,11 @@
 
 namespace armlet::lang {
 
-// How far a failure goes; what goes further outranks the other.
+// The handlers that a failure runs. With two failures the one with the larger value has priority.
 enum class Reach : std::uint8_t {
   kHandlers,  // the nearest catch or finally
-  kFinally,   // only through finally blocks: the program is being stopped
-  kNothing,   // straight out
+  kFinally,   // only finally blocks: the program is being stopped
+  kNothing,   // none
 };
 
 struct Fault {
@@ -38,31 +38,31 @@ struct Fault {
   Reach reach = Reach::kHandlers;
   bool cancelled = false;
   bool is_leaving = false;         // the whole program ends with it
-  std::size_t region = kNoRegion;  // kFinally: only as far as this watched block of its task
+  std::size_t region = kNoRegion;  // kFinally: the failure ends at this watched block of its task
   std::shared_ptr<const FailureDetail> detail{};
 };
 using FaultPtr = std::shared_ptr<Fault>;
 
-// Counts calls and backward jumps. The loop only counts `left` down; every chunk the limit and the
-// wish to cancel are looked at.
+// Counts calls and backward jumps. The instruction loop only decrements `left`; after each chunk
+// the limit of steps and stop requests are checked.
 struct StepMeter {
   static constexpr std::uint64_t kChunk = 4096;
 
   std::int64_t left = 0;               // of the running chunk; below 0 it is used up
   std::int64_t chunk = 0;              // size of the running chunk
   std::uint64_t total = 0;             // before the running chunk
-  std::uint64_t since_pause = 0;       // likewise
+  std::uint64_t since_pause = 0;       // the same, since the last pause
   std::uint64_t limit = 0;             // between two pauses
-  std::uint64_t slice_end = kEndless;  // the total at which the run returns to the host
-  std::uint64_t look_at = kEndless;    // the total at which the wish to cancel is looked at
+  std::uint64_t slice_end = kEndless;  // the total at which the run returns to its host
+  std::uint64_t look_at = kEndless;    // the total at which stop requests are checked
 
   static constexpr std::uint64_t kEndless = std::numeric_limits<std::uint64_t>::max();
 
-  // With the running chunk.
+  // The total with the steps of the running chunk.
   [[nodiscard]] std::uint64_t so_far() const {
     return total + static_cast<std::uint64_t>(chunk - left);
   }
-  // Books the running chunk.
+  // Adds the steps of the running chunk to the totals and ends the chunk.
   void settle() {
     const auto done = static_cast<std::uint64_t>(chunk - left);
     total += done;
@@ -71,7 +71,7 @@ struct StepMeter {
   }
   // Starts a new chunk; false if the limit is reached.
   [[nodiscard]] bool refill();
-  // Whether the host has to be asked before the next step; books the running chunk.
+  // Whether the slice has ended. Adds the running chunk to the totals.
   [[nodiscard]] bool slice_is_over() {
     settle();
     return total >= slice_end;
@@ -80,35 +80,36 @@ struct StepMeter {
     settle();
     slice_end = steps < kEndless - total ? total + steps : kEndless;
   }
-  // Counts what takes as long as so many steps. The limits are looked at with the next step.
+  // Counts an operation that takes as long as `steps` steps. The limits are checked at the next
+  // step.
   void book(std::uint64_t steps) {
     settle();
     total += steps;
     since_pause += steps;
   }
-  // A call by the host may take as many steps as the program between two pauses: what the running
-  // chunk has done is booked when it is settled.
+  // A call by the host has the same limit of steps as the program between two pauses. The
+  // difference cancels the steps of the running chunk when the chunk is settled.
   void begin_call() { since_pause = static_cast<std::uint64_t>(left - chunk); }
 };
 
 class Recordings;
 class Scheduler;
 
-// Statements that have begun, in programs with markers, and where the run pauses before one.
+// Counts the statements of programs with markers, and has the conditions for a pause of a debugger.
 struct Marks {
   std::uint64_t begun = 0;
-  std::uint64_t pause_at = StepMeter::kEndless;  // so many have begun
+  std::uint64_t pause_at = StepMeter::kEndless;  // pause before the statement with this number
   std::vector<SourceLine> breakpoints;           // sorted
   bool is_at_breakpoint = false;                 // the run has paused at one
-  const Task* paused = nullptr;                  // before its next instruction, a MARK
+  const Task* paused = nullptr;  // the task that is paused before a MARK instruction
 };
 
-// Counts what kernels of the library do as steps.
+// Counts the work of the library's kernels as steps.
 class KernelWork final : public Supervisor {
  public:
   explicit KernelWork(Vm& vm) : vm_(vm) {}
   [[nodiscard]] bool go_on(std::uint64_t operations) override;
-  // Operations that have not made a whole step.
+  // Operations that are less than one step together.
   [[nodiscard]] std::uint64_t rest() const { return rest_; }
   void set_rest(std::uint64_t rest) { rest_ = rest; }
 
@@ -117,87 +118,90 @@ class KernelWork final : public Supervisor {
   std::uint64_t rest_ = 0;
 };
 
-// Tells threads apart for less than asking the system.
+// An address that identifies the current thread. It is faster than asking the system.
 [[nodiscard]] inline const void* this_thread() { return &armlet::detail::present_supervisor; }
 
-// Stands for a row that a loop may look for, but that its list does not have (ROW).
+// A substitute for a row that its list does not have. Instruction ROW looks rows up before a loop,
+// which fails only if it uses the row.
 struct MissingRow : ListObj {
   std::int64_t index;
-  std::uint64_t rows;  // that there are
-  const Instr* at;     // where it was looked for
+  std::uint64_t rows;  // the count of rows
+  const Instr* at;     // where it was looked up
 };
 
-// The entry of a map that was found last.
+// The last entry that was found in a map.
 struct LastEntry {
-  const MapEntry* entries = nullptr;  // of the map; it may be gone
+  const MapEntry* entries = nullptr;  // of the map, which may no longer exist
   std::uint32_t number = 0;
 };
 
-// Objects that are made once, or are kept out of the heap.
+// Objects that are made once, or that are not on the heap.
 struct SharedObjects {
-  static constexpr std::size_t kMissingRows = 8;  // of one loop
+  static constexpr std::size_t kMissingRows = 8;  // in one loop
 
   using Ascii = std::array<Obj*, 128>;
   static constexpr Ascii kNoAscii{};
 
-  // Texts of one character, each made when it is first needed; and the room for them.
+  // Texts of one character, each made at its first use, in an array that is made with the first of
+  // them.
   const Ascii* ascii = &kNoAscii;
   std::unique_ptr<Ascii> made_ascii{};
   LastEntry last_entry = {};
-  MissingRow missing_rows[kMissingRows] = {};  // only loops that call nothing have any
-  std::unordered_map<const Instr*, std::uint32_t> large_copies{};  // by place: how many there were
+  MissingRow missing_rows[kMissingRows] = {};  // used only by loops without calls
+  // Copies of large lists, by instruction.
+  std::unordered_map<const Instr*, std::uint32_t> large_copies{};
 };
 
-// A function that runs as a program does, with the objects among its arguments.
+// A call of a function that runs like a program, with the objects among its arguments.
 struct BegunCall {
   std::uint32_t function;
   std::vector<Obj*> kept;
 };
 
-// Programs that have begun here.
+// The programs that this virtual machine has run.
 struct Programs {
   const CompiledProgram* newest;
   std::vector<Callee> callees{};                     // by number of the function
-  std::unique_ptr<Before> before{};                  // an entry is under way
-  std::vector<std::unique_ptr<LoadedCode>> units{};  // whose code may still run
+  std::unique_ptr<Before> before{};                  // of the entry that runs; null: none
+  std::vector<std::unique_ptr<LoadedCode>> units{};  // those whose code may still run
 };
 
-// Variables of the top level, by their numbers.
+// The global variables, by their numbers.
 struct Globals {
   std::vector<Slot> values{};
   std::vector<std::uint8_t> is_set{};
-  std::vector<std::uint8_t> is_kept{};  // as it was before the entry under way
+  std::vector<std::uint8_t> is_kept{};  // the value before the current entry is kept
   std::vector<GlobalInfo> info{};
 };
 
-// Layouts of records that only the library makes.
+// Layouts of records that only the library creates.
 struct LibraryRecords {
   std::vector<std::unique_ptr<RecordLayout>> layouts{};
   std::vector<std::unique_ptr<std::vector<std::uint16_t>>> references{};
-  const RecordLayout* error = nullptr;  // one slot more than the type says: the hidden fault
+  const RecordLayout* error = nullptr;  // with one more slot than its type: the hidden fault
 };
 
-// What the host that owns the Vm asks of it between its runs, and what it gives and takes.
+// The state of calls by the host between runs.
 struct HostAccess {
-  std::uint32_t calls = 0;             // that native functions have prepared
-  std::unique_ptr<Task> task{};        // on which its calls run; null before the first one
-  Slot* window = nullptr;              // where their arguments go
+  std::uint32_t calls = 0;             // prepared by native functions
+  std::unique_ptr<Task> task{};        // for calls by the host; null before the first one
+  Slot* window = nullptr;              // for their arguments
   std::optional<Diagnostic> error{};   // of the last call that failed
   bool all_are_set = false;            // all variables of the top level have values
-  const void* ready_thread = nullptr;  // that can call if its stack is here or above
+  const void* ready_thread = nullptr;  // a thread that can call if its stack is in the range below
   std::uintptr_t ready_from = 0;
   std::uintptr_t ready_bytes = 0;
-  std::optional<BegunCall> call{};           // a function runs instead of the program
-  std::uint64_t started = 0;                 // tasks that the host has started
-  bool is_read = false;                      // and no trace may stay
-  std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none does
+  std::optional<BegunCall> call{};           // set: a function runs instead of the program
+  std::uint64_t started = 0;                 // count of tasks started by the host
+  bool is_read = false;                      // a call that only reads, and leaves no trace
+  std::atomic<const void*> thread{nullptr};  // that runs the program (this_thread); null: none
   std::uint64_t output_left = 0;             // bytes
-  bool has_asked_to_stop = false;            // for which the program is being stopped
-  RunCounts aside{};                         // what the run has counted, while it does not run
-  bool counts_apart = true;                  // what is counted now is not of the run
-  std::function<void()> on_look{};  // for tests: called at every look at the wish to cancel
+  bool has_asked_to_stop = false;            // and the program is being stopped
+  RunCounts aside{};                         // the counts of the run, while it does not run
+  bool counts_apart = true;                  // current counts do not belong to the run
+  std::function<void()> on_look{};           // for tests: called at every check for stop requests
 
-  // Before the next call: there are variables of the top level that may have none.
+  // Some global variables may have no value, so the next call has to check them.
   void require_values() {
     all_are_set = false;
     ready_thread = nullptr;
@@ -211,7 +215,7 @@ struct VmState {
   VmState& operator=(const VmState&) = delete;
 
   static constexpr std::uint32_t kHostCalls = 200;  // calls of the program inside calls of the host
-  static constexpr std::uint32_t kScratch = 4;  // slots behind a frame that native calls may use
+  static constexpr std::uint32_t kScratch = 4;      // slots behind a frame for native calls
 
   Vm& vm;
   const VmOptions& options;
@@ -227,52 +231,53 @@ struct VmState {
   TaskTree tree{*this};
   std::unique_ptr<Task> condition_task;  // runs conditions; they never pause
   Task* running = nullptr;
-  std::unique_ptr<Recordings> recordings;  // under way; null before the first one
-  std::unique_ptr<Waiting> pending;        // left by a native function that pauses
-  std::shared_ptr<Fault> fault;            // the failure under way
+  std::unique_ptr<Recordings> recordings;  // running ones; null before the first one
+  std::unique_ptr<Waiting> pending;        // set by a native function that pauses
+  std::shared_ptr<Fault> fault;            // the current failure
   bool is_leaving = false;                 // cancelled or out of steps: only finally blocks run
   Cancellations cancellations;
   Marks marks;
   std::unique_ptr<Scheduler> scheduler;  // of the run; null before it
   HostAccess host;
 
-  // The program whose code the running task is at; the newest one where there is none.
+  // The program whose code the running task executes; without a task the newest one.
   [[nodiscard]] const CompiledProgram& code() const {
     const CompiledProgram* at = running->stack.top->callee->program;
     return at != nullptr ? *at : *programs.newest;
   }
-  // The program has paused: it has its steps anew, unless it is being stopped.
+  // The program has paused: the steps since a pause begin at 0 again, unless the program is being
+  // stopped.
   void count_pause() {
     steps.settle();
     if (!is_leaving) steps.since_pause = 0;
   }
-  // To be called before a variable changes.
+  // Must be called before a global variable changes.
   void keep_global(std::uint32_t number) {
     if (programs.before != nullptr && globals.is_kept[number] == 0) [[unlikely]]
       programs.before->keep(number);
   }
   void finish_call(bool done);
-  // After the end of a run: functions of the program can be called with all that the limits allow.
+  // After the end of a run: allows calls of the program's functions with the full limits.
   void reopen();
-  // Releases the program's variables and whatever else the run left.
+  // Releases the global variables and all other objects that the run has left.
   void clear();
   [[nodiscard]] const RecordLayout& layout_of(const Type* record);
-  // Puts a host frame and the function's frame on the running task. False: calls are nested too
-  // deep.
+  // Pushes a host frame and the frame of the function on the running task. Returns false if calls
+  // are nested too deep.
   [[nodiscard]] bool enter(std::uint32_t function, ClosureObj* closure);
-  // Evaluates what may not pause, such as a condition of a task, on a stack of its own.
+  // Calls a function that may not pause, such as a condition, on a stack of its own.
   [[nodiscard]] bool evaluate(Task& owner, Obj* function, Slot& result);
   [[nodiscard]] bool evaluate(Task& owner, Obj* condition, bool& result);
-  // Whether somebody asked to cancel since the last look, or did so here in the run that this one
-  // repeats.
+  // Whether a stop request takes effect now: one that arrived since the last check, or in a replay
+  // one that took effect here.
   [[nodiscard]] bool take_cancellation();
   void arm_cancellations(std::vector<Cancellation> wishes);
-  // The next one that is due is looked at exactly where it is.
+  // In a replay: sets the next check to the step of the next recorded stop request.
   void look_for_cancellation();
-  // Another run begins, which has noticed none.
+  // Removes all stop requests, before another run.
   void forget_cancellations();
   [[nodiscard]] Instant instant() const;
-  // The literal, or the one shared text of an ASCII character; null: the heap is full.
+  // The text of an ASCII character: a literal or the one shared object; null if the heap is full.
   [[nodiscard]] Obj* character(unsigned char code);
 
  private:

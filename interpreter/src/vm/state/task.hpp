@@ -1,5 +1,5 @@
 #pragma once
-// One task: its slots, its frames, and what it waits for.
+// One task: its slots, its frames, and the operation that it waits for.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,31 +14,31 @@
 
 namespace armlet::lang {
 
-// A function as the loop needs it: one line of the cache, and all in one array by their numbers. A
-// number may get another function while frames of the old one are alive, so frames refer to `own`,
-// which stays as it is.
+// A function as the instruction loop uses it, one cache line each, in an array by number. A number
+// may get another function while frames of the old one exist, so frames refer to `own`, which does
+// not change.
 struct Callee {
   const Instr* code;
-  const FunctionCode* function;  // null: the host
+  const FunctionCode* function;  // null: a host frame
   const Slot* constants;
-  const Slot* texts;                     // literals of its program
+  const Slot* texts;                     // of the literals of its program
   const NativeFunction* const* natives;  // of its program
-  const CompiledProgram* program;        // null: the host
-  const Callee* own;                     // this one, where it does not move
+  const CompiledProgram* program;        // null: a host frame
+  const Callee* own;                     // the copy of this one that is never moved
   std::uint16_t registers;
   std::uint16_t references_begin;  // the first reference register
   std::uint16_t references;        // how many there are
-  bool checks_result;              // it may hold elements that are not set
+  bool checks_result;              // may return a list whose elements have no value
 };
 
 struct Frame {
-  const Instr* pc;  // the next instruction, while something else runs
+  const Instr* pc;  // the next instruction, unless the frame is executed
   Slot* base;       // register 0
   const Callee* callee;
-  ClosureObj* closure;  // the running function value; not set for functions that are called by name
+  ClosureObj* closure;  // of a function value; not set for functions called by name
 
   [[nodiscard]] bool is_host() const { return callee->function == nullptr; }
-  // The instruction that is being executed.
+  // The position of the current instruction.
   [[nodiscard]] std::uint32_t at() const {
     return static_cast<std::uint32_t>(pc - callee->code) - 1;
   }
@@ -49,76 +49,77 @@ struct Task;
 
 inline constexpr std::size_t kNoRegion = static_cast<std::size_t>(-1);
 
-// A `when` or `every` whose block has not ended.
+// A `when` or `every` statement whose block has not ended.
 struct Watch {
   Task* owner = nullptr;
-  Span head{};               // where it is written
-  std::size_t region = 0;    // of the owner
+  Span head{};               // the span of its head
+  std::size_t region = 0;    // index in the regions of the owner
   Obj* condition = nullptr;  // null: `every`; owned
   Obj* body = nullptr;       // owned
   std::uint64_t order = 0;   // of arming; 0: no longer armed
   bool was_true = false;
-  bool has_failed = false;  // an entry of a session that comes later leaves it at rest
+  bool has_failed = false;  // a later entry of a session does not activate it again
   std::int64_t period_ns = 0;
-  std::int64_t next_ns = 0;               // the next beat that has not been begun or skipped
+  std::int64_t next_ns = 0;               // the next beat that is neither executed nor skipped
   Task* running = nullptr;                // the body, while it runs
   std::shared_ptr<const void> host_data;  // of the owner when it was armed: see Vm::task_data
 };
 
-// A block that holds watches.
+// The watches of one block.
 using Region = std::vector<std::unique_ptr<Watch>>;
 
-// For frames of usual size at full depth, and a few very large ones.
+// Enough slots for frames of usual size at the largest depth of calls, and for a few very large
+// ones.
 constexpr std::size_t ample_slots(std::uint32_t call_depth) {
   return std::size_t{1024} * 1024 + std::size_t{call_depth} * 64;
 }
 
-// Bytes of its stack that every task begins with.
+// The size in bytes of the stack that each task has from the start.
 inline constexpr std::size_t kFirstBytes = 8192;
 
 class Heap;
 
-// Slots and frames of a task.
+// The memory for the slots and frames of a task.
 struct TaskStack {
-  // call_depth  calls that may be nested.
-  // slots       of all frames together, besides the one on top.
+  // call_depth  the largest depth of nested calls.
+  // slots       the largest count of slots of all frames, apart from the top one.
   TaskStack(std::uint32_t call_depth, std::size_t slots);
 
-  Slot* slots_end;  // a frame that starts before it fits; what lies before it has been counted
+  Slot* slots_end;  // a frame that starts before it has room, counted for the limit of the heap
   Frame* frames;    // frames[0] belongs to the host
   Frame* frames_end;
   Frame* top;
-  Slot* slots_limit;  // how far slots_end and frames_end can move
+  Slot* slots_limit;  // slots_end and frames_end grow up to these limits
   Frame* frames_limit;
 
-  // Counts so much more of it against the limit of the heap that a frame can be put at `frame` with
-  // its slots, `registers` of them, at `window`, which lie within the limits. False: the heap is
-  // full.
+  // Grows the stack for a frame at `frame` with `registers` slots at `window`, which must be below
+  // slots_limit and frames_limit. The bytes count for the limit of the heap. Returns false if the
+  // heap is full.
   [[nodiscard]] bool grow(Heap& heap, const Frame* frame, Slot* window, std::size_t registers);
-  // Gives back what grew.
+  // Releases the memory that grow() added.
   void shrink(Heap& heap);
-  // Nothing is on it, and perhaps nothing will be for long.
+  // Releases memory of an empty stack that may stay empty for a long time.
   void rest();
 
  private:
   ReservedMemory slot_space_;
   ReservedMemory frame_space_;
-  std::uint64_t charged_ = 0;  // bytes counted against the limit besides those at the beginning
+  std::uint64_t charged_ = 0;  // bytes from grow(), counted for the limit of the heap
 };
 
-// What a task is: vm/state/task_tree.hpp.
+// The cause and the code of a task: see vm/state/task_tree.hpp.
 struct TaskOrigin {
   const hir::Function* function = nullptr;  // null: the program
-  Task* parent = nullptr;                   // who started it
-  Watch* watch = nullptr;                   // whose body it is
-  std::string started_as{};                 // by the host: the variable with its function
+  Task* parent = nullptr;                   // that started it
+  Watch* watch = nullptr;                   // whose body it runs
+  std::string started_as{};  // the variable with its function, if the host started it
   std::int64_t started_ns = 0;
   Obj* entry = nullptr;     // the closure that it runs; owned
-  std::uint32_t depth = 0;  // of tasks that started tasks
-  std::size_t place = 0;    // among the branches of its parent
+  std::uint32_t depth = 0;  // nesting of tasks that start tasks
+  std::size_t place = 0;    // index among the branches of its parent
 };
 
-// What a task has started.
+// The tasks and watches that a task has started.
 struct TaskChildren {
   std::vector<Obj*> nursery{};            // closures of branches, before they begin; owned
   std::vector<Task*> branches{};          // of the `parallel` it waits for; null: ended
@@ -126,10 +127,10 @@ struct TaskChildren {
   std::shared_ptr<Fault> branch_fault{};  // the first error among them
   bool joins = false;                     // it waits for its branches
   std::vector<Region> regions{};
-  std::size_t ending = kNoRegion;  // it waits for the tasks of this region and those inside
+  std::size_t ending = kNoRegion;  // it waits for the tasks of this region and of inner ones
 };
 
-// How many waits for a time or a motion it has begun at one instant.
+// The count of waits for times or motions that a task began at one instant.
 struct WaitsAtOnce {
   std::int64_t at_ns = -1;
   int count = 0;
@@ -142,21 +143,21 @@ struct Task {
   TaskStack stack;
 
   std::unique_ptr<Waiting> waiting;
-  Slot* result = nullptr;              // where the waiting call leaves its result
-  Obj* condition = nullptr;            // armed: when it comes true, `waiting` is stopped; owned
-  std::shared_ptr<Fault> interrupted;  // raised instead of going on when the wait is over
-  std::uint64_t armed = 0;             // the condition's place in the order of arming; 0: none
-  bool waits_until = false;  // `wait until`: the condition has to hold when the task goes on
-  bool came_true = false;    // it did at this instant; it stays armed until the task's turn
+  Slot* result = nullptr;              // the destination of the result of the wait
+  Obj* condition = nullptr;            // armed: ends the wait when it becomes true; owned
+  std::shared_ptr<Fault> interrupted;  // raised when the wait is over
+  std::uint64_t armed = 0;             // number in the order of arming; 0: not armed
+  bool waits_until = false;  // `wait until`: the condition has to hold when the task continues
+  bool came_true = false;    // at this instant; stays armed until the task continues
 
   std::shared_ptr<const void> host_data;  // see Vm::task_data
 
   TaskOrigin origin;
-  bool is_ready = false;  // has not begun
+  bool is_ready = false;  // to begin
   bool has_ended = false;
-  bool is_cancelled = false;  // how it ends is nobody's business
+  bool is_cancelled = false;  // its failure is not reported
   Random random{0};
-  std::uint64_t parallels = 0;  // how many it has begun
+  std::uint64_t parallels = 0;  // count of those that it has begun
 
   TaskChildren children;
   WaitsAtOnce waits;

@@ -1,8 +1,9 @@
 #pragma once
-// The tasks of a run besides the program itself: who started whom, what each watches, how they end.
+// The tasks of a run besides the program itself: which task started which, the watches of each, and
+// their ends.
 //
-// Nothing outlives what started it: branches end before their `parallel`, the bodies of `when` and
-// `every` before the block around these.
+// Each task ends before the statement that started it: branches end before their `parallel`, the
+// bodies of `when` and `every` before the block around these.
 
 #include <cstdint>
 #include <map>
@@ -18,7 +19,7 @@ struct VmState;
 struct Fault;
 enum class Reach : std::uint8_t;
 
-// Something that is looked at again and again: what a task waits for, or a watch.
+// A condition that is evaluated at each instant: that of a waiting task, or of a watch.
 struct Armed {
   Task* task = nullptr;
   Watch* watch = nullptr;
@@ -32,50 +33,51 @@ class TaskTree {
   explicit TaskTree(VmState& state) : state_(state) {}
 
   // ---- tasks: task_tree.cpp
-  // In the order of their creation. Those that have ended stay until `sweep`.
+  // The tasks in the order of their creation. Those that have ended stay in the list until `sweep`.
   [[nodiscard]] const std::vector<std::unique_ptr<Task>>& all() const { return tasks_; }
-  // A task that will begin to run the closure. Null: the failure is set.
+  // Creates a task that will run the closure. Returns null, with the failure set, if it cannot.
   [[nodiscard]] Task* create(Task& parent, Obj* closure);
-  // The same for a function that the host starts, which a variable holds.
+  // The same for a function in a variable, started by the host.
   [[nodiscard]] Task* create_started(Obj* closure, std::string_view variable);
-  // Those of them that run are brought to an end.
+  // Cancels the running tasks that the host started.
   void cancel_started();
-  // The running task is done, or failed; whoever waits for it is told.
+  // Ends the running task, with a failure or without, and informs the task that waits for it.
   void end(Task& task, std::shared_ptr<Fault> fault);
-  // The fault is raised in a waiting task once what it does has come to a stop.
+  // Raises the fault in a waiting task as soon as its operation has stopped.
   void interrupt(Task& task, std::shared_ptr<Fault> fault);
   void cancel(Task& task, Reach reach);
-  // What `task` has started ends on the spot, without its finally blocks.
+  // Ends all tasks that `task` has started at once, without their finally blocks.
   void abandon(Task& task);
   void sweep();
   void clear();
 
   // ---- conditions and watches: watches.cpp
-  // In the order of arming.
+  // The armed conditions and watches, in the order of arming.
   [[nodiscard]] const std::map<std::uint64_t, Armed>& armed() const { return armed_; }
   void arm(Task& task);
   void disarm(Task& task);
-  // A new watch of the innermost watched block, armed. A null condition: `every`.
+  // Adds an active watch to the innermost watched block. condition: null for `every`.
   Watch& watch(Task& owner, Obj* condition, Obj* body);
-  // Starts the body. False: the failure is set.
+  // Starts the body of a watch. Returns false if that fails; the failure is set.
   [[nodiscard]] bool start(Watch& watch);
-  // Raises a failure of a watch in the block that it belongs to.
+  // Raises the failure of a watch in the block with the watch.
   void fail_block(Watch& watch, const std::shared_ptr<Fault>& fault);
-  // Starts the bodies whose beat has come; false if there are none.
+  // Starts the bodies of `every` whose beat is now. Returns false if there are none.
   bool start_beats();
-  // The watches of the regions from `from` on stop watching.
+  // Disarms the watches of the regions from `from` on.
   void stop_watching(Task& owner, std::size_t from);
   void cancel_bodies(Task& owner, std::size_t from, Reach reach);
   [[nodiscard]] static bool has_bodies(const Task& owner, std::size_t from);
   void close_regions(Task& owner, std::size_t from);
-  // The watches of the program's own block, between the entries of a session: they rest, and are
-  // armed again in their order. One that has failed is not.
+  // Activates the watches at the top level of the program again, in their order, before the next entry
+  // of a session. Watches that have failed stay disarmed.
   void wake_watches();
-  // Those from `first` on were armed by an entry that failed.
+  // Removes the watches from number `first` on, which an entry that failed had armed.
   void forget_watches(std::size_t first);
-  // Whatever the program has started ends on the spot, but for those watches.
+  // Between two entries: disarms the watches at the top level, and ends all tasks of the program at
+  // once.
   void rest();
-  // Advice about beats that were skipped, in the order of the text.
+  // Reports skipped beats as advice, in the order of the text.
   void report_skipped();
 
  private:
@@ -93,14 +95,14 @@ class TaskTree {
 
   VmState& state_;
   std::vector<std::unique_ptr<Task>> tasks_;
-  std::vector<std::unique_ptr<Task>> spare_;  // stacks to be used again
+  std::vector<std::unique_ptr<Task>> spare_;  // to be used again
   std::size_t alive_ = 0;
   std::map<std::uint64_t, Armed> armed_;
   std::uint64_t last_order_ = 0;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Skips> skips_;  // by source and place
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Skips> skips_;  // by source and byte
 };
 
-// Whether the first is to be raised rather than the second.
+// Whether fault `a` has priority over fault `b`.
 [[nodiscard]] bool outranks(const Fault& a, const Fault& b);
 
 }  // namespace armlet::lang

@@ -1,14 +1,14 @@
 #pragma once
-// One at a time: a Vm belongs to the thread that runs it, and to one call there.
+// Exclusive use of a Vm by one thread, and by one call of that thread.
 
 #include "vm/state/state.hpp"
 
 namespace armlet::lang {
 
-// Says why the Vm is busy.
+// Throws the error that says why the Vm is in use.
 [[noreturn]] void refuse_turn(const void* other);
 
-// throws  ArgumentError if somebody else's turn has not ended.
+// throws  ArgumentError if the Vm is in use already.
 inline void begin_turn(VmState& state) {
   const void* other = nullptr;
   if (!state.host.thread.compare_exchange_strong(other, this_thread(), std::memory_order_acquire))
@@ -19,10 +19,10 @@ inline void end_turn(VmState& state) {
   state.host.thread.store(nullptr, std::memory_order_release);
 }
 
-// While it lives the program belongs to this thread: its functions can be called.
+// In the lifetime of a Turn the program belongs to this thread, which may call its functions.
 class Turn {
  public:
-  // throws  ArgumentError if somebody else's has not ended.
+  // throws  ArgumentError if the Vm is in use already.
   explicit Turn(VmState& state) : state_(state) { begin_turn(state); }
   [[gnu::always_inline]] ~Turn() { end_turn(state_); }
   Turn(const Turn&) = delete;

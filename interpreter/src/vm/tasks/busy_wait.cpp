@@ -15,7 +15,7 @@ bool contains(Span outer, Span inner) {
   return outer.source == inner.source && outer.begin <= inner.begin && inner.end <= outer.end;
 }
 
-// The innermost loop with a condition around a span. Functions inside are other functions' bodies.
+// The innermost loop with a condition around a span. Bodies of nested functions are not searched.
 const hir::LoopStmt* loop_around(const hir::Stmt& stmt, Span span) {
   const hir::LoopStmt* found = nullptr;
   const auto look_inside = [&](const hir::Stmt& inner) {
@@ -32,7 +32,7 @@ const hir::LoopStmt* loop_around(const hir::Stmt& stmt, Span span) {
   return waits_for_something ? &loop : nullptr;
 }
 
-// What ends a loop that goes on while `condition` holds.
+// The text of the condition that ends a loop with the given condition.
 std::string negated(const VmState& state, const hir::Expr& condition) {
   if (condition.kind == hir::ExprKind::kUnary) {
     const auto& unary = condition.as<hir::UnaryExpr>();

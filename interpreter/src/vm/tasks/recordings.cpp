@@ -22,7 +22,8 @@ std::uint16_t column_count(const RecordObj& table) {
   return static_cast<std::uint16_t>(table.layout->size - 1);
 }
 
-// Behind the columns, which are made of them when they are asked for.
+// The slot of the rows. It follows those of the columns, which are made from the rows at their
+// first use.
 Slot& rows_of(RecordObj& table) { return table.fields()[column_count(table)]; }
 
 bool append(VmState& state, RecordObj& table, Slot row) {
@@ -68,14 +69,14 @@ Signal end_recording(Vm& vm, Slot* args) {
   return ended ? Signal::kDone : Signal::kFail;
 }
 
-// Null: it failed.
+// Makes a column of matrices. Returns null if it failed.
 Obj* make_matrix(VmState& state, RecordObj& table, std::uint16_t column) {
   const auto& rows = *static_cast<ListObj*>(rows_of(table).o);
   const RecordField& field = table.layout->type->record->row->record->fields[column];
   const auto list_in = [&](std::size_t row) {
     return items_value(table_in(rows.data[row]).fields()[column]);
   };
-  const std::size_t cols = list_in(0).size();  // the first sample is always there
+  const std::size_t cols = list_in(0).size();  // the first sample always exists
   std::size_t other = rows.size;               // a row with another number of values
   const auto find_other = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -116,7 +117,7 @@ Obj* make_matrix(VmState& state, RecordObj& table, std::uint16_t column) {
   return nullptr;
 }
 
-// Null: it failed.
+// Makes a column of the table. Returns null if it failed.
 Obj* make_column(VmState& state, RecordObj& table, std::uint16_t column) {
   if (table.layout->type->record->fields[column].type->is(Kind::kMatrix))
     return make_matrix(state, table, column);
@@ -203,7 +204,7 @@ RecordObj* Recordings::start(ClosureObj* sample, std::int64_t period_ns) {
   for (std::uint16_t i = 0; i < layout.size; ++i) table->fields()[i].o = nullptr;
   rows_of(*table).o = state_.heap.new_list(0, true);
   const std::int64_t now = state_.vm.timeline().now_ns();
-  // What a condition records belongs to the task whose condition it is.
+  // A recording that a condition starts belongs to the task with the condition.
   const bool in_condition = state_.running == state_.condition_task.get();
   Task* owner = in_condition ? state_.running->origin.parent : state_.running;
   Recording recording{sample, table, owner, period_ns, now + period_ns, now, false};
@@ -231,7 +232,7 @@ bool Recordings::end(const RecordObj* table) {
 
 std::int64_t Recordings::next_ns() const {
   std::int64_t next = kNever;
-  if (state_.is_leaving) return next;  // nothing is recorded any more, and nothing is due
+  if (state_.is_leaving) return next;  // nothing is recorded while the program stops
   for (const Recording& recording : recordings_) {
     if (!recording.failed) next = std::min(next, recording.next_ns);
   }
@@ -239,7 +240,7 @@ std::int64_t Recordings::next_ns() const {
 }
 
 void Recordings::take_due(const std::function<void(Task&)>& failed) {
-  if (state_.is_leaving) return;  // tasks may be gone that began a recording
+  if (state_.is_leaving) return;  // tasks that began a recording may be gone
   const std::int64_t now = state_.vm.timeline().now_ns();
   for (Recording& recording : recordings_) {
     if (recording.failed || recording.next_ns > now) continue;

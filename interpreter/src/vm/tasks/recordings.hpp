@@ -1,5 +1,5 @@
 #pragma once
-// The recordings of a run: what `record` samples, and when.
+// The recordings of a run: the values that `record` samples, and the instants of the samples.
 
 #include <cstdint>
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace armlet::lang {
 
-// Samples are taken when the world has been brought to an instant, before any condition is
-// evaluated or task goes on.
+// Samples are taken after the world has reached an instant, before any condition is evaluated and
+// any task continues.
 class Recordings {
  public:
   explicit Recordings(VmState& state) : state_(state) {}
@@ -18,15 +18,15 @@ class Recordings {
   Recordings(const Recordings&) = delete;
   Recordings& operator=(const Recordings&) = delete;
 
-  // Makes the table, with the first sample in it. Null: it failed.
+  // Makes the table with the first sample. Returns null if it failed.
   [[nodiscard]] RecordObj* start(ClosureObj* sample, std::int64_t period_ns);
-  // Takes the last sample, unless one was taken at this instant. False: it failed.
+  // Takes the last sample, unless one was taken at this instant. Returns false if it failed.
   [[nodiscard]] bool end(const RecordObj* table);
 
-  // The next instant at which one of them takes a sample.
+  // The next instant with a sample of any recording, ns.
   [[nodiscard]] std::int64_t next_ns() const;
-  // Takes the samples of this instant. One that fails is the last of its recording; `failed` gets
-  // the task that began it, with the failure in the state.
+  // Takes the samples of this instant. A recording ends with a sample that fails; `failed` is then
+  // called with the task that began the recording, and state.fault is set.
   void take_due(const std::function<void(Task&)>& failed);
 
  private:
@@ -46,7 +46,7 @@ class Recordings {
   std::vector<Recording> recordings_;
 };
 
-// As LanguageFunctions says.
+// The function of LanguageFunctions that starts a recording.
 extern const NativeFunction kStartRecording;
 extern const NativeFunction kEndRecording;
 extern const NativeFunction kTableColumn;

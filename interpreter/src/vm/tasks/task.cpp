@@ -9,13 +9,14 @@ namespace armlet::lang {
 
 namespace {
 
-// The largest frame, and behind it the arguments of a call by the host, which are as many at most.
+// Slots of the largest frame, and of the arguments of a call by the host behind it, which are as
+// many at most.
 constexpr std::size_t kLargestFrame = std::size_t{2} * 65536;
 
 constexpr std::size_t kFirstSlots = kFirstBytes / 2 / sizeof(Slot);
 constexpr std::size_t kFirstFrames = kFirstBytes / 2 / sizeof(Frame);
 
-// Where an area ends when it holds `needed` items: it doubles, up to its limit.
+// The new end of an area that needs room for `needed` items: the size is doubled, up to the limit.
 template <class T>
 T* grown_end(T* begin, T* end, const T* limit, const T* needed) {
   std::ptrdiff_t size = end - begin;
@@ -23,12 +24,13 @@ T* grown_end(T* begin, T* end, const T* limit, const T* needed) {
   return begin + std::min(size, limit - begin);
 }
 
-// What lies at the bottom of every task and below every call by the host.
+// The function of host frames: the bottom frame of each task, and the frame below each call by the
+// host.
 constexpr Callee kHost{.code = kReturnToHost};
 
 }  // namespace
 
-// Besides the calls there are the bottom, the host's frame, and the program itself.
+// Two frames more than the calls: the host's frame at the bottom, and that of the program.
 TaskStack::TaskStack(std::uint32_t call_depth, std::size_t slots)
     : slot_space_((slots + kLargestFrame) * sizeof(Slot)),
       frame_space_((std::size_t{call_depth} + 3) * sizeof(Frame)) {

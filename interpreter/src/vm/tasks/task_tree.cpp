@@ -15,7 +15,7 @@ std::size_t slots_for(std::uint32_t call_depth) {
   return std::size_t{64} * 1024 + std::size_t{call_depth} * 32;
 }
 
-// How a task that is cancelled leaves; nobody sees more of it than that.
+// The fault that ends a cancelled task. No message shows it.
 FaultPtr cancellation(Reach reach) {
   auto fault = std::make_shared<Fault>();
   fault->diagnostic.code = "R0629";
@@ -23,7 +23,7 @@ FaultPtr cancellation(Reach reach) {
   return fault;
 }
 
-// As it goes on in the task that waits for the one that failed.
+// A copy of the fault of a task for the task that waits for it.
 FaultPtr carried_over(const FaultPtr& fault) {
   if (fault->is_leaving || fault->reach == Reach::kHandlers) return fault;
   auto out = std::make_shared<Fault>(*fault);
@@ -52,7 +52,7 @@ void make_new(Task& task) {
 bool outranks(const Fault& a, const Fault& b) {
   if (a.reach != b.reach) return a.reach > b.reach;
   if (a.is_leaving != b.is_leaving) return a.is_leaving;
-  // Further out; kNoRegion is outside of all.
+  // An outer region has priority; kNoRegion is outside of all.
   return a.region + 1 < b.region + 1;
 }
 
@@ -130,7 +130,7 @@ Task* TaskTree::create_started(Obj* closure, std::string_view variable) {
   task->origin.started_as = variable;
   task->origin.started_ns = state_.vm.timeline().now_ns();
   task->host_data.reset();
-  // The first one draws other numbers than the branches of the program do.
+  // The first task of the host gets other random numbers than the branches of the program.
   task->random = state_.main.random.split(~std::uint64_t{0}).split(state_.host.started++);
   return task;
 }
@@ -140,7 +140,7 @@ void TaskTree::cancel_started() {
     if (!task->origin.started_as.empty()) cancel(*task, Reach::kFinally);
 }
 
-// Its failure is its own, unless the whole program ends with it.
+// A failure of such a task ends only the task itself, unless the fault ends the whole program.
 void TaskTree::end_started(Task& task, FaultPtr fault) {
   if (state_.options.on_task_end) {
     state_.options.on_task_end({.variable = task.origin.started_as,

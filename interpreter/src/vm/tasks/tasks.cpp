@@ -17,10 +17,12 @@ namespace armlet::lang {
 namespace {
 
 constexpr int kMostRounds = 1000;
-// Rounds in which tasks only begin and end: a parallel after the other, in no time.
+// The largest count of rounds at one instant in which tasks only begin and end, such as one
+// parallel after another.
 constexpr int kMostQuietRounds = 1'000'000;
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-// Conditions can come true by time alone, so a program is stuck only if they have not for so long.
+// Conditions may become true as time passes, so the program counts as stuck only after this much
+// virtual time.
 constexpr std::int64_t kPatience_ns = 3600LL * 1'000'000'000LL;
 
 bool may_continue(const Task& task) {
@@ -28,7 +30,7 @@ bool may_continue(const Task& task) {
   return task.is_ready || task.came_true || task.waiting->is_over() || task.waiting->has_work();
 }
 
-// The program after its end, in a run that stays.
+// The wait of a program that has ended while its run continues.
 class Rest final : public Waiting {
  public:
   [[nodiscard]] std::int64_t due_ns() const override { return kNever; }
@@ -41,7 +43,8 @@ class Rest final : public Waiting {
   bool is_stopped_ = false;
 };
 
-// What it does next is no more than the text says: it begins, or those that it started have ended.
+// Whether the next action of the task follows from the text alone: it begins, or the tasks that it
+// started have ended.
 bool is_quiet(const Task& task) {
   const bool is_triggered = task.origin.watch != nullptr && task.origin.watch->condition != nullptr;
   return task.is_ready ? !is_triggered : task.waits_for_its_tasks();
@@ -91,7 +94,7 @@ Exit Scheduler::run_program() {
   return exit;
 }
 
-// kPaused instead of kDone: an entry has come to the end of its text, and waits for what runs.
+// kPaused instead of kDone: an entry has reached the end of its text and waits for its tasks.
 Exit Scheduler::finished(Exit exit) {
   if (exit != Exit::kDone) return exit;
   while (state_.main.stack.top > state_.main.stack.frames) leave_frame(state_, state_.main);
@@ -104,7 +107,7 @@ Exit Scheduler::finished(Exit exit) {
 }
 
 void Scheduler::begin_started() {
-  if (stage_ != Stage::kTime) return;  // its turn comes
+  if (stage_ != Stage::kTime) return;  // it will be evaluated later in this instant
   target_ns_.reset();
   pass_ = {};
   stage_ = Stage::kTasks;
@@ -185,7 +188,8 @@ void Scheduler::evaluate(Task& task) {
 bool Scheduler::still_holds(Task& task) {
   evaluate(task);
   state_.count_pause();
-  if (task.interrupted != nullptr) return true;  // the condition failed, which is raised now
+  // The condition failed; its failure is raised now.
+  if (task.interrupted != nullptr) return true;
   if (task.came_true) task.waiting->stop();
   return task.waiting->is_over();
 }
@@ -198,7 +202,7 @@ bool Scheduler::still_triggered(Task& body) {
   const FaultPtr fault = std::move(state_.fault);
   tree_.end(body, nullptr);
   if (!was_evaluated) tree_.fail_block(watch, fault);
-  // A block that has come to its end may have waited for this body alone.
+  // A block at its end may have waited for this body only.
   if (may_continue(*watch.owner)) pass_.progress = true;
   return false;
 }
@@ -211,7 +215,7 @@ bool Scheduler::has_turn(Task& task) {
   return !is_triggered || still_triggered(task);
 }
 
-// What comes true while the body runs is dropped.
+// A condition that becomes true while the body runs is ignored.
 void Scheduler::evaluate(Watch& watch) {
   const bool was_true = watch.was_true;
   const bool failed =
@@ -220,7 +224,7 @@ void Scheduler::evaluate(Watch& watch) {
   if (failed) tree_.fail_block(watch, std::move(state_.fault));
 }
 
-// In the order of creation. Those that begin meanwhile come last.
+// Runs tasks in the order of their creation. Tasks that begin meanwhile run last.
 bool Scheduler::run_tasks() {
   do {
     for (; pass_.next <= tree_.all().size(); ++pass_.next) {
@@ -248,7 +252,7 @@ Exit Scheduler::run(Task& task) {
   return task.waiting->is_over() ? resume(task) : work(task);
 }
 
-// The task goes on waiting.
+// The task continues to wait.
 Exit Scheduler::work(Task& task) {
   state_.running = &task;
   state_.count_pause();
@@ -335,19 +339,19 @@ std::int64_t Scheduler::next_instant() const {
   }
   if (armed && (next != kNever || now - resumed_ns_ < kPatience_ns))
     next = std::min(next, next_tick);
-  // Nothing can happen because of a recording alone.
+  // A recording alone cannot change the state of the program.
   if (next != kNever && state_.recordings != nullptr)
     next = std::min(next, state_.recordings->next_ns());
   return next;
 }
 
-// The world moves on as a whole: what it computes is not stopped half way.
+// The world moves to the instant as a whole, without a stop in between.
 bool Scheduler::advance_to(std::int64_t t_ns) {
   const Supervised nobody(nullptr);
   return state_.vm.timeline().advance_to(t_ns);
 }
 
-// Where time was stopped in the run that this one repeats.
+// In a replay: the instant of the next recorded stop request.
 std::int64_t Scheduler::next_cancellation() const {
   const std::vector<Cancellation>& due = state_.cancellations.due;
   const std::int64_t now = state_.vm.timeline().now_ns();
@@ -369,8 +373,8 @@ std::optional<std::int64_t> Scheduler::choose_instant() {
   return next;
 }
 
-// The host may move on by less than asked for, and a slice may end between two instants: nothing
-// happens there, and the rest is asked for later.
+// The host may let less time pass than requested, and a slice may end between two instants. No task
+// runs there, and the remaining time is requested later.
 Exit Scheduler::pass_time() {
   const auto leave_for = [this](Stage stage) {
     target_ns_.reset();
@@ -405,7 +409,7 @@ Exit Scheduler::pass_time() {
   return state_.is_leaving ? abandon() : stop();
 }
 
-// Somebody wants the program to stop.
+// Executes a stop request: cancels the program.
 Exit Scheduler::stop() {
   state_.running = &state_.main;
   raise_cancelled(state_);
@@ -420,7 +424,7 @@ Exit Scheduler::stop() {
   return Exit::kPaused;
 }
 
-// Time cannot pass any more: nothing can be brought to a controlled stop.
+// Time cannot pass any more, so nothing can be brought to a controlled stop.
 Exit Scheduler::abandon() {
   Task& task = state_.main;
   state_.running = &task;
@@ -433,7 +437,8 @@ Exit Scheduler::abandon() {
   return Exit::kFailed;
 }
 
-// Raised in the program itself; when that is being ended already, in whoever still waits.
+// Raises the failure in the program. If the program is being stopped already, raises it in the
+// tasks that still wait.
 void Scheduler::fail_everywhere(const Headline& headline, std::string why) {
   std::vector<Task*> victims;
   if (state_.main.interrupted == nullptr && !is_resting_) {

@@ -1,4 +1,4 @@
-// Waiting: for a time, and for a condition.
+// Waits for a time and for a condition.
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,8 @@ class Sleep final : public Waiting {
   std::int64_t due_ns_;
 };
 
-// What the other tasks are doing, one line each: why a condition may not have come true yet.
+// The states of the other tasks, one line each, as possible reasons why a condition did not become
+// true.
 std::string others(const VmState& state) {
   constexpr int kMost = 3;
   std::string text;
@@ -58,10 +59,10 @@ std::string others(const VmState& state) {
   return text;
 }
 
-// The task's armed condition stops it when it comes true; a timeout is the other way out.
+// `wait until`: ends when the task's armed condition becomes true, or after the timeout.
 class WaitUntil final : public Waiting {
  public:
-  // timeout_ns  below 0: none.
+  // timeout_ns  a negative number: none.
   WaitUntil(VmState& state, const hir::WaitUntilStmt& statement, double timeout,
             std::int64_t timeout_ns)
       : state_(state),
@@ -139,9 +140,9 @@ bool op_waituntil(VmState& state, Slot* base, const Instr* pc) {
 }
 
 bool begin_wait(VmState& state, Task& task, Slot* result, const Instr* pc) {
-  if (state.pending == nullptr)  // a native function that said so without calling pause()
+  if (state.pending == nullptr)  // a native function returned "paused" without pause()
     return raise(state, "R0626", {"a function of the host waits for nothing"});
-  if (state.host.calls > 0) {  // a native function that did not say that it pauses
+  if (state.host.calls > 0) {  // the function is not declared as pausing
     state.pending->stop();
     state.pending.reset();
     return raise_may_not_pause(state);

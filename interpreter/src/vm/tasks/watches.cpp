@@ -1,4 +1,4 @@
-// What is looked at while time passes: the conditions of tasks that wait, and the watches of
+// The conditions that are checked while time passes: those of waiting tasks, and the watches of
 // blocks.
 
 #include <string>
@@ -42,7 +42,7 @@ Watch& TaskTree::watch(Task& owner, Obj* condition, Obj* body) {
 }
 
 bool TaskTree::start(Watch& watch) {
-  state_.running = watch.owner;  // whose failure it would be
+  state_.running = watch.owner;  // a failure belongs to this task
   Task* body = create(*watch.owner, watch.body);
   if (body == nullptr) return false;
   body->origin.watch = &watch;
@@ -51,8 +51,8 @@ bool TaskTree::start(Watch& watch) {
   return true;
 }
 
-// The error ends what the block does, up to the block itself. A block that has come to its end
-// waits for its tasks, so there it is raised as it is.
+// The error ends the statements of the block, up to the block itself. A block at its end waits for
+// its tasks, so the error is raised there directly.
 void TaskTree::fail_block(Watch& watch, const FaultPtr& fault) {
   Task& owner = *watch.owner;
   watch.has_failed = true;
@@ -84,7 +84,7 @@ bool TaskTree::start_beats() {
   return any;
 }
 
-// While the body runs no beat is looked at; those that have passed are counted afterwards.
+// No beat starts while the body runs; those that pass meanwhile are counted afterwards.
 void TaskTree::skip_beats(Watch& watch) {
   const std::int64_t late = state_.vm.timeline().now_ns() - watch.next_ns;
   const bool beats = watch.condition == nullptr && watch.order != 0 && watch.running != nullptr;

@@ -9,10 +9,11 @@
 namespace armlet::lang {
 namespace {
 
-// A not-a-number that no arithmetic makes, where a result will lie.
+// A NaN that no arithmetic makes. It marks the slot of a result before the call.
 constexpr std::int64_t kNothing = static_cast<std::int64_t>(0xFFF8'A851'7000'0002ULL);
 
-// Objects lie at addresses that processors can have, aligned, and not on the first page.
+// Whether the slot may be an address of an object: aligned, in the range of the processor's
+// addresses, and not in the first page.
 bool may_be_object(Slot slot) {
   const auto address = static_cast<std::uint64_t>(slot.i);
   return address % alignof(Obj) == 0 && address >= 4096 && address < (std::uint64_t{1} << 47U);
@@ -38,7 +39,7 @@ KindOfObject object_of(Kind kind) {
     case Kind::kHost:
       return {ObjKind::kHost, "a value of the host"};
     case Kind::kRecord:
-    case Kind::kAny:  // these are no objects
+    case Kind::kAny:  // no objects
     case Kind::kVoid:
     case Kind::kBool:
     case Kind::kInt:
@@ -111,7 +112,8 @@ std::string slot_fault(Slot slot, const Type& type) {
 
 namespace {
 
-// What is wrong with the result that lies in args[0], where `before` lay.
+// The fault in the result in args[0], where `before` was the value before the call; empty if there
+// is none.
 std::string result_fault(const hir::CallNativeExpr& call, const Slot* args, Slot before) {
   const Type& type = *call.type;
   if (type.is(Kind::kVoid) || type.is(Kind::kAny)) return {};
@@ -124,7 +126,7 @@ std::string result_fault(const hir::CallNativeExpr& call, const Slot* args, Slot
   if (result.i == before.i && tells) return "no result: what was there before is still there";
   if (std::string fault = slot_fault(result, type); !fault.empty()) return fault;
   if (!type.is_reference() || result.o->refs > 1) return {};
-  // An argument is owned by somebody else already.
+  // The owner of an argument still owns it, so the result needs a count of its own.
   for (std::size_t i = 0; i < call.arguments.size(); ++i) {
     const Slot argument = i == 0 ? before : args[i];
     if (call.arguments[i]->type->is_reference() && argument.o == result.o)
@@ -133,7 +135,7 @@ std::string result_fault(const hir::CallNativeExpr& call, const Slot* args, Slot
   return {};
 }
 
-// Whether an object was left after all, only of another type: it belongs to nobody else.
+// Whether the result is a new object of another type, which has no other owner.
 bool is_own_object(const hir::CallNativeExpr& call, const Slot* args, Slot before) {
   if (!call.type->is_reference() || !may_be_object(args[0]) || args[0].i == before.i) return false;
   for (std::size_t i = 1; i < call.arguments.size(); ++i) {

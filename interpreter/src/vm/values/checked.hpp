@@ -1,6 +1,6 @@
 #pragma once
-// Checks of what a host's functions leave and pass, too costly for every build: a build with
-// ARMLET_CHECKED makes them.
+// Checks of the arguments and results of host functions. They are too slow for every build: only
+// builds with ARMLET_CHECKED make them.
 
 #include <span>
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace armlet::lang {
 
-// Why a slot cannot hold a value of this type, as "a text where a list is expected"; empty if it
-// can. Reads the object if the slot could hold one at all.
+// The reason why a slot cannot be a value of this type, such as "a text where a list is expected";
+// empty if it can. Reads the object if the slot may be the address of one.
 [[nodiscard]] std::string slot_fault(Slot slot, const Type& type);
 
-// Throws ArgumentError unless the arguments are values of the function's parameters, which are as
-// many.
+// Throws ArgumentError unless the arguments have the count and the types of the function's
+// parameters.
 void require_values(const hir::Function& function, std::span<const Slot> arguments);
 
-// Calls the native function of the call that the frame is at, and fails if it is done without a
-// result of its type: none was left, or a reference to an argument without a count of its own.
+// Calls the native function at the frame's position. It fails if the function has set no result of
+// its type, or has returned a reference to an argument without increasing its count.
 [[nodiscard]] Signal call_checked(VmState& state, const Frame& frame, const Thunk& thunk,
                                   Slot* args);
 

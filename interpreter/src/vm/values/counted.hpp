@@ -8,7 +8,7 @@
 
 namespace armlet::lang {
 
-// A vector whose memory counts against the heap limit.
+// A vector whose memory counts for the limit of the heap.
 template <class T>
 class Counted {
  public:
@@ -17,7 +17,7 @@ class Counted {
   Counted(const Counted&) = delete;
   Counted& operator=(const Counted&) = delete;
 
-  // False: the heap is full, and the failure is set.
+  // Returns false, with the failure set, if the heap is full.
   [[nodiscard]] bool push(const T& item) {
     return (items.size() < items.capacity() || grow()) && (items.push_back(item), true);
   }

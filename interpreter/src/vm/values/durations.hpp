@@ -8,11 +8,11 @@
 
 namespace armlet::lang {
 
-// What a time is for, in messages.
+// The words of messages about a duration.
 //
-// what, time   "a wait", and its time: "the time to wait".
-// requirement  what R0609 says of times that are too short.
-// parameter    of the function that is marked; -1: the statement is.
+// what, time   the operation, such as "a wait", and its duration: "the time to wait".
+// requirement  the text of R0609 for durations that are too short.
+// parameter    index of the parameter that the message marks; -1: it marks the statement.
 struct TimeUse {
   std::string_view what;
   std::string_view time;
@@ -21,8 +21,8 @@ struct TimeUse {
   int parameter = -1;
 };
 
-// `seconds` in nanoseconds if it is finite, long enough, and over before virtual time ends;
-// otherwise the failure is set.
+// Converts `seconds` to nanoseconds, if they are finite, long enough, and end before the end of
+// virtual time. Otherwise returns false with the failure set.
 [[nodiscard]] bool check_time(VmState& state, const TimeUse& use, double seconds, std::int64_t& ns);
 
 }  // namespace armlet::lang

@@ -14,15 +14,16 @@ namespace armlet::lang {
 
 namespace {
 
-// Which shared objects are known to be equal if all comparisons come out so: disjoint sets, since
-// equality is symmetric and transitive. With as many unions as there are objects at most, every
-// other pair is known (R. Tarjan, 1975). An object alone in its set may still hold a number that
-// is not equal to itself.
+// Pairs of shared objects that are equal unless the comparison finds a difference later. They form
+// disjoint sets, since equality is symmetric and transitive. After at most as many unions as there
+// are objects, all other pairs are known (R. Tarjan, 1975). An object alone in its set may still
+// contain a NaN, which is not equal to itself.
 class Known {
  public:
   explicit Known(VmState& state) : entries_(state) {}
 
-  // Whether the pair need not be compared again. False: the failure is set.
+  // Looks up whether the pair needs no second comparison. Returns false, with the failure set, if
+  // the heap is full.
   [[nodiscard]] bool look_up(const Obj* a, const Obj* b, bool& known) {
     if (2 * (used_ + 2) > entries_.items.size() && !rehash()) return false;
     const std::size_t i = root(place_of(a));
@@ -63,7 +64,7 @@ class Known {
       Entry& entry = entries_.items[at];
       if (entry.parent == entry.object) return at;
       const std::size_t up = slot_of(entry.parent);
-      entry.parent = entries_.items[up].parent;  // halves the way for whoever comes next
+      entry.parent = entries_.items[up].parent;  // path halving
       at = up;
     }
   }
@@ -88,7 +89,7 @@ class Comparison {
  public:
   explicit Comparison(VmState& state) : state_(state), open_(state), known_(state) {}
 
-  // False: the failure is set.
+  // Returns false, with the failure set, if the comparison was stopped.
   bool run(Slot a, Slot b, const Type& type, bool& equal) {
     equal_ = true;
     bool goes_on = compare(a, b, type);
@@ -98,7 +99,7 @@ class Comparison {
   }
 
  private:
-  // Two objects of which the parts before `next` have been compared.
+  // Two objects whose parts before `next` have been compared.
   struct Open {
     const Obj* a;
     const Obj* b;
@@ -106,7 +107,8 @@ class Comparison {
     std::uint32_t next;
   };
 
-  // What lies at hand is compared; of what has parts that are values themselves these are next.
+  // Compares numbers and texts at once. Objects with parts are pushed, so that their parts are
+  // compared next.
   bool compare(Slot a, Slot b, const Type& type) {
     if (type.is(Kind::kReal)) return settle(a.d == b.d);
     if (!type.is_reference()) return settle(a.i == b.i);
@@ -123,10 +125,10 @@ class Comparison {
       case Kind::kMap:
         return compare_maps(map_in(a), map_in(b), type);
       case Kind::kRecord:
-        if (type.is_table()) return settle(a.o == b.o);  // a handle
+        if (type.is_table()) return settle(a.o == b.o);  // a table is equal only to itself
         return open(a.o, b.o, type);
       case Kind::kFunction:
-      case Kind::kAny:  // these are no objects
+      case Kind::kAny:  // no objects
       case Kind::kVoid:
       case Kind::kBool:
       case Kind::kInt:
@@ -180,7 +182,7 @@ class Comparison {
     return a.size == 0 || open(&a, &b, type);
   }
 
-  // The value of entry i of one map, and that of the same key in the other one.
+  // Compares the value of entry i of one map with the value of the same key in the other map.
   bool compare_entries(const MapObj& a, const MapObj& b, std::uint32_t i, const Type& element) {
     const MapEntry& entry = a.entries[i];
     if (entry.is_removed) return true;
@@ -189,7 +191,7 @@ class Comparison {
     return other != nullptr ? compare(entry.value, other->value, element) : settle(false);
   }
 
-  // An object that only one other refers to is reached only through that one.
+  // An object with one owner is reached only through that owner, so it need not be looked up.
   bool open(const Obj* a, const Obj* b, const Type& type) {
     if (a->refs > 1 || b->refs > 1) {
       bool known = false;

@@ -1,5 +1,5 @@
 #pragma once
-// Comparing values by their contents.
+// Compares values by their contents.
 
 #include "armlet/interpreter/object.hpp"
 #include "armlet/interpreter/type.hpp"
@@ -8,12 +8,13 @@ namespace armlet::lang {
 
 struct VmState;
 
-// The language's ==. Numbers compare as IEEE 754 says, also inside lists and records.
+// The operator == of the language. Numbers compare as in IEEE 754, also inside lists and records.
 //
-// The work is proportional to the objects that the two values are made of, however often each is
-// reached, and is counted as steps; what it keeps in mind counts against the heap limit.
-// equal    the answer.
-// returns  false: the program has to stop, and the failure is set.
+// The work is proportional to the count of objects in the two values, even if some are reached
+// several times, and is counted as steps. Its memory counts for the limit of the heap.
+//
+// equal    the result.
+// returns  false if the program has to stop; the failure is set.
 [[nodiscard]] bool compare_values(VmState& state, Slot a, Slot b, const Type& type, bool& equal);
 
 }  // namespace armlet::lang

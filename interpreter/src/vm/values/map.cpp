@@ -15,21 +15,22 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::uint64_t kFewest = 8;                 // entries that a map has room for
+constexpr std::uint64_t kFewest = 8;                 // entries in the first block of a map
 constexpr std::uint64_t kMostEntries = 1ULL << 30U;  // entries
-constexpr std::uint32_t kFreeProbes = 16;            // more of them count as work
+constexpr std::uint32_t kFreeProbes = 16;            // probes beyond this count are counted as work
 
-// Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014.
+// Mixes the bits of a number (Steele, Lea and Flood, Fast splittable pseudorandom number
+// generators, 2014).
 std::uint64_t mixed(std::uint64_t bits) {
   bits = (bits ^ bits >> 30U) * 0xBF58'476D'1CE4'E5B9ULL;
   bits = (bits ^ bits >> 27U) * 0x94D0'49BB'1331'11EBULL;
   return bits ^ bits >> 31U;
 }
 
-// `count` bytes, at most 8, as a number.
+// The first `count` bytes, at most 8, as a number.
 std::uint64_t word_of(const char* bytes, std::size_t count) {
   std::uint64_t word = 0;
-  if (count >= 4) {  // two halves, which overlap where there are fewer than 8
+  if (count >= 4) {  // two halves, which overlap for fewer than 8 bytes
     std::uint32_t begin = 0, end = 0;
     std::memcpy(&begin, bytes, sizeof begin);
     std::memcpy(&end, bytes + count - sizeof end, sizeof end);
@@ -61,7 +62,7 @@ bool is_text_of(const MapEntry& entry, const TextObj* key, std::uint32_t hash) {
   return text == key || text->view() == key->view();
 }
 
-// The hash of a text; numbers need none.
+// Computes the hash of a text key; numbers need none.
 [[nodiscard]] bool hash_key(VmState& state, const MapObj& map, Slot key, std::uint32_t& hash) {
   hash = 0;
   if (!map.has_text_keys()) return true;
@@ -70,9 +71,9 @@ bool is_text_of(const MapEntry& entry, const TextObj* key, std::uint32_t hash) {
   return charge_work(state.vm, text.size() / 4);
 }
 
-// The places of the index where a key may be, one after the other. Numbers begin near their own
-// value, so that the usual keys, which are neighbours, lie side by side and never meet; those that
-// begin at one place are parted by steps of different lengths (D. E. Knuth, The Art of Computer
+// The sequence of index slots where a key may be (open addressing with double hashing). Numbers
+// begin near their own value, so that keys that are consecutive numbers never collide; keys with
+// the same first slot continue with steps of different lengths (D. E. Knuth, The Art of Computer
 // Programming 3, 1998, 6.4, algorithm D).
 template <bool is_text>
 class Places {
@@ -120,12 +121,12 @@ void enter_as(const MapObj& map, std::uint32_t number) {
   index[places.at()] = number + 1;
 }
 
-// Puts the entry with a number, from 0, into the index.
+// Adds the entry with this number, counted from 0, to the index.
 void enter(const MapObj& map, std::uint32_t number) {
   map.has_text_keys() ? enter_as<true>(map, number) : enter_as<false>(map, number);
 }
 
-// The entries that are not removed move to a block with room for `capacity` of them.
+// Moves the entries that are not removed to a block with room for `capacity` entries.
 bool move_entries(VmState& state, MapObj& map, std::uint64_t capacity) {
   if (capacity > kMostEntries) return raise_out_of_memory(state);
   MapObj* fresh = state.heap.new_map(map.flags, static_cast<std::uint32_t>(capacity));
@@ -143,14 +144,14 @@ bool move_entries(VmState& state, MapObj& map, std::uint64_t capacity) {
     std::swap(map.capacity, fresh->capacity);
     map.used = fresh->used;
   }
-  fresh->used = 0;  // nothing in the block that is left belongs to it
+  fresh->used = 0;  // the old block owns no entries any more
   state.heap.release(fresh);
   return moved;
 }
 
 bool make_room(VmState& state, MapObj& map) {
   if (map.used < map.capacity) return true;
-  // A third of the room or more is free afterwards, so that moving costs little in the long run.
+  // At least a third of the new block is free, so that the average cost of moving is small.
   const std::uint64_t wanted = std::uint64_t{map.size} + map.size / 2 + 1;
   return move_entries(state, map, std::max(kFewest, std::bit_ceil(wanted)));
 }
@@ -177,9 +178,10 @@ bool find_entry(VmState& state, const MapObj& map, Slot key, std::uint32_t hash,
   return probes <= kFreeProbes || charge_work(state.vm, probes * (2 + bytes));
 }
 
-// Programs often look for a text several times in a row, as in `if (m.has(k)) m[k] += 1`: the entry
-// found last is tried first. Texts count as the same here if they are one object. Only what was
-// found without counting work is remembered, so that steps do not depend on what a host looked for.
+// Programs often look the same text up several times in a row, as in `if (m.has(k)) m[k] += 1`, so
+// the last entry that was found is tried first. Texts count as equal here only if they are the same
+// object. Only entries that were found without counted work are stored, so that lookups by a host
+// do not change the steps of the program.
 static MapEntry* find_again(const VmState& state, const MapObj& map, Slot key) {
   const LastEntry& last = state.shared.last_entry;
   if (!map.has_text_keys() || last.entries != map.entries || last.number >= map.used)
@@ -246,7 +248,7 @@ MapObj* copy_map(VmState& state, const MapObj& old) {
 namespace {
 
 constexpr std::size_t kNamed = 3;       // keys that a message names
-constexpr std::size_t kCompared = 200;  // keys that are looked at for it
+constexpr std::size_t kCompared = 200;  // keys that are compared for it
 
 std::string key_text(Slot key, const Type& type) {
   if (!type.is(Kind::kText)) return value_text(key, type);
@@ -257,7 +259,7 @@ std::string key_text(Slot key, const Type& type) {
   return '"' + std::string(text.substr(0, end)) + (end < text.size() ? "...\"" : "\"");
 }
 
-// How far a key is from the one that was asked for.
+// The distance of a key from the missing one, for sorting proposals.
 std::uint64_t distance(Slot a, Slot b, const Type& type) {
   if (type.is(Kind::kText))
     return edit_distance(static_cast<TextObj*>(a.o)->view(), static_cast<TextObj*>(b.o)->view());
@@ -265,7 +267,7 @@ std::uint64_t distance(Slot a, Slot b, const Type& type) {
   return static_cast<std::uint64_t>(std::max(a.i, b.i)) - from;
 }
 
-// "the nearest keys are "bolt" and "belt"", or all keys if there are few.
+// Text for a message: "the nearest keys are "bolt" and "belt"", or all keys if there are few.
 std::string other_keys(const MapObj& map, Slot key, const Type& type) {
   if (map.size == 0) return "the map is empty";
   std::vector<std::pair<std::uint64_t, Slot>> found;
@@ -290,7 +292,7 @@ std::string other_keys(const MapObj& map, Slot key, const Type& type) {
 }  // namespace
 
 bool raise_no_key(VmState& state, const MapObj& map, Slot key, const Type& key_type) {
-  constexpr std::uint64_t kCost = 1000;  // of comparing two keys
+  constexpr std::uint64_t kCost = 1000;  // of the comparison of two keys
   if (!charge_work(state.vm, kCost * std::min<std::size_t>(map.used, kCompared))) return false;
   Diagnostic failure = start_failure(state, "R0638", {key_text(key, key_type)});
   failure.mark.label = other_keys(map, key, key_type);

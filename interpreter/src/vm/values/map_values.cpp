@@ -24,7 +24,7 @@ MapObj* new_map(Vm& vm, bool text_keys, bool references) {
 bool put_into_map(Vm& vm, MapObj& map, Slot key, Slot value) {
   MapEntry* entry = nullptr;
   const bool found = lang::find_or_add(vm.state(), map, key, entry);
-  Slot old = value;  // what is not needed any more
+  Slot old = value;  // the old value, released at the end
   if (found) {
     old = entry->value;
     entry->value = value;
