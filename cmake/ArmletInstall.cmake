@@ -15,7 +15,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/armlet-config-version.cma
 install(FILES ${PROJECT_BINARY_DIR}/armlet-config.cmake ${PROJECT_BINARY_DIR}/armlet-config-version.cmake
   DESTINATION ${ARMLET_PACKAGE_DIR})
 
-install(TARGETS armlet EXPORT armlet-targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS armlet armlet-lab EXPORT armlet-targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # What `armlet lab --export` needs, if `./dev wasm` has made it: as it is when it is installed.
 install(FILES ${PROJECT_SOURCE_DIR}/build/wasm/laboratory.html DESTINATION ${CMAKE_INSTALL_DATADIR}/armlet COMPONENT laboratory OPTIONAL)
 install(FILES docs/armlet.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

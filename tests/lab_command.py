@@ -190,7 +190,18 @@ def check_photograph(folder):
             check("missing.jpg" in ran.stderr, ran.stderr)
 
 
+def check_missing(folder):
+    """The command without the program of laboratories beside it says what is missing."""
+    alone = folder / "alone"
+    alone.mkdir()
+    shutil.copy(COMMAND, alone / "armlet")
+    done = subprocess.run([alone / "armlet", "lab", "--demo"], capture_output=True, text=True, timeout=60)
+    check(done.returncode == 66 and "armlet-lab, which cannot be started" in done.stderr and "./dev build" in done.stderr,
+          f"without armlet-lab: exit {done.returncode}: {done.stderr}")
+
+
 with tempfile.TemporaryDirectory() as name:
+    check_missing(Path(name))
     check_refused(Path(name))
     check_played(Path(name))
     check_variables(Path(name))

@@ -81,7 +81,7 @@ def libraries():
             names |= set(re.findall(r'_LIBRARY=\\+"(lib[^"\\]+)', line))
     for source in ROOT.glob("apps/armlet/**/*.cpp"):
         names |= set(re.findall(r'LoadedLibrary \w+\{"(lib[^"]+)"', source.read_text(encoding="utf-8")))
-    built = [COMMAND, COMMAND.parent / "armlet-mesh", BUILD / "lib" / "libarmlet_planning.so", BUILD / "lib" / "libarmlet_vision.so",
+    built = [COMMAND, COMMAND.parent / "armlet-lab", COMMAND.parent / "armlet-mesh", BUILD / "lib" / "libarmlet_planning.so", BUILD / "lib" / "libarmlet_vision.so",
              BUILD / "lib" / "libarmlet_video.so"]
     for file in built:
         if file.exists():

@@ -45,6 +45,8 @@ def main():
             needed = {"all"}
             break
         needed.update(known[word] for word in command if word in known)
+    if any(pathlib.Path(target).name == "armlet" for target in needed):
+        needed.add("commands")  # it starts other programs
     print("\n".join(sorted(needed)))
 
 

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "armlet/stdlib/install.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
+#include "console/setup.hpp"
 
 namespace armlet::cli {
 

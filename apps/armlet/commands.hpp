@@ -51,18 +51,6 @@ struct ReplayOptions {
   bool quiet = false;
 };
 
-// Options of `armlet lab` when it serves pages to browsers.
-struct LabOptions {
-  bool demo = false;
-  std::string host = "127.0.0.1";
-  int port = 0;                        // 0: any free port
-  std::string token_file;              // empty: from the environment variable, or a new token
-  bool token_on_command_line = false;  // refused
-  bool no_open = false;
-  std::string export_to;  // a file that contains everything; empty: the page is served
-  std::string engine;     // the engine for that file; empty: search the usual folders
-};
-
 struct EditorOptions {
   ProgramOptions program;
   std::string file;
@@ -100,6 +88,8 @@ struct PromptOptions {
   std::string record;  // the file for the log of the session; empty: none
 };
 
+inline constexpr const char* kLabHelp = "show a program, and what it does, in a browser";
+
 // The prompt: runs lines from standard input until its end.
 int prompt(const PromptOptions& options);
 int run(const RunOptions& options);
@@ -113,9 +103,6 @@ int hover(const EditorOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
 int convert_mesh(const MeshOptions& options);
-int serve_lab(const LabOptions& options, const RunOptions& run);
-// --export and --record FILE.html: saves a page that needs no command.
-int save_lab(const LabOptions& options, const RunOptions& run);
 int help(const std::string& name, bool markdown);
 int lists();
 

@@ -8,7 +8,8 @@
 
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/stdlib/install.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
+#include "console/setup.hpp"
 
 namespace armlet::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "armlet/core/files.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 
 namespace armlet::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/reference.hpp"
 #include "armlet/stdlib/install.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 
 namespace armlet::cli {
 namespace {

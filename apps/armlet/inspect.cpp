@@ -7,7 +7,8 @@
 #include "armlet/core/similar.hpp"
 #include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/stdlib/install.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
+#include "console/setup.hpp"
 
 namespace armlet::cli {
 

@@ -9,7 +9,7 @@
 #include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "armlet/trajectory/planner.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 
 namespace armlet::cli {
 namespace {

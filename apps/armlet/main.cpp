@@ -1,59 +1,22 @@
 // The command: reads the command line and calls the sub-command.
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <new>
+#include <cstring>
 
-#include "armlet/backend/trace_format.hpp"
+#include "armlet/core/platform.hpp"
 #include "armlet/core/similar.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
+#include "console/options.hpp"
 #include "embedded_texts.hpp"
 
 namespace {
 
 using namespace armlet::cli;
-
-// Adds the option for packages whose meshes a description names.
-void add_packages(CLI::App& command, std::vector<std::string>& packages) {
-  command
-      .add_option("--package", packages,
-                  "where the meshes of package://NAME/... are (also along ROS_PACKAGE_PATH)")
-      ->type_name("NAME=DIR")
-      ->allow_extra_args(false)
-      ->check([](const std::string& text) {
-        const std::size_t equals = text.find('=');
-        const bool good = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
-        return good ? std::string() : "expected NAME=DIR, such as ur_description=../ur";
-      });
-}
-
-std::string check_camera(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const bool good = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
-  return good ? std::string() : "expected NAME=FOLDER, such as eye=recorded";
-}
-
-void add_program_options(CLI::App& command, ProgramOptions& options) {
-  add_packages(command, options.packages);
-  command
-      .add_option("--robot", options.robot,
-                  "the robot of programs that declare none (default: scara)")
-      ->type_name("NAME");
-  command
-      .add_option(
-          "--world", options.world,
-          "the world: a .rbt file that declares objects, or a scene as GLB or URDF (default: a "
-          "table with a cube and a cylinder)")
-      ->type_name("FILE");
-  command
-      .add_option("--steps", options.steps,
-                  "how many calls and loop passes a program may take (default: 10 billion)")
-      ->type_name("N");
-  command.add_flag("--json", options.json, "messages as JSON, one object per line");
-}
 
 // Whether the first word is a command; prints a message if not.
 bool knows_command(const CLI::App& app, std::string_view word) {
@@ -80,7 +43,6 @@ struct Asked {
   PromptOptions prompt;
   RunOptions run;
   ReplayOptions replay;
-  LabOptions lab;
   EditorOptions editor;
   FormatOptions format;
   RobotOptions robot;
@@ -107,57 +69,10 @@ void add_prompt_options(CLI::App& app, Asked& asked) {
       ->type_name("FILE");
 }
 
-// Adds the options for outputs of a run, for all commands that run a program to its end; `needed`
-// is the option that makes a command one of them.
-void add_run_outputs(CLI::App& command, Asked& asked, CLI::Option* needed) {
-  std::vector<CLI::Option*> all;
-  all.push_back(command
-                    .add_option("--trace", asked.run.trace,
-                                "write the run over time to a " + armlet::trace_endings() + " file")
-                    ->type_name("FILE"));
-  all.push_back(command
-                    .add_option("--frames", asked.run.frames,
-                                "write each picture that a camera takes to a PNG file in this "
-                                "folder; a trace names the files")
-                    ->type_name("FOLDER"));
-  all.push_back(command
-                    .add_option("--camera", asked.run.cameras,
-                                "pictures of a camera from the PNG and JPEG files of a folder, in "
-                                "the order of their names, instead of drawn ones")
-                    ->type_name("NAME=FOLDER")
-                    ->allow_extra_args(false)
-                    ->check(check_camera));
-  all.push_back(
-      command.add_flag("--realtime", asked.run.realtime, "run no faster than the wall clock"));
-  all.push_back(command.add_flag("--quiet", asked.run.quiet, "show no moves and no summary"));
-  all.push_back(command.add_flag("--plots", asked.run.plots,
-                                 "draw the figures of the program in the terminal"));
-  all.push_back(command.add_flag("--hash", asked.run.hash,
-                                 "print a number that tells runs apart, bit for bit"));
-  all.push_back(command
-                    .add_option("--storyboard", asked.run.storyboard,
-                                "draw the cell at the end of each move, on one sheet, a .png file")
-                    ->type_name("FILE"));
-  all.push_back(command
-                    .add_option("--video", asked.run.video,
-                                "film the cell, 25 pictures a second of virtual time: an .mp4 or "
-                                ".mkv file, or a folder for PNG files, such as frames/")
-                    ->type_name("FILE"));
-  all.push_back(command
-                    .add_option("--record", asked.run.record,
-                                "leave what `armlet replay` needs to take the run again in an "
-                                ".arec file; of a laboratory also as a page, an .html file")
-                    ->type_name("FILE"));
-  for (CLI::Option* each : all) {
-    // A laboratory without inputs can be recorded, too, as a page.
-    if (needed != nullptr && each != all.back()) each->needs(needed);
-  }
-}
-
 void add_run_options(CLI::App& command, Asked& asked) {
   command.add_option("FILE", asked.run.file, "the program")->required();
   add_program_options(command, asked.run.program);
-  add_run_outputs(command, asked, nullptr);
+  add_run_outputs(command, asked.run, nullptr);
 }
 
 void add_replay_options(CLI::App& command, Asked& asked) {
@@ -252,50 +167,6 @@ void add_mesh_options(CLI::App& command, Asked& asked) {
   convert->add_flag("--quiet", mesh.quiet, "say nothing but what is wrong");
 }
 
-void add_lab_options(CLI::App& command, Asked& asked) {
-  LabOptions& lab = asked.lab;
-  CLI::Option* file = command.add_option("FILE", asked.run.file, "the program");
-  add_program_options(command, asked.run.program);
-  command.add_flag("--demo", lab.demo, "an example instead of a program of your own")
-      ->excludes(file);
-  command.add_option("--port", lab.port, "of the address (default: any that is free)")
-      ->type_name("P")
-      ->check(CLI::Range(0, 65535));
-  command
-      .add_option("--host", lab.host,
-                  "the address of this machine to be reached at (default: 127.0.0.1, from this "
-                  "machine alone; 0.0.0.0: from everywhere, and not encrypted)")
-      ->type_name("ADDRESS");
-  command
-      .add_option("--token-file", lab.token_file,
-                  "a file with the secret in the page's address, at least 22 letters, digits, - "
-                  "or _; also in the variable ARMLET_LAB_TOKEN (default: a new one each time)")
-      ->type_name("FILE");
-  command
-      .add_option_function<std::string>(
-          "--token", [&lab](const std::string&) { lab.token_on_command_line = true; })
-      ->group("");  // hidden: its message explains how to give a token
-  command.add_flag("--no-open", lab.no_open, "open no browser; the address is printed");
-  CLI::Option* exported =
-      command
-          .add_option("--export", lab.export_to,
-                      "write one .html file with the page, the engine and the program, which needs "
-                      "neither a network nor this command")
-          ->type_name("FILE");
-  command
-      .add_option("--engine", lab.engine,
-                  "the laboratory.html that --export is made of (default: the one of this command)")
-      ->type_name("FILE")
-      ->needs(exported);
-  CLI::Option* inputs =
-      command
-          .add_option("--inputs", asked.run.inputs,
-                      "play the inputs of a .jsonl file instead of showing the page")
-          ->type_name("FILE")
-          ->needs(file);
-  add_run_outputs(command, asked, inputs);
-}
-
 void add_explain_options(CLI::App& command, Asked& asked) {
   command.add_option("CODE", asked.code, "for example E0401; without it, all messages are listed");
 }
@@ -322,12 +193,7 @@ constexpr Command kCommands[] = {
      [](const Asked& asked) { return replay(asked.replay); }},
     {"check", "look for mistakes without running", add_files_options,
      [](const Asked& asked) { return check(asked.options, asked.files); }},
-    {"lab", "show a program, and what it does, in a browser", add_lab_options,
-     [](const Asked& asked) {
-       if (!asked.lab.export_to.empty() || asked.run.record.ends_with(".html"))
-         return save_lab(asked.lab, asked.run);
-       return asked.run.inputs.empty() ? serve_lab(asked.lab, asked.run) : run(asked.run);
-     }},
+    {"lab", kLabHelp, nullptr, nullptr},  // a program of its own: start_lab
     {"test", "run the tests in programs, each in a fresh world", add_files_options,
      [](const Asked& asked) { return test(asked.options, asked.files); }},
     {"disasm", "show the instructions that a program is compiled to", add_disasm_options,
@@ -348,7 +214,23 @@ constexpr Command kCommands[] = {
      [](const Asked& asked) { return asked.lists ? lists() : help(asked.name, asked.markdown); }},
 };
 
+// Becomes the program armlet-lab, with the arguments after `armlet lab`.
+int start_lab(char** arguments) {
+  const std::string program = armlet::program_folder() + "/armlet-lab";
+  std::string name = "armlet lab";
+  std::vector<char*> all{name.data()};
+  while (*arguments != nullptr) all.push_back(*arguments++);
+  all.push_back(nullptr);
+  execv(program.c_str(), all.data());
+  const char* why = std::strerror(errno);
+  std::fprintf(stderr, "armlet: laboratories are shown by %s, which cannot be started: %s\n",
+               program.c_str(), why);
+  std::fputs("in the source tree `./dev build` makes it; it belongs beside armlet\n", stderr);
+  return kNoFile;
+}
+
 int dispatch(int argc, char** argv) {
+  if (argc > 1 && std::string_view(argv[1]) == "lab") return start_lab(argv + 2);
   CLI::App app("Armlet: a small language for robot arms. Without a command: the prompt.");
   app.set_version_flag("--version", "armlet " ARMLET_VERSION);
   bool notices = false;
@@ -384,28 +266,6 @@ int dispatch(int argc, char** argv) {
   return prompts ? prompt(asked.prompt) : kUsage;
 }
 
-// Exits without freeing the tables of the parser, since the system frees them faster.
-[[noreturn]] void leave(int status) {
-  end_as_others_do();
-#ifdef __SANITIZE_ADDRESS__
-  std::exit(status);  // so that leaks are found
-#else
-  std::fflush(nullptr);
-  std::_Exit(status);
-#endif
-}
-
 }  // namespace
 
-int main(int argc, char** argv) {
-  prepare_process();
-  int status = kFailed;
-  try {
-    status = dispatch(argc, argv);
-  } catch (const std::bad_alloc&) {
-    std::fputs("armlet: there is not enough memory\n", stderr);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "armlet: a defect of armlet itself: %s\n", error.what());
-  }
-  leave(status);
-}
+int main(int argc, char** argv) { run_main(argc, argv, dispatch); }

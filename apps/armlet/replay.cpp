@@ -12,8 +12,9 @@
 #include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/math/format_vector.hpp"
 #include "armlet/stdlib/install.hpp"
-#include "console.hpp"
-#include "run_report.hpp"
+#include "console/console.hpp"
+#include "console/setup.hpp"
+#include "run/run_report.hpp"
 
 namespace armlet::cli {
 namespace {

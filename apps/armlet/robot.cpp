@@ -17,8 +17,9 @@
 #include "armlet/model/serial_arm.hpp"
 #include "armlet/model/urdf.hpp"
 #include "armlet/stdlib/robot_text.hpp"
-#include "console.hpp"
-#include "output_file.hpp"
+#include "console/console.hpp"
+#include "console/output_file.hpp"
+#include "console/setup.hpp"
 #include "robot_table.hpp"
 
 namespace armlet::cli {
@@ -194,19 +195,6 @@ int print_glb(const Found& found, const RobotOptions& options) {
 }
 
 }  // namespace
-
-std::shared_ptr<const Robot> find_robot(const std::string& name) {
-  auto robot = make_robot(name);
-  if (robot != nullptr) return robot;
-  std::vector<std::string_view> names = catalog_names();
-  names.insert(names.end(), hand_names().begin(), hand_names().end());
-  std::string message = fmt::format("armlet: there is no robot called \"{}\"; there are {}", name,
-                                    fmt::join(names, ", "));
-  if (const auto meant = most_similar(name, names))
-    message += fmt::format("\ndid you mean \"{}\"?", *meant);
-  progress(message);
-  return nullptr;
-}
 
 int robot(const RobotOptions& options) {
   if (options.name.empty() && options.glb) {

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "../armlet/imports.hpp"
+#include "../armlet/console/imports.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
 #include "armlet/backend/run_hash.hpp"
 #include "armlet/core/error.hpp"

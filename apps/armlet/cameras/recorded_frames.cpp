@@ -13,7 +13,7 @@
 
 #include "armlet/core/files.hpp"
 #include "armlet/core/similar.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 
 namespace armlet::cli {
 namespace {

@@ -13,11 +13,13 @@
 
 #include "armlet/core/base64.hpp"
 #include "armlet/stdlib/install.hpp"
-#include "console.hpp"
-#include "embedded_texts.hpp"
-#include "inputs.hpp"
+#include "console/console.hpp"
+#include "console/output_file.hpp"
+#include "console/setup.hpp"
+#include "embedded_demo.hpp"
+#include "lab/lab.hpp"
 #include "laboratory.hpp"
-#include "output_file.hpp"
+#include "run/inputs.hpp"
 #include "server/server.hpp"
 
 namespace armlet::cli {
@@ -265,7 +267,7 @@ int save_lab(const LabOptions& options, const RunOptions& run) {
                        kUsage);
   const std::string file = options.demo ? "demo.rbt" : run.file;
   std::optional<std::string> text =
-      options.demo ? std::string(*embedded_texts("demo.rbt")) : read_file(file, run.program.json);
+      options.demo ? std::string(*embedded_demo("demo.rbt")) : read_file(file, run.program.json);
   if (!text) return kNoFile;
   if (InputScript script; script.read(run.inputs) != kDone) return kRejected;
   // Messages about a program that cannot run are shown as by `armlet check`.

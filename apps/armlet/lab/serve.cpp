@@ -4,10 +4,12 @@
 
 #include <utility>
 
-#include "console.hpp"
-#include "embedded_texts.hpp"
+#include "console/console.hpp"
+#include "console/setup.hpp"
+#include "embedded_demo.hpp"
 #include "lab/browser.hpp"
 #include "lab/dropped_files.hpp"
+#include "lab/lab.hpp"
 #include "lab/token.hpp"
 #include "server/http_guard.hpp"
 #include "server/server.hpp"
@@ -41,7 +43,7 @@ int serve_lab(const LabOptions& options, const RunOptions& run) {
 
   const std::string file = options.demo ? "demo.rbt" : run.file;
   std::optional<std::string> text =
-      options.demo ? std::string(*embedded_texts("demo.rbt")) : read_file(file, run.program.json);
+      options.demo ? std::string(*embedded_demo("demo.rbt")) : read_file(file, run.program.json);
   if (!text) return kNoFile;
   Setup setup = make_setup(run.program, file);
   if (setup.exit != kDone) return setup.exit;

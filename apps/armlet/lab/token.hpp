@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "commands.hpp"
+#include "lab/lab.hpp"
 
 namespace armlet::cli {
 

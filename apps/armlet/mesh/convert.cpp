@@ -12,8 +12,9 @@
 #include "armlet/core/files.hpp"
 #include "armlet/mesh/glb.hpp"
 #include "commands.hpp"
-#include "console.hpp"
-#include "output_file.hpp"
+#include "console/console.hpp"
+#include "console/output_file.hpp"
+#include "console/setup.hpp"
 
 namespace armlet::cli {
 namespace {
@@ -39,34 +40,7 @@ std::optional<double> length_of(const std::string& text) {
   return std::nullopt;
 }
 
-// Shows the file, the stage and the duration of a conversion, in one line of a terminal or in many.
-void tell(const std::string& file, const std::string& stage, int seconds) {
-  constexpr int kBetweenLines = 10;  // s
-  const std::string text = fmt::format("{}: {}, {} s", file, stage, seconds);
-  if (shows_status()) {
-    status_line(text);
-  } else if (seconds % kBetweenLines == 0) {
-    progress(text);
-  }
-}
-
 }  // namespace
-
-MeshConverter mesh_converter() {
-  return [](const std::string& path, const std::string& name, double unit,
-            const std::function<bool()>& is_cancelled) -> Result<std::string> {
-    const Result<Folder> folder = Folder::open(path);
-    if (!folder.ok()) return folder.error();
-    mesh::ConvertOptions how;
-    how.unit = unit;
-    how.cache = mesh::mesh_cache_folder();
-    how.is_cancelled = is_cancelled;
-    how.progress = [&](const std::string& stage, int seconds) { tell(name, stage, seconds); };
-    Result<std::string> glb = mesh::convert_mesh(*folder, path, name, how);
-    if (shows_status()) status_line({});
-    return glb;
-  };
-}
 
 int convert_mesh(const MeshOptions& options) {
   mesh::ConvertOptions how;
@@ -89,7 +63,7 @@ int convert_mesh(const MeshOptions& options) {
   }
   if (!options.quiet)
     how.progress = [&](const std::string& stage, int seconds) {
-      tell(options.from, stage, seconds);
+      show_stage(options.from, stage, seconds);
     };
   const Result<std::string> glb = mesh::convert_mesh(options.from, how);
   if (how.progress && shows_status()) status_line({});

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "armlet/core/platform.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 #include "prompt/line_source.hpp"
 
 namespace armlet::cli {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "console.hpp"
+#include "console/console.hpp"
 #include "prompt/line_source.hpp"
 
 namespace armlet::cli {

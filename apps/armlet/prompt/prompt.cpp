@@ -18,7 +18,8 @@
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/math/format_vector.hpp"
 #include "armlet/stdlib/install.hpp"
-#include "record.hpp"
+#include "console/setup.hpp"
+#include "run/record.hpp"
 
 namespace armlet::cli {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "armlet/stdlib/session.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 #include "prompt/line_source.hpp"
 
 namespace armlet::cli {

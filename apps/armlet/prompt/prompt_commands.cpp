@@ -20,6 +20,7 @@
 #include "armlet/plot/braille.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/robot_text.hpp"
+#include "console/setup.hpp"
 #include "prompt/prompt.hpp"
 
 namespace armlet::cli {

@@ -9,6 +9,7 @@
 
 namespace armlet::cli {
 
+inline constexpr std::uint8_t kInk = 40;  // the grey of letters on white paper
 inline constexpr int kLetterHeight = 22;  // pixels from the top of the highest letter to the lowest
 
 // The width of a text in UTF-8, pixels. Characters outside Latin-1 are drawn as question marks.

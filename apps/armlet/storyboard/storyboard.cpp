@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "armlet/image/files.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 #include "storyboard/lettering.hpp"
 
 namespace armlet::cli {
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostFrames = 60;
 constexpr int kGap = 12;                    // between pictures and around them
 constexpr int kLabel = kLetterHeight + 12;  // height of a label below a picture
-constexpr std::uint8_t kPaper = 255, kInk = 40;
+constexpr std::uint8_t kPaper = 255;
 
 // About as many columns as rows, or one more if that leaves fewer cells empty.
 int columns_of(int count) {

@@ -7,7 +7,7 @@
 
 #include "armlet/cell/overview.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "output_file.hpp"
+#include "console/output_file.hpp"
 
 namespace armlet::cli {
 

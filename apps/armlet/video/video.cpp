@@ -9,7 +9,7 @@
 #include "armlet/cell/cell.hpp"
 #include "armlet/cell/clock.hpp"
 #include "commands.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 #include "storyboard/lettering.hpp"
 
 namespace armlet::cli {
@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::int64_t kPeriodNs = kNanosecondsPerSecond / kVideoRate;
 constexpr int kMargin = 14;  // px between the time and the border
-constexpr std::uint8_t kInk = 40;
 
 // Says how far the drawing is: in the last line of a terminal, or as a line every ten seconds.
 class DrawingProgress {

@@ -10,8 +10,8 @@
 #include "armlet/core/files.hpp"
 #include "armlet/image/files.hpp"
 #include "commands.hpp"
-#include "console.hpp"
-#include "output_file.hpp"
+#include "console/console.hpp"
+#include "console/output_file.hpp"
 #include "video/video_door.hpp"
 
 namespace armlet::cli {

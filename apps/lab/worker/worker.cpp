@@ -5,7 +5,7 @@
 #ifdef __EMSCRIPTEN__
 #include <emscripten.h>
 
-#include "../../armlet/imports.hpp"
+#include "../../armlet/console/imports.hpp"
 #include "core/bare/memory_files.hpp"
 #else
 #define EMSCRIPTEN_KEEPALIVE

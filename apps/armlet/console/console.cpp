@@ -1,4 +1,4 @@
-#include "console.hpp"
+#include "console/console.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,20 +12,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <new>
 
 #include "armlet/cell/clock.hpp"
 #include "armlet/core/files.hpp"
 #include "armlet/interpreter/render.hpp"
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/math/format_vector.hpp"
-#include "armlet/stdlib/install.hpp"
-#include "armlet/stdlib/load_world.hpp"
-#include "imports.hpp"
 
 namespace armlet::cli {
 namespace {
 
-std::atomic<Session*> running{nullptr};
+std::atomic<Session*> running_session{nullptr};
 std::atomic<bool> was_interrupted{false};
 std::atomic<bool> stays{false};  // Ctrl-C stops the running program, not the process
 int output_failure = 0;          // errno of the first failure
@@ -43,7 +42,7 @@ void leave_at_once() {
 // The first one sends a stop request to the program; without a program, or the second time, it ends
 // the process.
 extern "C" void on_interrupt(int signal) {
-  Session* session = running.load();
+  Session* session = running_session.load();
   if (signal == SIGINT && stays.load()) {
     was_interrupted.store(true);
     if (session != nullptr) session->cancel();
@@ -57,7 +56,7 @@ extern "C" void on_interrupt(int signal) {
 void note_output_failure() {
   if (output_failure != 0) return;
   output_failure = errno != 0 ? errno : EIO;
-  Session* session = running.load();
+  Session* session = running_session.load();
   if (output_failure == EPIPE && session != nullptr) session->cancel();
 }
 
@@ -71,13 +70,36 @@ void write_error(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-// E0126 for a file as a whole.
+// Makes Ctrl-C end the process without leaving unfinished files, and failed writes no signals.
+void prepare_process() {
+  // Closed standard streams are opened, so that no other file gets their numbers.
+  while (true) {
+    const int file = open("/dev/null", O_RDONLY);
+    if (file > STDERR_FILENO) close(file);
+    if (file < 0 || file > STDERR_FILENO) break;
+  }
+  struct sigaction action {};
+  sigemptyset(&action.sa_mask);
+  action.sa_handler = on_interrupt;
+  for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
+  // Failed writes are handled where they happen.
+  action.sa_handler = SIG_IGN;
+  for (const int number : {SIGPIPE, SIGXFSZ}) sigaction(number, &action, nullptr);
+}
+
+// Ends the process by SIGPIPE, as other commands do when the reader of their pipe has ended.
+void end_as_others_do() {
+  if (output_is_read()) return;
+  std::signal(SIGPIPE, SIG_DFL);
+  std::raise(SIGPIPE);
+}
+
+}  // namespace
+
 void show_unreadable(const std::string& path, std::string_view reason, bool json) {
   const SourceSet none;
   show(make_diagnostic("E0126", kNoText, {path, std::string(reason)}), none, json);
 }
-
-}  // namespace
 
 std::optional<std::string> read_file(const std::string& path, bool json) {
   const std::size_t most = ParseLimits{}.bytes;
@@ -89,58 +111,9 @@ std::optional<std::string> read_file(const std::string& path, bool json) {
   return std::nullopt;
 }
 
-Setup make_setup(const ProgramOptions& options, const std::string& file) {
-  Setup setup;
-  SessionOptions& session = setup.session;
-  session.load = imports_of(file);
-  session.robot = find_robot(options.robot);
-  if (session.robot == nullptr) {
-    setup.exit = kUsage;
-    return setup;
-  }
-  if (options.world.empty()) {
-    session.default_world = table_world();
-  } else {
-    Result<WorldText> world = load_world(options.world, mesh_converter());
-    if (!world.ok()) {
-      show_unreadable(options.world, world.error().message, options.json);
-      setup.exit = kNoFile;
-      return setup;
-    }
-    const SourceSet none;
-    for (const std::string& note : world->notes)
-      show(make_diagnostic("W0743", kNoText, {options.world, note}), none, options.json);
-    session.world = std::move(world).value();
-  }
-  // A program may write files only below its own folder.
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  session.folder = folder.empty() ? std::filesystem::path(".") : folder;
-  session.meshes.convert = mesh_converter();
-  session.meshes.packages = package_folders(options.packages);
-  session.limits.steps = options.steps;
-  session.output = [](std::string_view text) {
-    print_out(text);
-    // If no process reads the output, the program is stopped without a message.
-    const bool said = output_failure != 0 && output_is_read();
-    return said ? std::string(std::strerror(output_failure)) : std::string();
-  };
-  return setup;
-}
-
-PackageFolders package_folders(const std::vector<std::string>& named) {
-  PackageFolders packages;
-  for (const std::string& each : named) {
-    const std::size_t equals = each.find('=');
-    packages.named[each.substr(0, equals)] = each.substr(equals + 1);
-  }
-  const char* path = std::getenv("ROS_PACKAGE_PATH");
-  std::string_view rest = path == nullptr ? "" : path;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(':'), rest.size());
-    if (end > 0) packages.folders.emplace_back(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return packages;
+std::string output_fault() {
+  const bool is_told = output_failure != 0 && output_is_read();
+  return is_told ? std::string(std::strerror(output_failure)) : std::string();
 }
 
 void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json) {
@@ -185,31 +158,28 @@ std::optional<std::int64_t> time_of(const std::string& text) {
   return std::nullopt;
 }
 
-void prepare_process() {
-  // Closed standard streams are opened, so that no other file gets their numbers.
-  while (true) {
-    const int file = open("/dev/null", O_RDONLY);
-    if (file > STDERR_FILENO) close(file);
-    if (file < 0 || file > STDERR_FILENO) break;
+void run_main(int argc, char** argv, int (*dispatch)(int argc, char** argv)) {
+  prepare_process();
+  int status = kFailed;
+  try {
+    status = dispatch(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("armlet: there is not enough memory\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "armlet: a defect of armlet itself: %s\n", error.what());
   }
-  struct sigaction action {};
-  sigemptyset(&action.sa_mask);
-  action.sa_handler = on_interrupt;
-  for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
-  // Failed writes are handled where they happen.
-  action.sa_handler = SIG_IGN;
-  for (const int number : {SIGPIPE, SIGXFSZ}) sigaction(number, &action, nullptr);
+  end_as_others_do();
+#ifdef __SANITIZE_ADDRESS__
+  std::exit(status);  // so that leaks are found
+#else
+  std::fflush(nullptr);
+  std::_Exit(status);
+#endif
 }
 
-void end_as_others_do() {
-  if (output_is_read()) return;
-  std::signal(SIGPIPE, SIG_DFL);
-  std::raise(SIGPIPE);
-}
-
-Interruptible::Interruptible(Session& session) { running = &session; }
+Interruptible::Interruptible(Session& session) { running_session = &session; }
 Interruptible::~Interruptible() {
-  running = nullptr;
+  running_session = nullptr;
   flush_output();  // the next interrupt ends the process at once
 }
 
@@ -234,6 +204,16 @@ bool is_capable_terminal(int file) {
 }
 
 void status_line(std::string_view text) { write_error(fmt::format("\r\033[K{}", text)); }
+
+void show_stage(const std::string& file, const std::string& stage, int seconds) {
+  constexpr int kBetweenLines = 10;  // s
+  const std::string text = fmt::format("{}: {}, {} s", file, stage, seconds);
+  if (shows_status()) {
+    status_line(text);
+  } else if (seconds % kBetweenLines == 0) {
+    progress(text);
+  }
+}
 
 void show_move(const MoveReport& move) {
   progress(fmt::format("[t = {:.2f} s] {} {} {:.2f} s{}, hand at {}", move.start + move.duration,

@@ -1,4 +1,4 @@
-#include "lab/inputs.hpp"
+#include "run/inputs.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "armlet/core/format.hpp"
 #include "armlet/core/platform.hpp"
 #include "armlet/stdlib/laboratory_controls.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 
 namespace armlet::cli {
 namespace {

@@ -1,8 +1,8 @@
-#include "record.hpp"
+#include "run/record.hpp"
 
 #include <fmt/format.h>
 
-#include "console.hpp"
+#include "console/console.hpp"
 
 namespace armlet::cli {
 

@@ -1,11 +1,11 @@
-#include "run_report.hpp"
+#include "run/run_report.hpp"
 
 #include <fmt/format.h>
 
 #include <cstddef>
 
 #include "armlet/math/format_vector.hpp"
-#include "console.hpp"
+#include "console/console.hpp"
 
 namespace armlet::cli {
 

@@ -1,10 +1,10 @@
-#include "output_file.hpp"
+#include "console/output_file.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "console.hpp"
+#include "console/console.hpp"
 
 namespace armlet::cli {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "armlet/stdlib/session_log.hpp"
-#include "output_file.hpp"
+#include "console/output_file.hpp"
 
 namespace armlet::cli {
 

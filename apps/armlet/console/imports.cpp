@@ -1,4 +1,4 @@
-#include "imports.hpp"
+#include "console/imports.hpp"
 
 #include <memory>
 #include <optional>

@@ -1,12 +1,10 @@
 #pragma once
 // Files, messages and interrupts, for all sub-commands.
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "armlet/model/robot.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "commands.hpp"
 
@@ -15,21 +13,8 @@ namespace armlet::cli {
 // The text of a file, or nullopt after a message.
 std::optional<std::string> read_file(const std::string& path, bool json);
 
-// The packages of --package NAME=DIR and the folders of ROS_PACKAGE_PATH.
-PackageFolders package_folders(const std::vector<std::string>& named);
-
-// The session options for a program, with the robot and world of the command line, or the exit
-// status after a message.
-struct Setup {
-  SessionOptions session;
-  int exit = kDone;
-};
-// Converts meshes of programs, with a cache; shows progress if it takes long.
-MeshConverter mesh_converter();
-Setup make_setup(const ProgramOptions& options, const std::string& file);
-
-// The robot with that name in the catalogue, or null after a message.
-std::shared_ptr<const Robot> find_robot(const std::string& name);
+// Says that a file cannot be read, and why.
+void show_unreadable(const std::string& path, std::string_view reason, bool json);
 
 void show(const Diagnostic& diagnostic, const SourceSet& sources, bool json);
 void show(const std::vector<Problem>& problems, bool json);
@@ -38,6 +23,8 @@ void progress(std::string_view line);
 // Prints output of the program. The program is stopped when no process reads the output any more.
 void print_out(std::string_view text);
 [[nodiscard]] bool output_is_read();
+// Why output could not be written; empty: all was, or no process reads it any more.
+[[nodiscard]] std::string output_fault();
 // Whether all output was written. False, after a message unless its reader has ended: it could not
 // be written.
 bool finish_output();
@@ -46,11 +33,10 @@ bool finish_output();
 // years.
 [[nodiscard]] std::optional<std::int64_t> time_of(const std::string& text);
 
-// Must be called first: afterwards Ctrl-C ends the process without leaving unfinished files, and
-// output without a reader ends it without a message (end_as_others_do).
-void prepare_process();
-// Ends the process by SIGPIPE, as other commands do when the reader of their pipe has ended.
-void end_as_others_do();
+// The body of main: makes Ctrl-C end the process without leaving unfinished files, calls `dispatch`
+// and exits with what it returns. Where nothing reads the output any more, the process ends without
+// a message. It exits without freeing the tables of the parser, since the system frees them faster.
+[[noreturn]] void run_main(int argc, char** argv, int (*dispatch)(int argc, char** argv));
 
 // While one of these exists, Ctrl-C stops the session under control; a second one ends the process.
 class Interruptible {
@@ -80,6 +66,8 @@ class StayOnInterrupt {
 [[nodiscard]] bool is_capable_terminal(int file);
 // Shows a line on standard error that the next one overwrites; empty: removes it.
 void status_line(std::string_view text);
+// Shows the file, the stage and the duration of long work, in one line of a terminal or in many.
+void show_stage(const std::string& file, const std::string& stage, int seconds);
 // Shows a finished motion as a line of progress.
 void show_move(const MoveReport& move);
 // "held by scara", "on table"; empty if it is neither.
