@@ -1,5 +1,5 @@
 #pragma once
-// A bump allocator for trees that live and die together. Nothing in it is destroyed one by one.
+// A bump allocator for trees whose nodes are freed together. The nodes have no destructors.
 
 #include <algorithm>
 #include <cstddef>
@@ -59,7 +59,7 @@ class Arena {
   [[nodiscard]] std::size_t bytes() const { return total_; }
 
  private:
-  static constexpr std::size_t kSmallest = 256;  // the trees of entries of one line are kept
+  static constexpr std::size_t kSmallest = 256;  // because many trees of short entries are kept
   static constexpr std::size_t kLargest = std::size_t{32} * 1024;
   std::vector<std::unique_ptr<std::byte[]>> blocks_;
   std::size_t used_ = 0;

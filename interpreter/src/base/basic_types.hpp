@@ -1,5 +1,5 @@
 #pragma once
-// The types that have a name of their own, one row each.
+// The basic types of the language with their names, one row each.
 
 #include <string_view>
 
@@ -9,7 +9,7 @@ namespace armlet::lang {
 
 struct BasicType {
   std::string_view name;
-  std::string_view other_name;  // that it may be written by as well
+  std::string_view other_name;  // a second name of the type
   const Type* (TypePool::*type)() const;
 };
 
@@ -19,7 +19,7 @@ inline constexpr BasicType kBasicTypes[] = {
     {"matrix", "Matrix", &TypePool::matrix},
 };
 
-// Null if the name is none of these.
+// The basic type with a name; null if there is none.
 [[nodiscard]] inline const Type* basic_type(const TypePool& types, std::string_view name) {
   for (const BasicType& row : kBasicTypes) {
     if (name == row.name || name == row.other_name) return (types.*row.type)();

@@ -1,11 +1,12 @@
 #pragma once
-// How a host stops the compiler.
+// Cancellation of the compiler by a host.
 
 #include <atomic>
 
 namespace armlet::lang {
 
-// Thrown where the work is noticed to be no longer wanted; caught at the door of the compiler.
+// Thrown inside the compiler after the host has cancelled it; caught by the functions that hosts
+// call.
 struct Cancelled {};
 
 inline void stop_if(const std::atomic<bool>* cancelled) {

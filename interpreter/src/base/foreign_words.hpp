@@ -1,18 +1,18 @@
 #pragma once
-// Words of other languages that stand for a word of this one.
+// Keywords of other languages, with the word of this language that means the same.
 
 #include <string_view>
 
 namespace armlet::lang {
 
-// Where a word is taken for ours:
+// The bools say in which positions of the text the word is recognised:
 struct ForeignWord {
   std::string_view found;
   std::string_view meant;
   bool at_start = false;  // as the first word of a statement that cannot be read
   bool inside = false;    // anywhere in such a statement
-  bool declares = false;  // in the place of a type: const x = 3
-  bool alone = false;     // as a name that nothing has
+  bool declares = false;  // in the position of a type: const x = 3
+  bool alone = false;     // as a name that is not declared
 };
 
 // clang-format off
@@ -47,7 +47,7 @@ inline constexpr ForeignWord kForeignWords[] = {
 };
 // clang-format on
 
-// Types of other languages.
+// Names of types in other languages.
 struct ForeignType {
   std::string_view found;
   std::string_view meant;
@@ -64,7 +64,7 @@ inline constexpr ForeignType kForeignTypes[] = {
     {"array", "double[]"}, {"Exception", "error"}, {"Error", "error"},
 };
 
-// The type that a word stands for; empty if it is none of them.
+// The type of this language for a foreign type; empty if the word is none.
 [[nodiscard]] constexpr std::string_view type_meant_by(std::string_view word) {
   for (const ForeignType& row : kForeignTypes) {
     if (row.found == word) return row.meant;
@@ -72,7 +72,7 @@ inline constexpr ForeignType kForeignTypes[] = {
   return {};
 }
 
-// What a word stands for in such a place; empty if it is no such word.
+// The word of this language for a foreign word in a position; empty if the word is none.
 [[nodiscard]] constexpr std::string_view meant_by(std::string_view word, bool ForeignWord::*place) {
   for (const ForeignWord& row : kForeignWords) {
     if (row.found == word && row.*place) return row.meant;

@@ -1,9 +1,7 @@
 #pragma once
-// Maps that never change: one with a further entry is a new map that shares nearly all of the old
-// one. A session of 10,000 entries keeps 10,000 states of its names in little more than the room of
-// the last one, and looks each name up in a few steps.
-//
-// Big-endian Patricia trees: Okasaki and Gill, "Fast mergeable integer maps", ML Workshop 1998.
+// Persistent maps: adding an entry makes a new map that shares nearly all of the old one, which
+// stays unchanged. A session of 10,000 entries keeps 10,000 states of its names in little more
+// memory than the last one needs, and a lookup takes a few steps.
 
 #include <bit>
 #include <cstdint>
@@ -18,7 +16,7 @@ class PersistentMap {
  public:
   using Key = std::uint64_t;
 
-  // Null if there is none. It stays where it is as long as a map has it.
+  // The value of a key; null if there is none. Its address is valid as long as a map contains it.
   [[nodiscard]] const V* find(Key key) const {
     const Node* at = root_.get();
     while (at != nullptr && at->branch != 0) {
@@ -28,8 +26,7 @@ class PersistentMap {
     return at != nullptr && at->key == key ? &at->value : nullptr;
   }
 
-  // From now on this map has the value, in place of any other of that key. Copies made before have
-  // what they had.
+  // Sets the value of a key in this map. Copies that were made before do not change.
   void set(Key key, V value) { root_ = with(root_, leaf(key, std::move(value))); }
 
   [[nodiscard]] bool is_empty() const { return root_ == nullptr; }
@@ -43,10 +40,11 @@ class PersistentMap {
   struct Node;
   using Tree = std::shared_ptr<const Node>;
 
-  // A leaf has no branch and one key with its value; below a branch keys agree above its bit.
+  // A leaf has branch 0, one key and its value. An inner node splits keys by the bit `branch`;
+  // above that bit all of its keys are equal.
   struct Node {
     Key key = 0;
-    Key branch = 0;  // one bit
+    Key branch = 0;  // a single bit
     Tree zero{};
     Tree one{};
     V value{};
@@ -87,8 +85,8 @@ class PersistentMap {
   Tree root_{};
 };
 
-// The key of a text: FNV-1a, the same in every run. Different texts can have one key, so values
-// hold the texts that they belong to.
+// The key for a text: its FNV-1a hash, which is the same in every run. Different texts may have the
+// same key, so the values contain their texts.
 [[nodiscard]] constexpr std::uint64_t key_of(std::string_view text) {
   std::uint64_t hash = 0xCBF2'9CE4'8422'2325ULL;
   for (const char c : text) {

@@ -23,7 +23,7 @@ Position Source::position(std::uint32_t offset) const {
   const auto line = static_cast<int>(next - line_starts_.begin());
   int column = 1;
   for (std::uint32_t i = *(next - 1); i < offset; ++i) {
-    // Continuation bytes of UTF-8 do not start a character.
+    // Bytes after the first one of a UTF-8 character do not count as columns.
     if ((static_cast<unsigned char>(text_[i]) & 0xC0U) != 0x80U) ++column;
   }
   return {line, column};
@@ -59,7 +59,8 @@ SourceSet::SourceSet(std::shared_ptr<const SourceSet> before) : before_(std::mov
     far_ = near->far_;
 }
 
-// One after the other: each would end the one before it, as deep as the session is long.
+// The sources of earlier entries are destroyed one after the other. Otherwise each destructor would
+// call the next one, as deep as the session is long.
 SourceSet::~SourceSet() {
   std::shared_ptr<const SourceSet> last = std::move(before_);
   while (last != nullptr && last.use_count() == 1) last = std::exchange(last->before_, nullptr);

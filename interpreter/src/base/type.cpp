@@ -29,7 +29,8 @@ std::string function_name(const Type* type) {
   return out;
 }
 
-// fn() -> double[] is a function that gives a list.
+// The name of an element type in a list type. Function types need parentheses, because fn() ->
+// double[] is a function that returns a list.
 std::string element_name(const Type* type) {
   const std::string name = type_name(type->element);
   return type->element->is(Kind::kFunction) ? '(' + name + ')' : name;
@@ -148,7 +149,7 @@ std::string type_phrase(const Type* type) {
   return std::string(article(name)) + ' ' + name;
 }
 
-// What the pools before one have made.
+// The types that earlier pools of the session have made.
 struct TypePool::Earlier {
   using Bucket = std::vector<const Type*>;
 
@@ -272,7 +273,7 @@ void TypePool::join_tables(const Type* a, const Type* b) {
   if (!a->is_table() || !b->is_table()) return;
   if (!a->is_open_table()) std::swap(a, b);
   if (!a->is_open_table() || b->record == a->record) return;
-  // Of two open ones the one with fewer types changes.
+  // Of two tables whose columns are not known yet, the one with fewer types is changed.
   if (b->is_open_table() && tables_of_[a->record].size() > tables_of_[b->record].size())
     std::swap(a, b);
   RecordInfo* const joined = b->record;

@@ -9,9 +9,9 @@
 namespace armlet {
 namespace {
 
-// A factor that is multiplied out only at the end: numerator / denominator * 10^exponent *
-// pi^pi_power. It keeps 250mm exactly 0.25: a decimal shift of the digits as written is rounded
-// once.
+// The factor of a unit as numerator / denominator * 10^exponent * pi^pi_power, which is multiplied
+// only once, at the end. With it 250mm is exactly 0.25: the decimal point of the digits is shifted,
+// and the result is rounded once.
 struct ExactFactor {
   double numerator = 1.0;
   double denominator = 1.0;
@@ -79,10 +79,10 @@ struct NamedDim {
   std::string_view name;
   Dim dim;
   std::string_view phrase;
-  std::string_view si_unit;  // the unit that display_unit shows
+  std::string_view si_unit;  // the SI unit that display_unit shows
 };
 
-// The first name of a dimension is the one that messages use: torque before energy.
+// The first name of a dimension is the one in messages: torque before energy.
 constexpr NamedDim kDims[] = {
     {"angle", dims::kAngle, "an angle", "rad"},
     {"length", dims::kLength, "a length", "m"},
@@ -104,7 +104,7 @@ constexpr NamedDim kDims[] = {
     {"density", {-6, 2, 0, 0}, "a density", "kg/m^3"},
 };
 
-// Dimensions without a name of their own whose unit has a usual form.
+// Dimensions without a name whose unit has a usual form.
 struct UsualUnit {
   Dim dim;
   std::string_view unit;
@@ -141,7 +141,8 @@ std::optional<Dim> combine(Dim a, Dim b, Combine f) {
   return std::nullopt;
 }
 
-// "length/mass^2" or "m/kg^2": the parts of `dim` under the four names given.
+// A product such as "length/mass^2" or "m/kg^2": the powers of `dim` with the given names of the
+// four base dimensions.
 std::string product_text(Dim dim, const std::array<std::string_view, 4>& names) {
   const int halves[] = {dim.length, dim.mass, dim.time, dim.angle};
   std::string over;
@@ -175,9 +176,9 @@ struct ParsedUnit {
   ExactFactor exact;
 };
 
-// Multiplies `out` by unit^(halves/2).
+// Multiplies `out` by the unit to the power halves/2.
 bool apply_unit(ParsedUnit& out, const UnitRow& row, int halves) {
-  constexpr int kMostHalves = 18;  // of units whose factor has to be multiplied
+  constexpr int kMostHalves = 18;  // of units whose factors are multiplied
   const std::optional<Dim> part = power(row.unit.dim, halves);
   const std::optional<Dim> dim = part ? multiply(out.dim, *part) : std::nullopt;
   if (!dim) return false;
@@ -194,7 +195,7 @@ bool apply_unit(ParsedUnit& out, const UnitRow& row, int halves) {
   return true;
 }
 
-// "2" and "-0.5" as halves.
+// Parses an exponent such as "2" or "-0.5", in halves.
 std::optional<int> parse_exponent(std::string_view text) {
   const bool has_half = text.ends_with(".5");
   const bool is_negative = text.starts_with('-');
@@ -206,7 +207,7 @@ std::optional<int> parse_exponent(std::string_view text) {
   return 2 * whole + (!has_half ? 0 : is_negative ? -1 : 1);
 }
 
-// Splits "kg*m^2/s" at * and /; a sign belongs to the part behind it.
+// Splits "kg*m^2/s" at * and /; each sign belongs to the part after it.
 std::optional<ParsedUnit> parse_parts(std::string_view text) {
   ParsedUnit out;
   int sign = 1;
@@ -236,7 +237,7 @@ double power_of_ten(int exponent) {
   return out;
 }
 
-// number * factor with a single division at the end.
+// number * factor, with a single division at the end.
 double scale(double number, const ExactFactor& factor) {
   double over = number * factor.numerator;
   double under = factor.denominator;
@@ -245,7 +246,7 @@ double scale(double number, const ExactFactor& factor) {
   return over / under;
 }
 
-// A decimal number without underscores: digits, point, exponent.
+// Parses a decimal number without underscores: digits, point, exponent.
 std::optional<double> decimal(std::string_view text) {
   if (text.empty() || !(text[0] == '.' || (text[0] >= '0' && text[0] <= '9'))) return std::nullopt;
   double value = 0.0;
@@ -254,7 +255,7 @@ std::optional<double> decimal(std::string_view text) {
   return value;
 }
 
-// The same with the decimal point moved by `shift` places before it is rounded.
+// The same, with the decimal point moved by `shift` digits before the number is rounded.
 std::optional<double> shifted_decimal(std::string text, int shift) {
   int exponent = 0;
   if (const std::size_t e = text.find_first_of("eE"); e != std::string::npos) {
@@ -276,7 +277,7 @@ std::string without_underscores(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// How many characters of `text` belong to its leading number.
+// The count of characters of the number at the start of `text`.
 std::size_t number_length(std::string_view text) {
   std::size_t end = 0;
   while (end < text.size() && (is_digit(text[end]) || text[end] == '.' || text[end] == '_')) ++end;
@@ -396,7 +397,7 @@ DisplayUnit display_unit(Dim dim, double si_value) {
 }
 
 std::string si_unit(Dim dim) {
-  constexpr double kLarge = 1e6;  // metres and kilograms rather than millimetres and grams
+  constexpr double kLarge = 1e6;  // above it, metres and kilograms instead of millimetres and grams
   return dim == dims::kAngle ? "rad" : display_unit(dim, kLarge).name;
 }
 

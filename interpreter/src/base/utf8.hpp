@@ -1,5 +1,5 @@
 #pragma once
-// Whether bytes are a text.
+// Checks of UTF-8.
 
 #include <cstddef>
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace armlet::lang {
 
-// The first byte that is no part of a character in UTF-8; nothing: all are. Programs hold no other
-// texts.
+// The position of the first byte that is not part of a UTF-8 character; empty if there is none.
+// Texts of programs are valid UTF-8.
 [[nodiscard]] std::optional<std::size_t> broken_byte(std::string_view text);
 
-// Whether a code point begins with this byte of a text in UTF-8.
+// Whether a code point begins with this byte of a UTF-8 text.
 [[nodiscard]] inline bool starts_character(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }

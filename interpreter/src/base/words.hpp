@@ -1,7 +1,7 @@
 #pragma once
-// The words of the language, one row each, in the order of grammar/RbtLexer.g4 (language reference,
-// section 3). What treats words differently reads these rows: the ends of statements, where reading
-// goes on after a mistake, messages, what may be a name, documents and the dictionary of the
+// The keywords of the language, one row each, in the order of grammar/RbtLexer.g4 (language
+// reference, section 3). Used for the ends of statements, for the continuation of the parser after
+// a mistake, for messages, for the rules of names, for documents, and for the dictionary of the
 // fuzzer.
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace armlet::lang {
 
 enum class WordKind : std::uint8_t {
   kReserved,  // never a name
-  kType,      // never a name; stands for a type
+  kType,      // never a name; a type
   kTruth,     // never a name; a value
   kSoft,      // a name everywhere except where the parser expects the word
 };
@@ -21,19 +21,19 @@ enum class WordKind : std::uint8_t {
 struct Word {
   std::string_view text;
   WordKind kind = WordKind::kReserved;
-  bool same_token = false;        // the grammar does not tell it from the word above
-  bool starts = false;            // a statement may begin with it
-  bool resumes = false;           // after a mistake reading goes on with it at the start of a line
-  bool has_parts = false;         // its statement has a header, a body or a name of its own
-  bool has_header = false;        // the parentheses behind it are a header
-  bool has_condition = false;     // what is in them is a bool
+  bool same_token = false;  // the grammar treats it as the word above
+  bool starts = false;      // a statement may begin with it
+  bool resumes = false;     // after a mistake the parser continues with it at the start of a line
+  bool has_parts = false;   // its statement has a header, a body or its own name
+  bool has_header = false;  // the parentheses after it are a header
+  bool has_condition = false;     // the header is a bool
   bool needs_block = false;       // its statement is not complete before a block in braces
-  bool takes_brace = false;       // a `{` on the line below belongs to its statement
-  bool follows_block = false;     // goes on with a statement behind the } of its block
-  bool goes_on = false;           // a line that begins with it goes on with the statement above
-  bool ends = false;              // a statement may end behind it
-  std::string_view wants{};       // what has to come behind it, where that is one thing
-  std::string_view belongs_to{};  // where it stands, of words that stand nowhere else
+  bool takes_brace = false;       // a `{` on the next line belongs to its statement
+  bool follows_block = false;     // continues a statement after the } of its block
+  bool goes_on = false;           // a line that begins with it continues the statement above
+  bool ends = false;              // a statement may end with it
+  std::string_view wants{};       // the part that has to follow it, if there is only one
+  std::string_view belongs_to{};  // the statement that it is used in, if there is only one
 };
 
 // clang-format off
@@ -92,7 +92,7 @@ inline constexpr Word kWordRows[] = {
 
 [[nodiscard]] constexpr bool is_reserved(const Word& word) { return word.kind != WordKind::kSoft; }
 
-// The row of a word as it is written; null if it is none.
+// The row of a keyword; null if the text is none.
 [[nodiscard]] constexpr const Word* find_word(std::string_view text) {
   const Word* found = std::ranges::find(kWordRows, text, &Word::text);
   return found == std::end(kWordRows) ? nullptr : found;
@@ -103,7 +103,8 @@ inline constexpr Word kWordRows[] = {
   return word != nullptr && is_reserved(*word);
 }
 
-// Tokens of words are numbered from 1 in the order of the rows (syntax_words_test.cpp compares).
+// Tokens of keywords are numbered from 1 in the order of the rows; syntax_words_test.cpp checks
+// this.
 inline constexpr std::size_t kWordTokens =
     1 + static_cast<std::size_t>(std::ranges::count(kWordRows, false, &Word::same_token));
 
@@ -116,12 +117,12 @@ inline constexpr auto kWordOfToken = [] {
   return rows;
 }();
 
-// The row of a kind of token; one without any property for what is no word.
+// The row of a kind of token; a row without properties if the token is no keyword.
 [[nodiscard]] constexpr const Word& word_of(std::uint16_t token) {
   return kWordOfToken[token < kWordTokens ? token : 0];
 }
 
-// A byte that can be part of a name; letters beyond ASCII consist of such bytes.
+// Whether a byte can be part of a name. Letters beyond ASCII consist of such bytes.
 [[nodiscard]] inline bool is_word_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
          static_cast<unsigned char>(c) >= 0x80U;

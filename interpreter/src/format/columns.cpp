@@ -6,8 +6,8 @@
 namespace armlet::lang {
 namespace {
 
-// Blanks in front of a comment at the end of a line. One of the kind /* */ may as well stand within
-// the line, where there is one.
+// The count of blanks before a comment at the end of a line. A comment of the kind /* */ has one
+// blank, as in the middle of a line.
 int blanks_before(const OutLine& line) { return line.remark.starts_with("//") ? 2 : 1; }
 
 int width(const OutLine& line) {
@@ -19,7 +19,7 @@ int width_before_split(const OutLine& line) {
   return line.indent + text_width(line.text.substr(0, line.split));
 }
 
-// Calls `act` for each run of neighbours that `belong` together.
+// Calls `act` for each run of neighbouring lines that `belong` together.
 template <class Belong, class Act>
 void for_each_run(std::vector<OutLine>& lines, Belong belong, Act act) {
   for (std::size_t first = 0; first < lines.size();) {
@@ -53,7 +53,7 @@ void align_remarks(std::span<OutLine> run) {
   }
 }
 
-// The text with its line breaks, of whatever kind, written as `line_end`.
+// Appends the text with all its line breaks replaced by `line_end`.
 void append_text(std::string& out, std::string_view text, std::string_view line_end) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;

@@ -9,8 +9,8 @@
 namespace armlet::lang {
 namespace {
 
-// Lines are flat in kFlat and kHug; groups inside are flat too in kFlat, and decide for themselves
-// in kHug.
+// The mode of a group. In kFlat and kHug its lines are flat; inner groups are flat too in kFlat,
+// and break independently in kHug.
 enum class Mode : std::uint8_t { kFlat, kHug, kBroken };
 
 struct Command {
@@ -77,8 +77,8 @@ class Printer {
     return fits({&doc, at.indent, Mode::kFlat}, width()) ? Mode::kFlat : Mode::kBroken;
   }
 
-  // The mode of a group, or of what stands in place of one, as far as it can be told without
-  // measuring: kBroken stands for a group that may break.
+  // The mode of a group, or of a part in the position of a group, if it is known without measuring:
+  // kBroken means that the group may break.
   static Mode mode_to_measure(const Command& at) {
     const Doc& doc = *at.doc;
     if (doc.kind == DocKind::kBody) return Mode::kBroken;
@@ -117,8 +117,8 @@ class Printer {
     width_ = 0;
   }
 
-  // Whether `first` and what is to be printed behind it, up to the next line break, fits behind
-  // `used` columns.
+  // Whether `first` and the parts after it, up to the next line break, fit the line after `used`
+  // columns.
   bool fits(Command first, int used) {
     std::vector<Command> inside;
     if (first.doc != nullptr) {
@@ -147,7 +147,7 @@ class Printer {
           if (at.mode == Mode::kBroken) return true;
           used += text_width(doc.text);
           break;
-        case DocKind::kRemark:  // one of this kind may come to stand within a line
+        case DocKind::kRemark:  // a comment of this kind may be in the middle of a line
           if (doc.text.starts_with("/*")) used += 1 + text_width(doc.text);
           break;
         case DocKind::kColumn:

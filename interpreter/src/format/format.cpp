@@ -26,13 +26,13 @@ Reading read(const Source& source, DiagnosticSink& sink, const std::atomic<bool>
   return out;
 }
 
-// As most of the text does it: by what ends its first line.
+// The line ends of the output are those of the first line.
 std::string_view line_end_of(std::string_view text) {
   const std::size_t at = text.find_first_of("\r\n");
   return at != std::string_view::npos && text.substr(at).starts_with("\r\n") ? "\r\n" : "\n";
 }
 
-// Two comments say the same, however their lines end.
+// The text of a comment without its line ends, for comparisons.
 std::string bare_comment(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -51,7 +51,7 @@ std::string lay_out_once(const Source& source, const Shape& shape,
   const auto is_empty = [](const OutLine& line) {
     return line.text.empty() && line.remark.empty();
   };
-  // The first line ends where the program begins: after a line with #!, or before everything.
+  // The layout begins after a line with #!, or at the start.
   std::string out(source.text().substr(0, begin));
   while (out.ends_with('\r')) out.pop_back();
   if (out.find("#!") != std::string::npos) {
@@ -68,14 +68,15 @@ constexpr int kMostPasses = 8;
 
 }  // namespace
 
-// A comment in the middle of things may find its place only when the rest stands.
+// Repeats the layout until it does not change: a comment between tokens may move again once the
+// rest has its layout.
 std::string lay_out(const Source& source, const Shape& shape, const std::atomic<bool>* cancelled) {
   std::string text = lay_out_once(source, shape, cancelled);
   for (int pass = 1; pass < kMostPasses; ++pass) {
     const Source again(source.name(), text);
     DiagnosticSink none;
     const Reading reading = read(again, none, cancelled);
-    // Also of a program that has mistakes of other kinds than those of its form.
+    // Also for a program with mistakes, unless the mistakes are in its syntax.
     const bool is_read = same_shape(shape, source, reading.shape, again);
     std::string next = is_read ? lay_out_once(again, reading.shape, cancelled) : text;
     if (next == text) break;

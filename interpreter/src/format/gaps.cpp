@@ -5,7 +5,7 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // takes no column
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // has no width
 
 int count_breaks(std::string_view text) {
   int count = 0;
@@ -16,7 +16,7 @@ int count_breaks(std::string_view text) {
   return count;
 }
 
-// Comments in front of the first line break end the line of the token before.
+// Comments before the first line break belong to the line of the token before.
 void find_line_end(Gap& gap) {
   if (!gap.has_break()) return;
   while (gap.at_end < gap.comments.size() && gap.comments[gap.at_end].breaks_before == 0)

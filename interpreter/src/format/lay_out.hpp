@@ -1,5 +1,5 @@
 #pragma once
-// A program laid out, and what must be the same before and after.
+// The layout of a program, and the check that it leaves the comments unchanged.
 
 #include <atomic>
 #include <string>
@@ -13,8 +13,8 @@ namespace armlet::lang {
 [[nodiscard]] std::string lay_out(const Source& source, const Shape& shape,
                                   const std::atomic<bool>* cancelled = nullptr);
 
-// Whether two programs have the same comments in the same order; blanks at the ends of their lines
-// do not count.
+// Whether two programs have the same comments in the same order. Trailing blanks of their lines are
+// ignored.
 [[nodiscard]] bool same_comments(const Shape& a, const Source& a_text, const Shape& b,
                                  const Source& b_text);
 

@@ -7,7 +7,7 @@ namespace {
 
 bool opens(std::string_view text) { return text == "(" || text == "[" || text == "{"; }
 
-// Marks that stand directly behind a comment too.
+// Whether a mark directly follows the text before it, even if that is a comment.
 bool clings(std::string_view text) {
   return text == ")" || text == "]" || text == "," || text == ";" || text == "." || text == "(" ||
          text == "[";
@@ -25,7 +25,8 @@ bool Layout::is(const ShapeNode& node, std::string_view text) const {
          text_of(node.token) == text;
 }
 
-// The part that closes the bracket at part `open`. What is between are rules of their own.
+// The index of the part that closes the bracket at part `open`. The parts between the two are nodes
+// of their own.
 std::size_t Layout::closing_part(const ShapeNode& node, std::size_t open) const {
   const std::string_view opener = text_of(node.parts[open].token);
   const std::string_view closer = opener == "(" ? ")" : opener == "[" ? "]" : "}";
@@ -50,7 +51,7 @@ bool Layout::on_one_line(const ShapeNode& node) const {
   return on_one_line(node.token, last_token(node));
 }
 
-// A line break that a comment asks for. Where no break was planned the new line is indented.
+// A line break that a comment needs. If no break was planned there, the new line is indented.
 Doc Layout::comment_break(Lead lead, bool blank) const {
   Doc out = hard_break(blank && (lead == Lead::kBreak || lead == Lead::kFirstBreak));
   if (lead == Lead::kTight || lead == Lead::kSpace) out.kind = DocKind::kContinue;
@@ -116,7 +117,7 @@ Doc Layout::token(std::uint32_t token, Lead lead) const {
   return out;
 }
 
-// The comments in front of a closing bracket, as lines of what it closes.
+// The comments before a closing bracket, as lines inside of the brackets.
 Doc Layout::comments_at_end(std::uint32_t closer, bool with_blanks) const {
   const Gap& gap = gaps_[closer];
   Doc out;
@@ -136,7 +137,7 @@ Doc Layout::comments_at_end(std::uint32_t closer, bool with_blanks) const {
   return out;
 }
 
-// A closing bracket whose comments have been put inside.
+// A closing bracket whose comments were moved inside.
 Doc Layout::token_without_comments(std::uint32_t closer, Lead lead) const {
   const Gap& gap = gaps_[closer];
   Doc out;
@@ -149,7 +150,7 @@ Doc Layout::token_without_comments(std::uint32_t closer, Lead lead) const {
   return out;
 }
 
-// A place that may be aligned with the lines above and below.
+// Begins a part that may be aligned with neighbouring lines.
 Doc Layout::column(std::uint32_t token) const {
   const std::uint32_t begin = shape_.tokens[token].begin;
   const std::uint32_t blanks = begin - shape_.tokens[token - 1].end;
@@ -169,7 +170,7 @@ Doc Layout::node(const ShapeNode& node, Lead lead, bool is_value) {
   return sequence(node, lead, is_value);
 }
 
-// Whether part `i` is all that a line says behind its `=` or `:`.
+// Whether part `i` is the whole value of its line, after `=` or `:`.
 bool Layout::holds_value(const ShapeNode& node, std::size_t i) const {
   if (i == 0 || in_header_) return false;
   if (node.rule == Rule::kBlockItem) return is(node.parts[i - 1], ":");

@@ -1,5 +1,5 @@
 #pragma once
-// The layout of programs: which tokens stand together, where lines may be broken, what is indented.
+// The rules of the layout: blanks between tokens, positions for line breaks, indentation.
 
 #include <algorithm>
 #include <atomic>
@@ -9,21 +9,21 @@
 
 namespace armlet::lang {
 
-// What stands in front of a token unless comments ask for more.
+// The space before a token, unless comments need more.
 enum class Lead : std::uint8_t {
-  kDone,  // nothing: it has been put out already, with the comments
+  kDone,  // none: it was written with the comments
   kTight,
   kSpace,
   kSoft,       // nothing, or a line break
   kLine,       // a blank, or a line break
-  kFill,       // the same, chosen for this place alone
-  kBreak,      // a line break, with the empty line above that the author left
+  kFill,       // a blank, or a line break for this position alone
+  kBreak,      // a line break, and an empty line if the text has one
   kFirstBreak  // a line break
 };
 
 class Layout {
  public:
-  // `begin` is the offset where the program begins.
+  // `begin` is the byte where the program begins.
   Layout(const Source& source, const Shape& shape, std::uint32_t begin,
          const std::atomic<bool>* cancelled)
       : source_(source),
@@ -34,10 +34,10 @@ class Layout {
   Doc program();
 
  private:
-  // Where the lines of braces with statements come from.
+  // The lines of statements in braces.
   enum class Braces : std::uint8_t {
-    kAsWritten,  // one line if the author wrote one, and if it fits
-    kOpen,       // a line for each statement
+    kAsWritten,  // one line if it was one in the text and fits
+    kOpen,       // one line for each statement
     kShared      // the lines belong to the body around
   };
 
@@ -77,8 +77,8 @@ class Layout {
   Doc try_statement(const ShapeNode& node, Lead lead);
   Doc switch_case(const ShapeNode& node, Lead lead);
 
-  // Columns more for the lines of a broken chain; twice in a header, so that its lines and its
-  // body differ.
+  // The indentation of the lines of a broken chain; twice as much in a header, so that its lines
+  // differ from those of its body.
   [[nodiscard]] int chain_indent() const { return in_header_ ? 2 * kIndentWidth : kIndentWidth; }
 
   // layout_values.cpp
@@ -87,7 +87,7 @@ class Layout {
   [[nodiscard]] Doc behind_lead(const ShapeNode& node, Lead lead, Doc inner) const;
   Doc choice(const ShapeNode& node, Lead lead);
   Doc brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is_value);
-  // [:] and the [string] of a type, which are never broken.
+  // Whether the node is [:] or the [string] of a type, which are never broken.
   [[nodiscard]] bool is_one_word(const ShapeNode& node) const;
   [[nodiscard]] bool is_short(const ShapeNode& node) const;
 
@@ -95,7 +95,8 @@ class Layout {
   const Shape& shape_;
   const std::atomic<bool>* cancelled_;
   std::vector<Gap> gaps_;
-  bool in_header_ = false;  // in parentheses behind `if`, `for` ..., but not in brackets in those
+  // In parentheses after `if`, `for` ..., but not in brackets inside of those.
+  bool in_header_ = false;
 };
 
 }  // namespace armlet::lang

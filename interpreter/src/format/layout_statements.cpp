@@ -1,4 +1,4 @@
-// Statements: braces, headers, and what may stay on one line.
+// The layout of statements: braces, headers, and statements on one line.
 
 #include <utility>
 
@@ -11,7 +11,8 @@ Doc Layout::program() {
   return body(std::move(out), false);
 }
 
-// The parts from `from` to before `to`, each behind `between`; ends of statements touch.
+// The parts from `from` to before `to`, separated by `between`. The end of a statement directly
+// follows it.
 Doc Layout::statements(const ShapeNode& node, std::size_t from, std::size_t to, Lead between) {
   Doc out;
   const bool in_braces = node.rule != Rule::kProgram;
@@ -27,12 +28,12 @@ Doc Layout::statements(const ShapeNode& node, std::size_t from, std::size_t to, 
   return out;
 }
 
-// Comments between a statement and its brace go behind the brace.
+// Moves comments between a statement and its brace to the line after the brace.
 bool Layout::move_comments_inside(std::uint32_t brace) {
   Gap& before = gaps_[brace];
   Gap& inside = gaps_[brace + 1];
   if (before.comments.empty() || !before.has_break()) return false;
-  // On a line of its own such a comment would become the documentation of what follows.
+  // On a line of its own such a comment would become the documentation of the next statement.
   for (std::size_t i = 0; i < inside.at_end; ++i) {
     if (inside.comments[i].text.starts_with("///")) return false;
   }
@@ -44,7 +45,7 @@ bool Layout::move_comments_inside(std::uint32_t brace) {
   return true;
 }
 
-// From the brace at part `open` to the one that closes it.
+// The part from the brace at part `open` to its closing brace.
 Doc Layout::braces(const ShapeNode& node, std::size_t open, Lead lead, Braces style) {
   const std::size_t close = closing_part(node, open);
   const std::uint32_t opener = node.parts[open].token;
@@ -78,7 +79,7 @@ Doc Layout::braces(const ShapeNode& node, std::size_t open, Lead lead, Braces st
   return out;
 }
 
-// The parentheses behind `if`, `while` and so on.
+// The parentheses after `if`, `while` and similar words.
 Doc Layout::header(const ShapeNode& node, std::size_t open, Lead lead) {
   const std::size_t close = closing_part(node, open);
   const bool before = std::exchange(in_header_, true);
@@ -99,7 +100,7 @@ Doc Layout::header(const ShapeNode& node, std::size_t open, Lead lead) {
   return out;
 }
 
-// int i = 0; i < n; i++
+// The header of a loop: int i = 0; i < n; i++
 Doc Layout::for_header(const ShapeNode& node) {
   Doc out;
   for (std::size_t i = 0; i < node.parts.size(); ++i) {
@@ -110,7 +111,7 @@ Doc Layout::for_header(const ShapeNode& node) {
   return group(indent(std::move(out), chain_indent()));
 }
 
-// What follows a header or an `else`.
+// The body after a header or an `else`.
 Doc Layout::body_of(const ShapeNode& node, Braces style) {
   if (node.rule == Rule::kBlock) return braces(node, 0, Lead::kSpace, style);
   if (node.rule == Rule::kToken) return token(node.token, Lead::kTight);
@@ -129,17 +130,18 @@ Doc Layout::if_statement(const ShapeNode& node, Lead lead) {
                              : has_else ? Braces::kOpen
                                         : Braces::kAsWritten);
   out.add(flat ? body(std::move(parts), true) : std::move(parts));
-  out.body = out.body || has_else;  // on several lines too, so that what is around stays the same
+  // Also if the statement has several lines, so that the layout around it is the same.
+  out.body = out.body || has_else;
   return out;
 }
 
-// In front of `else`, `catch` and `finally`, behind a brace.
+// The space before `else`, `catch` and `finally`, after a brace.
 Lead Layout::behind_brace(std::uint32_t token) const {
   const Gap& gap = gaps_[token];
   return !gap.comments.empty() && gap.has_break() ? Lead::kFirstBreak : Lead::kSpace;
 }
 
-// Everything behind the `if`.
+// The parts after the word `if`.
 Doc Layout::if_parts(const ShapeNode& node, Braces style) {
   Doc out;
   out.add(header(node, 1, Lead::kSpace));
@@ -182,7 +184,7 @@ Doc Layout::try_statement(const ShapeNode& node, Lead lead) {
   return out;
 }
 
-// case 1, 2: with its statements, on the same line if they were there.
+// case 1, 2: with its statements, on the same line if they were there in the text.
 Doc Layout::switch_case(const ShapeNode& node, Lead lead) {
   Doc out;
   std::size_t at = 0;

@@ -1,4 +1,4 @@
-// Values: chains of operators, and lists in brackets.
+// The layout of values: chains of operators, and lists in brackets.
 
 #include <algorithm>
 #include <utility>
@@ -25,7 +25,7 @@ Doc Layout::chain(const ShapeNode& node, Lead lead) {
     return is_binary ? find_mark(text_of(at.parts[1].token)).chain : 0;
   };
   const int level = level_of(node);
-  std::vector<const ShapeNode*> links;  // the last one first
+  std::vector<const ShapeNode*> links;  // in reverse order
   const ShapeNode* first = &node;
   for (; level_of(*first) == level; first = &first->parts[0]) links.push_back(first);
   const int columns = chain_indent();
@@ -56,7 +56,7 @@ Doc Layout::choice(const ShapeNode& node, Lead lead) {
   return behind_lead(node, lead, std::move(inner));
 }
 
-// A group, without what stands in front of it: that belongs to what is around.
+// A group without the space before it, which belongs to the text around.
 Doc Layout::behind_lead(const ShapeNode& node, Lead lead, Doc inner) const {
   Doc out;
   out.add(lead_of(node.token, lead));
@@ -64,16 +64,17 @@ Doc Layout::behind_lead(const ShapeNode& node, Lead lead, Doc inner) const {
   return out;
 }
 
-// A value of one word, such as -0.5: many of them share a line.
+// Whether a value is one word, such as -0.5; several of these share a line.
 bool Layout::is_short(const ShapeNode& node) const {
   return node.rule == Rule::kToken ||
          (node.rule == Rule::kExpr && node.parts.size() == 2 &&
           node.parts[0].rule == Rule::kToken && node.parts[1].rule == Rule::kToken);
 }
 
-// From the bracket at part `open` to the one that closes it: on one line if it fits, otherwise an
-// item to a line; plain numbers fill their lines, and rows of a matrix have a line each. If it is
-// all that a statement assigns, it stays open where the author opened it.
+// The part from the bracket at part `open` to its closing bracket: on one line if it fits,
+// otherwise one item per line. Plain numbers fill their lines, and rows of a matrix have one line
+// each. If it is the whole value of an assignment, it keeps a line break that the author made after
+// its opening bracket.
 Doc Layout::brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is_value) {
   const std::size_t close = closing_part(node, open);
   const std::uint32_t closer = node.parts[close].token;
@@ -115,7 +116,7 @@ Doc Layout::brackets(const ShapeNode& node, std::size_t open, Lead lead, bool is
   inner.add(comments_at_end(closer, false));
   in_header_ = before;
   Doc lines;
-  const bool hugs = inner.body && !opened;  // statements inside indent themselves
+  const bool hugs = inner.body && !opened;  // the statements inside are indented already
   lines.add(indent(std::move(inner), hugs ? 0 : kIndentWidth));
   lines.add(token_without_comments(closer, Lead::kSoft));
   out.add(opened ? body(std::move(lines), false) : group(std::move(lines)));

@@ -1,4 +1,4 @@
-// Which tokens touch.
+// The space between neighbouring tokens.
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ bool is_quantity(std::string_view text) {
   return !is_digit(last) && last != '.' && last != '_';
 }
 
-// Rules whose tokens all touch: pal.Pallet, force/length^2, double[], 1:4.
+// Whether a rule has no blanks between its tokens: pal.Pallet, force/length^2, double[], 1:4.
 bool is_tight(Rule rule) {
   return rule == Rule::kTypeName || rule == Rule::kDimType || rule == Rule::kDimFactor ||
          rule == Rule::kInParens || rule == Rule::kType || rule == Rule::kIndexItem ||
@@ -32,7 +32,7 @@ bool Layout::is_one_word(const ShapeNode& node) const {
          (node.rule == Rule::kPrimary && node.parts.size() == 3 && is(node.parts[1], ":"));
 }
 
-// What stands in front of part `part`, which is not the first one.
+// The space before part `part`, which is not the first one.
 Lead Layout::between(const ShapeNode& node, std::size_t part) const {
   const ShapeNode& right = node.parts[part];
   if (shape_.tokens[right.token].inserted || is(right, ",") || is(right, ";")) return Lead::kTight;
@@ -55,7 +55,8 @@ Lead Layout::between(const ShapeNode& node, std::size_t part) const {
   return tight_if(is_size || is(right, "[") || is(right, ":"));
 }
 
-// Operators with one operand touch it, `^` touches both if they are words.
+// Operators with one operand have no blank after them; `^` has none at both sides if its operands
+// are words.
 Lead Layout::between_operands(const ShapeNode& node, std::size_t part) const {
   const ShapeNode& left = node.parts[part - 1];
   const ShapeNode& right = node.parts[part];

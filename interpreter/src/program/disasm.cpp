@@ -1,5 +1,5 @@
-// The text form of bytecode: one line per instruction, with what its operands mean and where it
-// comes from.
+// Writes bytecode as text: one line per instruction, with the meaning of its operands and its line
+// in the program.
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ std::string operands_text(const Instr& instr, std::size_t pc) {
   return text;
 }
 
-// Of entries only the own functions have a name here.
+// Functions of other entries of the session have no name here.
 std::string function_name(const CompiledProgram& program, std::uint32_t number) {
   if (!program.entry.is_one) return program.functions[number].name;
   const auto found = std::ranges::find_if(
@@ -46,7 +46,8 @@ std::string function_name(const CompiledProgram& program, std::uint32_t number) 
   return found == program.functions.end() ? std::string() : found->name;
 }
 
-// What an index into a table stands for.
+// The entry of a table that an operand refers to, as text. `letter` is the kind of the operand in
+// bytecode.def.
 std::string meaning(const CompiledProgram& program, const FunctionCode& function, char letter,
                     std::uint16_t index) {
   if (letter == 'f') return function_name(program, index);

@@ -43,7 +43,8 @@ CheckedProgram new_program(const CompileOptions& options) {
                         options.is_entry);
 }
 
-// One after the other: each would end the one before it, as deep as the session is long.
+// The programs of earlier entries are destroyed one after the other. Otherwise each destructor
+// would call the next one, as deep as the session is long.
 CompiledProgram::~CompiledProgram() {
   std::shared_ptr<const Program> last = std::move(after);
   while (last != nullptr && last.use_count() == 1)

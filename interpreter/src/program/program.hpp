@@ -1,5 +1,6 @@
 #pragma once
-// A compiled program: bytecode, tables, and what messages need to find their way back to the text.
+// A compiled program: bytecode, its tables, and the data that lead messages from instructions back
+// to the text.
 
 #include <cstdint>
 #include <memory>
@@ -37,25 +38,25 @@ struct Handler {
   bool is_finally;  // also entered when the task is cancelled
 };
 
-// The code of a finally block, or of the end of a watched block after a failure, behind its HOLD.
-// While it runs the register holds the failure that goes on behind it.
+// The code of a finally block, or of the end of a watched block after a failure, from its HOLD on.
+// While it runs the register `held` has the failure that is raised again at its end.
 struct FinallyCode {
   std::uint32_t begin;
   std::uint32_t end;
   std::uint16_t held;
 };
 
-// A loop whose passes can be counted: the hidden counter is in register `counter`.
+// A loop whose iterations messages can number: the hidden counter is in register `counter`.
 struct LoopInfo {
   std::uint32_t begin;
   std::uint32_t end;
   std::uint16_t counter;
-  std::int64_t first = 0;  // pass = (counter - first) / step + 1
-  std::int64_t step = 1;   // 0: the pass cannot be told
+  std::int64_t first = 0;  // iteration = (counter - first) / step + 1
+  std::int64_t step = 1;   // 0: the number of the iteration is unknown
   std::uint32_t line = 0;
 };
 
-// A call whose function's body stands in its place.
+// The code of a call that is inlined.
 struct ExpandedCall {
   std::uint32_t begin;
   std::uint32_t end;
@@ -63,15 +64,15 @@ struct ExpandedCall {
   Span call;
 };
 
-// What an instruction belongs to in the text.
+// The span and the expression that an instruction belongs to.
 struct CodeSpan {
-  std::uint32_t pc;  // from here on
+  std::uint32_t pc;  // from this instruction on
   Span span;
-  const hir::Expr* expr = nullptr;  // the element, call ... being computed, for labels and marks
+  const hir::Expr* expr = nullptr;  // the element, call ... that it computes, for labels and marks
 };
 
-// A variable and its register, while pc is in [begin, end) for what begins inside of `scope`. That
-// of a variable that closures share holds its box.
+// A variable and its register, valid while pc is in [begin, end) and the statement begins inside of
+// `scope`. For a variable that closures share the register has its box.
 struct ScopedVariable {
   const hir::Variable* variable;
   std::uint16_t reg;
@@ -87,21 +88,22 @@ struct FunctionCode {
   std::vector<Slot> constants;  // numbers
   std::uint16_t parameters = 0;
   std::uint16_t registers = 0;  // all, arguments of calls included
-  std::uint16_t references_begin =
-      0;  // reference registers [begin, end): null at entry, released at the end.
-  std::uint16_t references_end = 0;  // Parameters are borrowed and lie before them.
+  // The reference registers [begin, end) are null at the start of a call and released at its end.
+  // Parameters come before them and are borrowed.
+  std::uint16_t references_begin = 0;
+  std::uint16_t references_end = 0;
   std::vector<Handler> handlers;
   std::vector<FinallyCode> finals;
   std::vector<LoopInfo> loops;
-  std::vector<ExpandedCall> expanded;  // inner ones first
+  std::vector<ExpandedCall> expanded;  // the innermost first
   std::vector<CodeSpan> spans;         // sorted by pc
-  std::vector<ScopedVariable> scopes;  // with markers: outer ones first
+  std::vector<ScopedVariable> scopes;  // with markers: the outermost first
   std::vector<const Type*> types;      // for EQDEEP, NEWARRAY, CHECKSET
-  // Captures of a closure: which are references (for release).
+  // For closures: the captured values that are references, which are released with the closure.
   std::vector<std::uint16_t> capture_references;
   std::uint16_t captures = 0;
   const hir::Function* function = nullptr;
-  bool may_give_unset = false;  // its result may hold elements that are not set
+  bool may_give_unset = false;  // a result may have elements without a value
   bool has_markers = false;     // a MARK before each statement
 };
 
@@ -114,7 +116,7 @@ struct Format {
 
 struct AssertInfo {
   const hir::AssertStmt* statement;
-  std::vector<std::uint16_t> registers;  // of the shown parts
+  std::vector<std::uint16_t> registers;  // of the parts that a failure shows
 };
 
 // Statements that instructions refer to by number.
@@ -126,7 +128,8 @@ struct NotedStatements {
 
 struct CompiledProgram : CheckedProgram {
   CompiledProgram() = default;
-  // earlier  the entry that the checked one goes on from; null: there is none.
+  // earlier  the entry of the session before the checked one; null for the first one and for
+  // programs.
   explicit CompiledProgram(CheckedProgram checked, std::shared_ptr<const Program> earlier = nullptr)
       : CheckedProgram(std::move(checked)), after(std::move(earlier)) {}
 
@@ -139,15 +142,15 @@ struct CompiledProgram : CheckedProgram {
   std::vector<Format> formats;
   std::unique_ptr<NotedStatements> noted;  // null: there are none
   UnsetElements unset;
-  mutable std::shared_ptr<const Program> after;  // the entry before; null: there is none
+  mutable std::shared_ptr<const Program> after;  // the entry before; null: none
 
   CompiledProgram(const CompiledProgram&) = delete;
   CompiledProgram& operator=(const CompiledProgram&) = delete;
   ~CompiledProgram();
 };
 
-// What the check of a text fills that is compiled so: an entry of a session goes on from the one
-// before it.
+// The program that the check of a text fills. An entry of a session continues from the entry before
+// it.
 [[nodiscard]] CheckedProgram new_program(const CompileOptions& options);
 
 [[nodiscard]] std::string disassemble(const CompiledProgram& program);

@@ -1,4 +1,4 @@
-// What holds between the columns of bytecode.def, checked while this is compiled.
+// Rules between the columns of bytecode.def, which the compiler of this file checks.
 
 #include "program/properties.hpp"
 
@@ -16,7 +16,7 @@ constexpr bool holds_for_all(F f) {
   return true;
 }
 
-// Of all pairs of an instruction and its variant.
+// Whether a claim holds for all pairs of an instruction and its variant.
 template <class F>
 constexpr bool holds_for_variants(Variant variant, F f) {
   return holds_for_all(
@@ -102,7 +102,8 @@ static_assert(holds_for_variants(Variant::kSmall,
                                  }),
               "the operand on the right is small, all else is as before");
 
-// A comparison takes a[b] and the other operand; what computes a value has that in the next word.
+// Whether the variant takes an element of a list as an operand. Comparisons name a[b]; instructions
+// that compute a value have the element in the next word.
 constexpr bool takes_element(OpCode op, OpCode variant) {
   if (!is_test(op)) return properties_of(variant).operands == std::array{'d', 'R', 'r'};
   const bool small = operand_of(op, 1) == 'i';

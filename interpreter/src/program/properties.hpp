@@ -1,5 +1,5 @@
 #pragma once
-// What the passes of the compiler ask about an instruction: the columns of bytecode.def.
+// Properties of instructions for the passes of the compiler: the columns of bytecode.def.
 
 #include <array>
 #include <string_view>
@@ -8,36 +8,37 @@
 
 namespace armlet::lang {
 
-// Where the program goes on behind an instruction.
+// The instruction that is executed after an instruction.
 enum class ControlFlow : std::uint8_t {
-  kNext,     // at the next instruction
-  kJump,     // there or where it jumps to
+  kNext,     // the next instruction
+  kJump,     // the next instruction, or the target of its jump
   kTest,     // compares: the next word is a jump that is taken or skipped
-  kEnd,      // elsewhere: nothing follows
+  kEnd,      // none here: return, failure or jump
   kOperand,  // never executed: operands of the instruction before
 };
 
-// What an instruction reads and changes besides the registers it names.
+// The memory that an instruction reads and changes, besides the registers that it names.
 enum class Effect : std::uint8_t {
-  kPure,     // its result depends on its operands alone; if it fails, it always does
-  kLoad,     // and on lists, records and variables of the program
-  kInside,   // and on the list or record in register b
-  kUpdate,   // its result also depends on what register a held
-  kLocal,    // anything else that leaves memory as it is
+  kPure,     // the result depends only on the operands; so does whether it fails
+  kLoad,     // the result depends also on lists, records and global variables
+  kInside,   // the result depends also on the list or record in register b
+  kUpdate,   // the result depends also on the old value of register a
+  kLocal,    // other effects, without changes of memory
   kStoreA,   // stores into the list or record in register a, which may be a variable
-  kStoreB,   // in register b
-  kMemory,   // anything else that only touches the registers it names
-  kUnknown,  // nothing is known
+  kStoreB,   // stores into the list or record in register b
+  kMemory,   // changes other memory, but only registers that it names
+  kUnknown,  // unknown
 };
 
-// What becomes of the double computed last, which the machine keeps in the processor.
+// The change of the accumulator: the double that was computed last, which the virtual machine keeps
+// in a register of the processor.
 enum class Last : std::uint8_t {
-  kForgets,  // it is lost
-  kKeeps,    // it stays, unless its register is written
-  kMakes,    // Ra is the double computed last
+  kForgets,  // its value is lost
+  kKeeps,    // its value stays, unless its register is written
+  kMakes,    // Ra is the new value
 };
 
-// The operand that begins a row of registers.
+// The operand that is the first of a row of registers.
 enum class WindowKind : std::uint8_t {
   kNone,
   kArguments,  // from a on: c - 1 registers, or all if c is 0
@@ -54,25 +55,25 @@ struct Properties {
   Last last;
   WindowKind window = WindowKind::kNone;
   bool defines = false;      // register a
-  bool reads_first = false;  // and reads it as an operand, though it is a destination
+  bool reads_first = false;  // and reads it before, although it is a destination
   bool empties = false;      // register b
-  bool has_fixed = false;    // register b must stay where it is
+  bool has_fixed = false;    // register b cannot be replaced by another one
   bool commutes = false;     // b and c may be exchanged
 };
 
-// Special cases of an instruction that have an instruction of their own.
+// Special cases of an instruction that have an instruction of their own, its variant.
 enum class Variant : std::uint8_t {
   // Rows VARIANT of bytecode.def.
-  kLastA,  // the double computed last is Ra, Rb, Rc, or Ra of the next word
+  kLastA,  // the accumulator is Ra, Rb, Rc, or Ra of the next word
   kLastB,
   kLastC,
   kLastW,
   kBeforeLoop,         // of a comparison: the next word is a LOOP
-  kEach,               // in a loop of its own
+  kEach,               // as the only instruction of a loop
   kWithoutReferences,  // in frames without reference registers
   // Rows of variants.def.
-  kTurned,          // of a comparison: the operands have changed places
-  kSmall,           // with a small immediate on the right
+  kTurned,          // of a comparison: the operands are exchanged
+  kSmall,           // with a small constant on the right
   kWithInt,         // with an int on the right
   kWithConstant,    // with a constant on the right
   kElementLeft,     // with an element of a list on the left
@@ -80,19 +81,19 @@ enum class Variant : std::uint8_t {
   kElementOfRow,    // with an element of a row on either side
   kElementFactor,   // with an element as one of the factors
   kFieldOfElement,  // with a field of an element of a list on the right
-  kOfRecord,        // of a field of an element: of the record itself
-  kElementChanged,  // of an element that the result is stored into again
+  kOfRecord,        // of a field of an element: the field of a record
+  kElementChanged,  // of an element: the result is stored into it again
   kAndAdd,          // and adds a register
-  kAndAddSmall,     // and adds a small immediate
+  kAndAddSmall,     // and adds a small constant
   kBehindStep,      // of a comparison: Ra += Rc before it
   kBehindCount,     // Ra += c before it
   kBehindCountOne,  // of these: c is 1
-  kOtherwiseMove,   // of a comparison: a move that is made unless it is true
-  kOtherwiseCount,  // Ra += c unless it is true
-  kIfZero,          // of what computes an int: a comparison that is true when that is 0
-  kIfNotZero,       // is not 0
-  kProductInstead,  // with a product of two registers for Ra
-  kElementInstead,  // with an element for the factor in the next word
+  kOtherwiseMove,   // of a comparison: a move that is executed if it is false
+  kOtherwiseCount,  // of a comparison: Ra += c that is executed if it is false
+  kIfZero,          // of an instruction that computes an int: compares the int with 0
+  kIfNotZero,       // the same for "is not 0"
+  kProductInstead,  // with the product of two registers in place of Ra
+  kElementInstead,  // with an element in place of the factor in the next word
   kCount,
 };
 
@@ -117,7 +118,7 @@ constexpr Properties with_operands(Properties p) {
 
 constexpr std::size_t number(OpCode op) { return static_cast<std::size_t>(op); }
 
-// A variant comes after the instruction whose columns it has.
+// A variant takes its columns from an instruction above it in the table.
 constexpr std::array<Properties, kOpCodes> kProperties = [] {
   std::array<Properties, kOpCodes> table{};
   const auto set = [&](OpCode op, std::string_view name, const char(&operands)[4], ControlFlow flow,
@@ -167,27 +168,27 @@ constexpr std::array<bool, 128> kIsRegister = [] {
   return detail::kProperties[detail::number(op)];
 }
 
-// The letter of operand i, 0 to 2.
+// The kind of operand i, 0 to 2, as a letter of bytecode.def.
 [[nodiscard]] constexpr char operand_of(OpCode op, std::size_t i) {
   return properties_of(op).operands[i];
 }
 [[nodiscard]] constexpr bool is_register(char operand) {
   return detail::kIsRegister[static_cast<std::size_t>(operand)];
 }
-// After these nothing follows.
+// Whether no instruction follows: the next one is reached by jumps only.
 [[nodiscard]] constexpr bool ends_flow(OpCode op) {
   return properties_of(op).flow == ControlFlow::kEnd;
 }
-// Only operands of the instruction before.
+// Whether the word only has operands of the instruction before.
 [[nodiscard]] constexpr bool is_operand_word(OpCode op) {
   return properties_of(op).flow == ControlFlow::kOperand;
 }
-// The next word is a jump that is taken or skipped.
+// Whether the next word is a jump, which is executed or skipped.
 [[nodiscard]] constexpr bool is_compare_and_branch(OpCode op) {
   return properties_of(op).flow == ControlFlow::kTest;
 }
 
-// What stands for "there is none" among instructions that are variants of others.
+// The value for "no variant"; HALT is not a variant.
 inline constexpr OpCode kNoVariant = OpCode::HALT;
 
 // The variant of an instruction for a special case, or kNoVariant.

@@ -6,8 +6,9 @@ namespace armlet::lang {
 
 namespace {
 
-// The types of what a value of this type consists of. The columns of a table were read when it was
-// made, and what a function has captured is looked at when it reads it.
+// Calls f for the types of the parts of a value of this type. Columns of tables are excluded,
+// because they were read when the table was made, and so are captured values of functions, because
+// the function checks them when it reads them.
 template <class F>
 void for_each_part(const Type& type, F f) {
   if (type.is(Kind::kList) || type.is(Kind::kMap)) f(type.element);
@@ -23,7 +24,7 @@ bool UnsetElements::may_be_in(const Type* type) {
   auto& known = sets().known;
   if (const auto at = known.find(type); at != known.end()) return at->second;
   bool found = false;
-  std::unordered_set<const Type*> reached{type};  // a struct may hold lists of itself
+  std::unordered_set<const Type*> reached{type};  // a struct may have lists of itself
   for (std::vector<const Type*> open{type}; !open.empty();) {
     const Type& next = *open.back();
     open.pop_back();

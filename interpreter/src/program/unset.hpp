@@ -1,6 +1,6 @@
 #pragma once
 // Elements that have no value yet: `new point[2]` makes a list of null references. Only a program
-// that makes such lists pays for looking at what it reads from lists of their types.
+// that makes such lists needs checks when it reads elements of their types.
 
 #include <memory>
 #include <unordered_map>
@@ -13,26 +13,28 @@ namespace armlet::lang {
 
 class UnsetElements {
  public:
-  // types  of the elements that the program leaves without a value.
+  // types  the types of elements that the program creates without a value.
   explicit UnsetElements(hir::Seq<const Type*> types = {}) {
     if (!types.empty()) sets().types.insert(types.begin(), types.end());
   }
 
-  // Of an entry: other entries may leave any elements without a value that have none by nature.
+  // For entries of a session: other entries may create elements without a value of any type that
+  // has no zero value.
   [[nodiscard]] static UnsetElements anything() {
     UnsetElements out;
     out.anything_ = true;
     return out;
   }
 
-  // Whether an element of this type may be not set.
+  // Whether an element of this type may have no value.
   [[nodiscard]] bool is_element(const Type* type) const {
     return anything_ ? !has_zero(*type) : sets_ != nullptr && sets_->types.contains(type);
   }
-  // Whether a value of this type may hold, at any depth, an element that is not set. What was found
-  // out for a type is known for all types in it too.
+  // Whether a value of this type may contain, at any depth, an element without a value. The answer
+  // is stored for all types in it.
   [[nodiscard]] bool may_be_in(const Type* type);
-  // The same for a type that has been asked for, or lies in one for which the answer was yes.
+  // The same for a type that may_be_in was called for, or for a type in one for which the answer
+  // was yes.
   [[nodiscard]] bool is_known_in(const Type* type) const {
     if (sets_ == nullptr) return false;
     const auto found = sets_->known.find(type);
@@ -40,7 +42,7 @@ class UnsetElements {
   }
 
  private:
-  // Most programs have nothing in them.
+  // Null for most programs, which create no such elements.
   struct Sets {
     std::unordered_set<const Type*> types{};
     std::unordered_map<const Type*, bool> known{};

@@ -1,5 +1,6 @@
 #pragma once
-// Instructions while a function is being compiled: registers are virtual, jumps name labels.
+// The form of instructions while a function is compiled: registers are virtual, and jumps name
+// labels.
 
 #include <cstdint>
 
@@ -26,7 +27,7 @@ struct Reg {
 struct WideInstr {
   static constexpr std::uint32_t kNoLabel = 0xFFFF'FFFFU;
   OpCode op;
-  std::uint32_t a, b, c;  // bits of registers, or numbers
+  std::uint32_t a, b, c;  // registers, or numbers
   std::uint32_t label;
   const hir::Expr* expr;
   Span span;

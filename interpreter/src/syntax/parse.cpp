@@ -21,17 +21,19 @@
 namespace armlet::lang {
 namespace {
 
-// Levels of the tree. Every later stage may recurse this deep; a chain of operators is as deep as
-// it is long.
+// The largest depth of the tree. Later stages may use recursion up to this depth; a chain of
+// operators is as deep as its length.
 constexpr std::size_t kMaxDepth = 1000;
 
-// Messages about a text that is mended, behind which nothing is kept to be read again.
+// The limit of messages about a text that is repaired; no statement after it is kept for the next
+// parse.
 constexpr int kMostQuietMessages = 100;
 
-// Statements of the top level that are mended: each takes some trials.
+// The limit of statements at the top level that are repaired, since each repair parses several
+// times.
 constexpr int kMostMended = 50;
 
-// One text, or the value inside a formatted text.
+// Parses one text, or the value inside a formatted text.
 class Front {
  public:
   Front(const Source& source, Arena& arena, DiagnosticSink& sink, const ParseLimits& limits,
@@ -84,7 +86,7 @@ class Front {
 
   ast::Expr* piece(Span range, std::size_t depth) { return read(range) ? value(depth) : nullptr; }
 
-  // The value with what is missing put in; null if that does not help.
+  // The value with its missing parts inserted; null if the repair fails.
   ast::Expr* mended_piece(Span range, std::size_t depth) {
     (void)read(range);
     Tokens tokens = balanced(source_, without_errors(std::move(tokens_)));
@@ -122,7 +124,7 @@ class Front {
     return ok_ && !builder.failed() ? value : nullptr;
   }
 
-  // ANTLR's objects for one run over the tokens.
+  // The objects of ANTLR for one pass over the tokens.
   struct Machine {
     Machine(const Tokens& tokens, std::shared_ptr<antlr4::ANTLRErrorStrategy> at_mistakes,
             const ParseLimits& limits, const std::atomic<bool>* cancelled)
@@ -132,7 +134,8 @@ class Front {
       using Prediction = antlr4::atn::ParserATNSimulator;
       auto tables =
           std::make_unique<TablePrediction>(&parser, *parser.getInterpreter<Prediction>());
-      // The grammar never needs more: a test looks for full-context decisions in random programs.
+      // The grammar needs no more than SLL prediction: a test searches for full-context decisions
+      // in random programs.
       tables->setPredictionMode(antlr4::atn::PredictionMode::SLL);
       parser.setInterpreter(tables.release());
       parser.max_level = limits.nesting;
@@ -185,7 +188,8 @@ class Front {
             cancelled_};
   }
 
-  // Statement by statement, so that memory goes with the longest one and not with the text.
+  // Parses statement by statement, so that the memory depends on the longest statement and not on
+  // the length of the text.
   std::vector<ast::Stmt*> statements() {
     std::vector<ast::Stmt*> out;
     Machine machine = make_machine();
@@ -218,7 +222,7 @@ class Front {
         const bool is_good = is_wanted && statement_ok_ && !incomplete && !completed_ &&
                              sink_.all().size() == messages;
         if (read_ != nullptr && is_good) note_read(made, first, machine.feed.index());
-        // What cannot be built although it can be read has a formatted text with a mistake.
+        // A statement that can be parsed but not built has a mistake in a formatted text.
         if (mended_ != nullptr && (!statement_ok_ || incomplete) && mends_left_ > 0) {
           --mends_left_;
           mend(first, machine.feed.index());
@@ -243,11 +247,11 @@ class Front {
     return form_of(first, end) == found.statement->form ? found : ReadBefore::Found{};
   }
 
-  // A hash of what the parser sees of a statement that begins at a token and ends at a byte. The
-  // text alone does not say it: a bracket that is open or too many elsewhere changes which ends of
-  // statements and which brackets are put in here, or left out.
+  // A hash of the tokens that the parser sees of a statement between a token and a byte. The bytes
+  // alone are not sufficient: an open or superfluous bracket elsewhere changes which ends of
+  // statements and which brackets are inserted or omitted here.
   [[nodiscard]] std::uint64_t form_of(std::size_t first, std::uint32_t end) const {
-    std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, with a number where it has a byte
+    std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a, over numbers in place of bytes
     const auto add = [&hash](std::uint64_t number) { hash = (hash ^ number) * 0x100000001b3; };
     const std::size_t last = behind(first, end);
     for (std::size_t i = first; i < last; ++i) {
@@ -260,7 +264,7 @@ class Front {
     return hash;
   }
 
-  // The statement at its new place; null if it is empty.
+  // A copy of the statement for its new position; null if it is empty.
   ast::Stmt* take(const ReadBefore::Found& known) {
     const ReadStatement& old = *known.statement;
     ast::Stmt* made =
@@ -270,7 +274,8 @@ class Front {
     return made;
   }
 
-  // The first token behind a statement that ends at a byte, with the inserted end of the statement.
+  // The first token after a statement that ends at a byte and after the inserted end of the
+  // statement.
   [[nodiscard]] std::size_t behind(std::size_t first, std::uint32_t end) const {
     std::size_t at = first;
     while (tokens_[at].type != kEndOfText &&
@@ -283,14 +288,15 @@ class Front {
     std::uint32_t end = tokens_[first].end;
     for (std::size_t i = first; i < last; ++i) {
       if (!tokens_[i].inserted) end = tokens_[i].end;
-      // What is put in stands in no other text.
+      // Inserted tokens other than `;` depend on the text around, so the statement cannot be copied
+      // later.
       if (tokens_[i].inserted && tokens_[i].type != RbtLexer::SEMI) return;
     }
     if (!tokens_[first].inserted)
       read_->push_back({made, tokens_[first].begin, end, form_of(first, end)});
   }
 
-  // What can be made of the tokens of one statement at the top level with a mistake.
+  // Builds as much as possible from the tokens of one top-level statement with a mistake.
   void mend(std::size_t first, std::size_t last) {
     Tokens statement(tokens_.begin() + static_cast<std::ptrdiff_t>(first),
                      tokens_.begin() + static_cast<std::ptrdiff_t>(last));
@@ -302,12 +308,12 @@ class Front {
     read_quietly(*std::move(whole), false);
   }
 
-  // The same of a text that cannot be divided into tokens, or whose brackets do not match.
+  // The same for a text with invalid tokens or with brackets that do not match.
   void mend_all(Tokens tokens) {
     read_quietly(insert_line_ends(balanced(source_, without_errors(std::move(tokens)))), true);
   }
 
-  // mends: also statements in which something is missing.
+  // mends: whether statements with missing parts are repaired.
   void read_quietly(Tokens tokens, bool mends) {
     DiagnosticSink quiet(kMostQuietMessages);
     Front front(source_, arena_, quiet, limits_, nullptr, cancelled_);
@@ -323,7 +329,7 @@ class Front {
     (void)front.statements();
   }
 
-  // What is no token has been reported. The statements that hold none of it are read as usual.
+  // Invalid tokens have been reported. Statements without invalid tokens are parsed as usual.
   void read_around_errors() {
     ok_ = false;
     tokens_ = balanced(source_, without_errors(std::move(tokens_)));
@@ -334,7 +340,8 @@ class Front {
            token.type == RbtLexer::ERR;
   }
 
-  // Whether what is no token stands on a line of a statement, from its first token to another.
+  // Whether an invalid token is on one of the lines of a statement, from its first token to
+  // another.
   [[nodiscard]] bool is_near_error(std::size_t statement, std::size_t at) const {
     const int first = source_.position(tokens_[statement].begin).line;
     const int last = source_.position(tokens_[std::min(at, tokens_.size() - 1)].end).line;
@@ -346,7 +353,8 @@ class Front {
 
   static Tokens without_errors(Tokens tokens) {
     for (Token& token : tokens) {
-      // A name that nothing has: it fails quietly where a value stands.
+      // An undeclared name stands for the invalid token: it fails without a second message where a
+      // value is expected.
       if (token.type == RbtLexer::BADSTR || token.type == RbtLexer::BADNUM)
         token.type = RbtLexer::ID;
     }
@@ -388,7 +396,7 @@ class Front {
     sink_.report(make_diagnostic("E0125", span, {std::to_string(limit) + what}));
   }
 
-  // The parser stopped at a guard: of nesting, or of the length of a chain.
+  // The parser stopped at a limit: of nesting, or of the length of a chain.
   void report_guard(Machine& machine) {
     const Token& at = tokens_[machine.feed.index()];
     const Span span{at.begin, at.end, source_.id()};
@@ -402,17 +410,17 @@ class Front {
   const ParseLimits& limits_;
   Shape* shape_;
   const std::atomic<bool>* cancelled_;
-  std::vector<ast::Stmt*>* mended_ = nullptr;   // also statements with a mistake go there, if given
-  std::vector<ReadStatement>* read_ = nullptr;  // statements without a message, if given
+  std::vector<ast::Stmt*>* mended_ = nullptr;   // if set: also for statements with a mistake
+  std::vector<ReadStatement>* read_ = nullptr;  // if set: the statements without a message
   const ReadBefore* before_ = nullptr;
-  bool mending_ = false;  // nothing is reported
+  bool mending_ = false;  // a repair: no message is reported
   int mends_left_ = kMostMended;
   Tokens tokens_;
   std::vector<Span> comments_;
-  std::vector<Span> unreadable_;  // what is no token
+  std::vector<Span> unreadable_;  // invalid tokens
   bool ok_ = true;
   bool statement_ok_ = true;
-  bool completed_ = false;  // something was put into a formatted text of the present statement
+  bool completed_ = false;  // a part was inserted into a formatted text of the current statement
 };
 
 }  // namespace
@@ -430,7 +438,7 @@ Mended parse_and_mend(const Source& source, Arena& arena, DiagnosticSink& sink,
 
 namespace {
 
-// Whether a text over several lines is not closed yet: it is the last token.
+// Whether a text over several lines is not closed yet; it is then the last token.
 bool holds_open_text(const Source& source, const Tokens& tokens) {
   if (tokens.size() < 2 || tokens[tokens.size() - 2].type != RbtLexer::BADSTR) return false;
   const Token& last = tokens[tokens.size() - 2];

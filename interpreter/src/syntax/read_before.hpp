@@ -1,5 +1,5 @@
 #pragma once
-// Statements at the top level that were read before, in a text that was much alike.
+// Reuses the trees of unchanged top-level statements when an edited text is parsed again.
 
 #include <algorithm>
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace armlet::lang {
 
-// One without a mistake and without a message, into which nothing was put.
+// A statement without mistakes, messages and inserted tokens.
 struct ReadStatement {
-  const ast::Stmt* tree = nullptr;  // null: it is empty
+  const ast::Stmt* tree = nullptr;  // null: an empty statement
   std::uint32_t begin = 0;          // bytes of its tokens
   std::uint32_t end = 0;
   std::uint64_t form = 0;  // a hash of the tokens that the parser saw
 };
 
-// What of an earlier text stands in a new one. The parser reads a statement from its tokens, and
-// looks at most at those of the next one; a comment in front of it can belong to it. So it is the
-// same where it stands in a part that has not changed, together with what is in front of it and
-// with the statement behind it. The parser then asks whether the tokens are the same too.
+// The unchanged parts of an edited text. The parser reads a statement from its tokens and at most
+// those of the next one; a comment before it may belong to it. The tree of a statement can
+// therefore be reused if the statement, the text before it and the next statement are unchanged.
+// The parser then checks that the tokens are the same too.
 class ReadBefore {
  public:
   // statements  in the order of the text.
@@ -42,7 +42,7 @@ class ReadBefore {
 
   struct Found {
     const ReadStatement* statement = nullptr;  // null: none
-    std::int64_t shift = 0;                    // from where it stood to where it stands now
+    std::int64_t shift = 0;                    // from its old position to its new one
   };
   // The statement that begins at a byte of the new text.
   [[nodiscard]] Found at(std::uint32_t begin) const {
@@ -59,12 +59,13 @@ class ReadBefore {
     const auto found = std::ranges::lower_bound(statements_, begin, {}, &ReadStatement::begin);
     return found != statements_.end() && found->begin == begin ? &*found : nullptr;
   }
-  // With the one behind it in the part at the beginning that has not changed.
+  // Whether the statement and the next one are in the unchanged part at the beginning.
   [[nodiscard]] bool in_front(const ReadStatement& statement) const {
     const bool is_last = &statement == &statements_.back();
     return !is_last && (&statement + 1)->end < same_begin_;
   }
-  // With the one in front of it in the part at the end, and the one behind it known.
+  // Whether the statement and the one before it are in the unchanged part at the end, and the next
+  // one is known.
   [[nodiscard]] bool behind(const ReadStatement& statement) const {
     const bool is_first = &statement == &statements_.front();
     return !is_first && (&statement - 1)->begin > same_end_;
@@ -72,8 +73,8 @@ class ReadBefore {
 
   const std::vector<ReadStatement>& statements_;
   std::int64_t shift_;
-  std::uint32_t same_begin_ = 0;  // bytes that are the same at the beginning
-  std::uint32_t same_end_ = 0;    // from this byte of the earlier text on they are the same
+  std::uint32_t same_begin_ = 0;  // bytes of the unchanged part at the beginning
+  std::uint32_t same_end_ = 0;  // the first byte, in the old text, of the unchanged part at the end
   std::uint32_t size_ = 0;
 };
 

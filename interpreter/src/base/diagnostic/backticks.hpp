@@ -1,5 +1,5 @@
 #pragma once
-// How messages show a piece of a program.
+// Quotes pieces of a program in messages.
 
 #include <string>
 #include <string_view>

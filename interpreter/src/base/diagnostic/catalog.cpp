@@ -101,7 +101,7 @@ std::string explain_page(const CatalogEntry& entry) {
   for (std::size_t at = title.find(kPlace); at != std::string::npos; at = title.find(kPlace)) {
     title.replace(at, kPlace.size(), "...");
   }
-  // The page starts with the line break behind its opening quote.
+  // The text of the page starts with a line break, which follows its opening quote in the source.
   return std::string(entry.code) + ": " + title + '\n' + std::string(entry.page);
 }
 

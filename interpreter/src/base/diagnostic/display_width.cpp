@@ -17,7 +17,7 @@ struct Character {
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-// Reads one character of UTF-8; overlong forms and surrogates are not good.
+// Reads one UTF-8 character. Overlong forms and surrogates are invalid.
 Character read_character(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   if (lead < 0x80) return {lead, 1, true};
@@ -39,10 +39,10 @@ struct Range {
   char32_t last;
 };
 
-// Combining marks, joiners and selectors take no column.
+// Combining marks, joiners and selectors, which have no width.
 constexpr Range kZero[] = {
     {0x0300, 0x036F}, {0x200B, 0x200F}, {0x20D0, 0x20FF}, {0xFE00, 0xFE0F}, {0xFE20, 0xFE2F}};
-// East Asian wide characters and emoji take two.
+// East Asian wide characters and emoji, which are two columns wide.
 constexpr Range kWide[] = {
     {0x1100, 0x115F}, {0x2E80, 0x303E},   {0x3041, 0x33FF},   {0x3400, 0x4DBF},  {0x4E00, 0x9FFF},
     {0xA000, 0xA4CF}, {0xAC00, 0xD7A3},   {0xF900, 0xFAFF},   {0xFE30, 0xFE6F},  {0xFF00, 0xFF60},
@@ -54,7 +54,7 @@ bool contains(const Range (&ranges)[N], char32_t code) {
       ranges, [code](const Range& range) { return code >= range.first && code <= range.last; });
 }
 
-// C0, DEL, C1, and the marks that reverse the direction of what follows.
+// Control characters: C0, DEL, C1, and the marks that reverse the direction of the text after them.
 bool is_control(char32_t code) {
   return code < 0x20 || (code >= 0x7F && code <= 0x9F) || (code >= 0x202A && code <= 0x202E) ||
          (code >= 0x2066 && code <= 0x2069);

@@ -1,6 +1,5 @@
 #pragma once
-// How text looks on a terminal: tabs, wide characters, characters without width, bytes that are no
-// text.
+// Converts text for a terminal: tabs, wide characters, characters without width, invalid bytes.
 
 #include <string>
 #include <string_view>
@@ -8,20 +7,21 @@
 
 namespace armlet::lang {
 
-// A line made safe to print, with the display column (from 0) of each of its bytes and of its end.
+// A line that is safe to print, with the display column, from 0, of each of its bytes and of its
+// end.
 struct DisplayLine {
   std::string text;
   std::vector<int> columns;
 };
 
-// Tabs become spaces up to the next multiple of four; control characters and broken UTF-8 become
-// U+FFFD.
+// Makes a line safe to print: tabs become spaces up to the next multiple of four; control
+// characters and invalid UTF-8 become U+FFFD.
 [[nodiscard]] DisplayLine display_line(std::string_view line);
 
-// The text alone. Line breaks stay if `keep_breaks`, otherwise they become spaces.
+// The text alone. Line breaks are kept if `keep_breaks`, otherwise they become spaces.
 [[nodiscard]] std::string printable(std::string_view text, bool keep_breaks = false);
 
-// The start of the character that the byte at `offset` belongs to.
+// The first byte of the character with the byte at `offset`.
 [[nodiscard]] std::size_t character_start(std::string_view text, std::size_t offset);
 
 }  // namespace armlet::lang

@@ -20,7 +20,8 @@ constexpr std::size_t kLongLine = 160;
 constexpr std::size_t kShownPart = 120;
 constexpr std::size_t kShownBefore = 40;
 constexpr std::string_view kCut = "...";
-// Columns of a headline; a longer one is cut, and the whole of it stands below the text.
+// The largest width of a headline; a longer one is cut, and its full text follows below the program
+// text.
 constexpr std::size_t kLongHeadline = 120;
 
 // A mark on one line; offsets are bytes within the line.
@@ -63,8 +64,8 @@ Window window_around(std::string_view line, std::size_t mark) {
   return {lang::character_start(line, begin), lang::character_start(line, begin + kShownPart)};
 }
 
-// The beginning of a text that is wider than `width` columns, up to the end of a word; the whole
-// text if it has no word that ends there.
+// The beginning of a text, of at most `width` columns, up to the end of a word; the whole text if
+// no word ends there.
 std::string cut_at_a_word(const std::string& text, std::size_t width) {
   const DisplayLine line = display_line(text);
   if (line.columns.back() <= static_cast<int>(width)) return text;
@@ -105,7 +106,7 @@ class TextRenderer {
     return diagnostic_.severity == Severity::kError ? kRed : kYellow;
   }
 
-  // Ends a line; nothing ends with a space.
+  // Ends a line without trailing spaces.
   void end_line() {
     while (out_.ends_with(' ')) out_.pop_back();
     out_ += '\n';
@@ -129,7 +130,7 @@ class TextRenderer {
   }
 
   void text_blocks() {
-    // Marks by source: the one of the main mark first.
+    // Groups marks by source; the source of the main mark comes first.
     std::vector<std::uint32_t> order = {diagnostic_.mark.span.source};
     for (const Mark& mark : diagnostic_.related) {
       const std::uint32_t source = mark.span.source;
@@ -192,7 +193,7 @@ class TextRenderer {
     }
   }
 
-  // One line in between is shown; more are left out.
+  // Between two marks one unmarked line is shown; more are replaced by dots.
   void gap(const Source& source, int before, int line) {
     if (line - before == 2) {
       const std::string_view text = source.line(before + 1);
@@ -204,7 +205,7 @@ class TextRenderer {
     }
   }
 
-  // Returns the columns of the bytes shown.
+  // Writes a line of the source. Returns the columns of the bytes that are shown.
   std::vector<int> source_line(int number, std::string_view line, Window window) {
     DisplayLine shown = display_line(line.substr(window.begin, window.end - window.begin));
     gutter(std::to_string(number));
@@ -243,7 +244,7 @@ class TextRenderer {
   void note(std::string_view name, std::string_view text) {
     const std::string start = fmt::format("{:>{}}= {:<6}", "", width_ + 1, name);
     out_ += options_.color ? painted(kBlue, start) : start;
-    // Further lines stand below the first one.
+    // Further lines of a label are below its first line.
     const std::string indent = '\n' + std::string(start.size(), ' ');
     for (const char c : printable(text, true)) {
       if (c == '\n') {
@@ -274,7 +275,7 @@ class TextRenderer {
   RenderOptions options_;
   std::string out_;
   std::size_t width_ = 1;
-  bool is_cut_ = false;  // the headline; the whole of it stands below
+  bool is_cut_ = false;  // the headline is cut, so its full text follows below
 };
 
 }  // namespace
@@ -285,7 +286,7 @@ bool tells_something(const std::optional<When>& when) {
 }
 
 std::string when_text(const When& when) {
-  // A program that calls itself without end has thousands of calls; the innermost ones tell enough.
+  // Endless recursion has thousands of calls; the innermost ones are sufficient.
   constexpr std::size_t kShownCalls = 4;
   std::string out = fmt::format("at t = {:.2f} s", seconds_of(when.time_ns));
   if (!when.resource.empty()) out += ", " + when.resource_type + ' ' + when.resource;

@@ -6,7 +6,7 @@
 namespace armlet {
 namespace {
 
-// Keeps the order in which keys are added.
+// JSON objects whose keys keep their order.
 using Json = nlohmann::ordered_json;
 
 void add_range(Json& out, Span span, const SourceSet& sources) {
@@ -31,7 +31,7 @@ void add_mark(Json& out, const Mark& mark, const SourceSet& sources) {
   add_text(out, "label", mark.label);
 }
 
-// `main`: the file that the message is about.
+// `main`: the file with the main mark of the message.
 Json fix_json(const Fix& fix, std::uint32_t main, const SourceSet& sources) {
   Json out;
   out["text"] = fix.text;
@@ -77,7 +77,7 @@ std::string render_json(const Diagnostic& diagnostic, const SourceSet& sources) 
   add_text(out, "why", diagnostic.why);
   if (diagnostic.fix) out["fix"] = fix_json(*diagnostic.fix, diagnostic.mark.span.source, sources);
   if (tells_something(diagnostic.when)) out["when"] = when_json(*diagnostic.when);
-  // Bytes that are no UTF-8 become U+FFFD: a message must not fail because of the text it is about.
+  // Invalid UTF-8 becomes U+FFFD, because a message must not fail on the text that it quotes.
   return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -11,14 +11,15 @@ bool DiagnosticSink::report(Diagnostic diagnostic) {
   if (is_error && statement_failed_) return false;
   if (is_error) statement_failed_ = true;
   if (is_error ? full() : is_full) return false;
-  // A function without parameter types is checked once per use; its mistake is told once.
+  // A function without parameter types is checked once for each use; its mistakes are reported
+  // once.
   const bool known = std::ranges::any_of(all_, [&](const Diagnostic& other) {
     return other.code == diagnostic.code && other.mark.span == diagnostic.mark.span;
   });
   if (known) return false;
 
   if (is_full) {
-    // Advice makes room for errors.
+    // If there are too many messages, an error replaces advice.
     const auto advice = std::ranges::find(all_, Severity::kAdvice, &Diagnostic::severity);
     if (!is_error || advice == all_.end()) return false;
     all_.erase(advice);

@@ -19,7 +19,8 @@ ast::Stmt* AstBuilder::statement(RbtParser::StmtContext* ctx) {
   if (ctx->start == ctx->stop && ctx->start->getType() == RbtParser::SEMI) return nullptr;
   in_.sink.begin_statement();
   const Deeper deeper(*this, 1, span_of(ctx));
-  // By the number of the rule: asking for every kind in turn would cost a search each.
+  // The kind of the statement is read from the number of its rule: asking for every kind in turn
+  // would be a search for each.
   auto* rule = static_cast<antlr4::RuleContext*>(ctx->children.front());
   switch (rule->getRuleIndex()) {
     case RbtParser::RuleClosedStmt:
@@ -143,7 +144,8 @@ ast::Stmt* AstBuilder::jump(RbtParser::ClosedStmtContext* ctx) {
 
 // Advice W0705: `return` alone on its line, and a value on the next.
 void AstBuilder::check_lone_return(const antlr4::ParserRuleContext* ctx) {
-  // Only where the next line belongs to the same block; behind `if (done) return` it is reached.
+  // Only if the next line belongs to the same block: after `if (done) return` the next line is
+  // executed.
   const auto* around = static_cast<antlr4::RuleContext*>(ctx->parent->parent);
   const bool in_sequence =
       ctx->parent->parent != nullptr && around->getRuleIndex() == RbtParser::RuleBlock;
@@ -204,7 +206,7 @@ void AstBuilder::check_target(const ast::Expr* target) {
                         target->kind == ast::ExprKind::kMember;
   if (is_place && target->parens == 0) return;
   Span span = target->span;
-  if (is_place) {  // with its parentheses
+  if (is_place) {  // the span with its parentheses
     span.begin -= text({span.begin - 1, span.begin, span.source}) == "(" ? 1 : 0;
   }
   report(make_diagnostic("E0328", span));
@@ -338,7 +340,7 @@ ast::Stmt* AstBuilder::try_stmt(RbtParser::TryStmtContext* ctx) {
   return out;
 }
 
-// parallel, when and every: their blocks run as tasks, which no jump can leave.
+// parallel, when and every: their blocks run as tasks, which no jump may leave.
 ast::Stmt* AstBuilder::task_block(RbtParser::StmtContext* ctx) {
   const Span span = span_of(ctx);
   if (RbtParser::ParallelStmtContext* parallel = ctx->parallelStmt()) {

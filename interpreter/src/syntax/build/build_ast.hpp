@@ -1,8 +1,8 @@
 #pragma once
-// Parse tree to syntax tree: one function per rule of the grammar. Knows nothing of errors of
-// syntax; the trees it is given are complete. Checks what the grammar leaves open: targets of
-// assignments, the order of arguments, the place of break, continue, return, retry and of
-// declarations.
+// Builds the syntax tree from a complete parse tree: one function per rule of the grammar. Mistakes
+// of syntax are reported elsewhere. The builder checks the rules that the grammar leaves open:
+// targets of assignments, the order of arguments, and the positions of break, continue, return,
+// retry and of declarations.
 
 #include <RbtParser.h>
 
@@ -18,22 +18,22 @@
 
 namespace armlet::lang {
 
-// Thrown where the tree becomes deeper than the limit; later stages may walk it recursively.
+// Thrown if the tree is deeper than the limit, since later stages use recursion.
 struct TreeTooDeep {
   Span span;
 };
 
-// What the builder reads and where it puts the tree.
+// The input of the builder, and the arena for the tree.
 struct BuildInput {
   const Source& source;
-  const Tokens& tokens;               // the indices of the parse tree's tokens count in these
+  const Tokens& tokens;               // the indices of the parse tree's tokens refer to these
   const std::vector<Span>& comments;  // for the text of /// lines
   Arena& arena;
   DiagnosticSink& sink;
   std::size_t max_depth;
-  std::size_t depth;  // at which the tree hangs in the whole
-  // Parses the value in a formatted text; null after a message. The number is the depth of the
-  // text.
+  std::size_t depth;  // the depth of the new tree's root
+  // Parses the value in a formatted text; null after a message. The second argument is the depth of
+  // the text in the tree.
   std::function<ast::Expr*(Span, std::size_t)> parse_piece;
   const std::atomic<bool>* cancelled;  // see parse.hpp
 };
@@ -43,7 +43,7 @@ class AstBuilder {
   explicit AstBuilder(const BuildInput& input) : in_(input), depth_(input.depth) {}
 
   [[nodiscard]] bool failed() const { return failed_; }
-  // Whether something is missing in the last statement, so that it cannot be checked.
+  // Whether a part is missing in the last statement, so that it cannot be checked.
   [[nodiscard]] bool take_incomplete() { return std::exchange(incomplete_, false); }
 
   // Null for an empty statement.
@@ -51,16 +51,16 @@ class AstBuilder {
   ast::Expr* expression(RbtParser::ExpressionContext* ctx);
 
  private:
-  // Which jumps make sense where a statement stands.
+  // The jumps that are allowed at the position of a statement.
   struct Place {
     bool at_top = true;
     bool in_loop = false;
     bool in_switch = false;
     bool in_function = false;
     bool in_catch = false;
-    const char* task = nullptr;  // the block that made a task of its own
+    const char* task = nullptr;  // the kind of block that runs as a task
   };
-  // Sets the place for a body and restores it at the end.
+  // Sets the allowed jumps for a body, and restores the old ones at its end.
   class Inside {
    public:
     Inside(AstBuilder& builder, Place place) : builder_(builder), outer_(builder.place_) {
@@ -74,7 +74,7 @@ class AstBuilder {
     AstBuilder& builder_;
     Place outer_;
   };
-  // Counts levels of the tree while it exists.
+  // Increases the depth of the tree during its lifetime.
   class Deeper {
    public:
     Deeper(AstBuilder& builder, std::size_t levels, Span span);
@@ -180,7 +180,7 @@ class AstBuilder {
   std::string_view decoded(Span literal);
   std::size_t decode_escape(Span span, std::size_t at, std::string& out);
 
-  // A node whose other parts are still empty.
+  // A new node without its parts.
   template <class T, class Kind>
   T* fresh(Kind kind, Span span) {
     T* out = in_.arena.make<T>();
@@ -191,7 +191,7 @@ class AstBuilder {
 
   // build_types.cpp: spans and messages
   [[nodiscard]] Span token_span(const antlr4::Token* token) const;
-  // Without the `;` at the end.
+  // The span without the `;` at the end.
   [[nodiscard]] Span span_of(const antlr4::ParserRuleContext* ctx) const;
   [[nodiscard]] ast::Name name(RbtParser::NameContext* ctx) const;
   [[nodiscard]] std::string_view text(Span span) const { return in_.source.slice(span); }

@@ -1,4 +1,4 @@
-// Declarations.
+// Builds declarations.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ constexpr std::string_view kDocMark = "///";
 
 }  // namespace
 
-// What stands at the top of a file only.
+// Declarations that are allowed at the top level of a file only.
 ast::Stmt* AstBuilder::top_declaration(RbtParser::StmtContext* ctx) {
   const char* what = ctx->fnDecl() != nullptr       ? "a function"
                      : ctx->structDecl() != nullptr ? "a struct"
@@ -152,7 +152,7 @@ ast::Stmt* AstBuilder::import_decl(RbtParser::ImportDeclContext* ctx) {
     out->path = decoded(out->path_span);
   } else {
     out->path_span = span_of(ctx->typeName());
-    std::string path;  // without the blanks and comments that may stand between its names
+    std::string path;  // without the blanks and comments between its names
     for (RbtParser::NameContext* part : ctx->typeName()->name())
       path.append(path.empty() ? "" : ".").append(name(part).text);
     out->path = in_.arena.copy(path);

@@ -1,4 +1,4 @@
-// Expressions.
+// Builds expressions.
 
 #include <limits>
 
@@ -40,8 +40,8 @@ ast::Expr* AstBuilder::expression(RbtParser::ExpressionContext* ctx) {
                                         expr(ctx->expr(1)));
 }
 
-// Operators and suffixes that follow each other make a tree that leans to the left: a loop, not a
-// recursion.
+// A chain of operators and suffixes becomes a tree that grows to the left. A loop builds it, so
+// that long chains need no recursion.
 ast::Expr* AstBuilder::expr(RbtParser::ExprContext* ctx) {
   std::vector<RbtParser::ExprContext*> spine;
   while (RbtParser::ExprContext* left = left_operand(ctx)) {
@@ -67,7 +67,7 @@ ast::Expr* AstBuilder::leaf(RbtParser::ExprContext* ctx) {
 ast::Expr* AstBuilder::unary(RbtParser::UnaryEContext* ctx) {
   const Span span = span_of(ctx);
   const std::size_t sign = ctx->start->getType();
-  // The smallest whole number: its digits alone would be too large.
+  // The smallest int: its digits without the sign would be too large.
   if (sign == RbtParser::MINUS && text(span_of(ctx->expr())) == "9223372036854775808") {
     return in_.arena.make<ast::IntExpr>(base(ast::ExprKind::kInt, span),
                                         std::numeric_limits<std::int64_t>::min(), false);

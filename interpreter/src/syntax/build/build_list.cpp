@@ -1,10 +1,10 @@
-// Lists, matrices and maps as they are written.
+// Builds lists, matrices and maps.
 
 #include "syntax/build/build_ast.hpp"
 
 namespace armlet::lang {
 
-// [a, b] is a list; a `;` anywhere, even behind the last row, makes a matrix; colons make a map.
+// [a, b] is a list; any `;`, also after the last row, makes a matrix; colons make a map.
 ast::Expr* AstBuilder::list_or_matrix(RbtParser::PrimaryContext* ctx) {
   const Span span = span_of(ctx);
   if (ctx->COLON() != nullptr) return map_of(span, {});

@@ -1,4 +1,4 @@
-// Numbers and texts.
+// Builds numbers and texts.
 
 #include <cctype>
 #include <charconv>
@@ -29,7 +29,7 @@ void append_utf8(std::string& out, std::uint32_t code) {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-// Where a mark stands outside of brackets and inner texts; the end of `text` if it does not.
+// The position of a mark outside of brackets and inner texts; the end of `text` if there is none.
 std::size_t find_mark(std::string_view text, char mark) {
   std::size_t depth = 0;
   char quote = 0;
@@ -101,7 +101,7 @@ ast::Expr* AstBuilder::whole_number(Span span) {
       std::from_chars(number.data(), number.data() + number.size(), value, hexadecimal ? 16 : 10);
   const bool too_large = read.ec != std::errc{};
   if (too_large) report(make_diagnostic("E0109", span, {std::string(text(span))}));
-  constexpr std::int64_t kFirstOfTwoDigits = 8;  // up to here octal numbers are the same
+  constexpr std::int64_t kFirstOfTwoDigits = 8;  // up to this number octal and decimal are the same
   if (digits[0] == '0' && !hexadecimal && value >= kFirstOfTwoDigits) {
     Diagnostic advice =
         make_diagnostic("W0717", span, {std::string(text(span)), std::to_string(value)});
@@ -136,14 +136,14 @@ Span span_inside_quotes(std::string_view written, Span span) {
           span.end - static_cast<std::uint32_t>(quotes.closing), span.source};
 }
 
-// The lines of what stands between the quotes of `written`; a text of one line is as it stands.
+// The lines of the text between the quotes of `written`. A text of one line is unchanged.
 TextLines lines_between_quotes(std::string_view written, std::string_view raw) {
   return quotes_of(written).spans_lines ? lines_of_text(raw) : TextLines{.end = raw.size()};
 }
 
 }  // namespace
 
-// What a literal says: without quotes and common indentation, and with its escapes decoded.
+// The characters of a text literal: without quotes and common indentation, with escapes decoded.
 std::string_view AstBuilder::decoded(Span literal) {
   const Span inner = span_inside_quotes(text(literal), literal);
   const std::string_view raw = text(inner);
@@ -163,7 +163,7 @@ std::string_view AstBuilder::decoded(Span literal) {
   return in_.arena.copy(out);
 }
 
-// Decodes the escape at `at` of the text `span` and returns where the text goes on.
+// Decodes the escape at `at` of the text `span`. Returns the position after it.
 std::size_t AstBuilder::decode_escape(Span span, std::size_t at, std::string& out) {
   const std::string_view raw = text(span);
   constexpr std::string_view kLetters = "ntr\\\"'0";
@@ -240,7 +240,7 @@ ast::Expr* AstBuilder::formatted(Span span) {
                                             in_.arena.copy(texts), in_.arena.copy(pieces));
 }
 
-// What stands between braces: a value, and a format behind a colon.
+// The contents of a pair of braces in a formatted text: a value, and a format after a colon.
 ast::FormatPiece AstBuilder::format_piece(Span piece) {
   const std::string_view raw = text(piece);
   const std::size_t colon = find_mark(raw, ':');  // of the format
@@ -269,7 +269,7 @@ ast::FormatPiece AstBuilder::format_piece(Span piece) {
   return out;
 }
 
-// [<^>][+][0][width][.digits][f|e|g] and a unit, any of them.
+// A format: [<^>][+][0][width][.digits][f|e|g] and a unit; each part is optional.
 ast::FormatSpec AstBuilder::format_spec(Span span) {
   ast::FormatSpec out;
   out.span = span;
@@ -281,7 +281,7 @@ ast::FormatSpec AstBuilder::format_spec(Span span) {
   const auto take = [&](std::string_view signs) {
     return at < end && signs.find(raw[at]) != std::string_view::npos ? raw[at++] : '\0';
   };
-  // A whole number below 10,000; -1 if none stands here.
+  // An int below 10,000; -1 if there is none.
   const auto number = [&] {
     const std::size_t first = at;
     while (at < end && is_digit(raw[at])) ++at;

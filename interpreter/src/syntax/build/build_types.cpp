@@ -1,4 +1,4 @@
-// Types, parameters, and what all parts of the builder use.
+// Builds types and parameters, and has functions for all parts of the builder.
 
 #include "base/cancelled.hpp"
 #include "syntax/build/build_ast.hpp"
@@ -57,7 +57,7 @@ ast::TypeExpr* AstBuilder::dim_type(RbtParser::DimTypeContext* ctx) {
     int exponent = sign;
     if (antlr4::tree::TerminalNode* number = factor->INT()) {
       const std::string_view digits = text(token_span(number->getSymbol()));
-      // No dimension has two digits; the checker refuses what is too large for it.
+      // No dimension has an exponent of two digits; the checker rejects larger ones.
       exponent *= digits.size() > 2 ? 99 : std::stoi(std::string(digits));
       if (factor->MINUS() != nullptr) exponent = -exponent;
     }
@@ -70,7 +70,7 @@ ast::TypeExpr* AstBuilder::dim_type(RbtParser::DimTypeContext* ctx) {
   return out;
 }
 
-// (fn(int) -> int)[]
+// A type in parentheses, such as (fn(int) -> int)[].
 ast::TypeExpr* AstBuilder::type_in_parens(RbtParser::DimFactorContext* ctx) {
   const Deeper deeper(*this, 1, span_of(ctx));
   return in_brackets(any_type(ctx->inParens()->anyType()), ctx->bracketPair(), span_of(ctx));
@@ -125,7 +125,8 @@ ast::TypeExpr* AstBuilder::array_of(ast::TypeExpr* element, std::size_t dimensio
   return element;
 }
 
-// int[string][]: from left to right, each pair makes a list or a map of what stands before it.
+// int[string][]: from left to right, each pair of brackets makes a list or a map of the type before
+// it.
 ast::TypeExpr* AstBuilder::in_brackets(ast::TypeExpr* element,
                                        const std::vector<RbtParser::BracketPairContext*>& pairs,
                                        Span span) {

@@ -12,7 +12,7 @@ std::size_t end_of_line(std::string_view raw, std::size_t at) {
   return std::min(raw.find_first_of("\r\n", at), raw.size());
 }
 
-// The blanks that the lines looked at begin with.
+// The blanks that all lines so far begin with.
 class Common {
  public:
   void add(std::string_view blanks) {

@@ -1,5 +1,5 @@
-// Blocks and headers as they are written elsewhere, or without a part of them: for (var i in xs),
-// test addition { ... }, catch e { ... }, do { ... } until (c), repeat 3 { ... }, lab { ... }.
+// Explains blocks and headers of other languages, or with a missing part: for (var i in xs), test
+// addition { ... }, catch e { ... }, do { ... } until (c), repeat 3 { ... }, lab { ... }.
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ Diagnostic misfit(const FailureSite& site, std::size_t i, std::string why) {
   return out;
 }
 
-// The bracket of the header of a `for` in which token `i` stands.
+// The opening bracket of the `for` header that contains token `i`.
 std::optional<std::size_t> for_header(const FailureSite& site, std::size_t i) {
   const std::optional<std::size_t> open = site.opener(i);
   const bool is_header = open && *open > 0 && site.type(*open) == RbtLexer::LPAREN &&
@@ -26,7 +26,7 @@ std::optional<std::size_t> for_header(const FailureSite& site, std::size_t i) {
   return is_header ? open : std::nullopt;
 }
 
-// for (var i in range(3))
+// Explains the mistake: for (var i in range(3))
 Answer declared_loop_name(const FailureSite& site) {
   if (site.type(site.at) != RbtLexer::IN) return std::nullopt;
   const std::optional<std::size_t> open = for_header(site, site.at);
@@ -46,7 +46,7 @@ Answer declared_loop_name(const FailureSite& site) {
   return out;
 }
 
-// for (i = 1:10), for (i in 1:10): the last value belongs to it.
+// Explains the mistake: for (i = 1:10), for (i in 1:10), where the last value belongs to the range.
 Answer range_with_colon(const FailureSite& site) {
   if (site.type(site.at) != RbtLexer::COLON) return std::nullopt;
   const std::optional<std::size_t> open = for_header(site, site.at);
@@ -69,7 +69,7 @@ Answer range_with_colon(const FailureSite& site) {
   return out;
 }
 
-// test addition { ... }
+// Explains the mistake: test addition { ... }
 Answer test_without_quotes(const FailureSite& site) {
   const std::size_t name = site.statement + 1;
   if (site.type(site.statement) != RbtLexer::TEST || !is_name(site.type(name)) ||
@@ -81,7 +81,7 @@ Answer test_without_quotes(const FailureSite& site) {
   return out;
 }
 
-// assert(n = 1)
+// Explains the mistake: assert(n = 1)
 Answer assert_with_one_equals(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::ASSIGN || !open || *open == 0 ||
@@ -95,7 +95,7 @@ Answer assert_with_one_equals(const FailureSite& site) {
   return out;
 }
 
-// catch e { ... }
+// Explains the mistake: catch e { ... }
 Answer catch_without_parentheses(const FailureSite& site) {
   const bool is_bare = site.at > 0 && site.before() == RbtLexer::CATCH &&
                        is_name(site.type(site.at)) && site.type(site.at + 1) == RbtLexer::LBRACE;
@@ -117,7 +117,7 @@ std::size_t condition_end(const FailureSite& site, std::size_t first) {
   return last;
 }
 
-// The edits that make `while (!(c))` of `until c` at token `until`.
+// The edits that replace `until c` at token `until` by `while (!(c))`.
 std::vector<Edit> while_of(const FailureSite& site, std::size_t until) {
   const std::size_t last = condition_end(site, until + 1);
   const bool has_brackets =
@@ -127,7 +127,7 @@ std::vector<Edit> while_of(const FailureSite& site, std::size_t until) {
           {site.after(last), has_brackets ? ")" : "))"}};
 }
 
-// do { ... } until (c)
+// Explains the mistake: do { ... } until (c)
 Answer do_until(const FailureSite& site) {
   const bool ends_loop = site.at > 0 && site.type(site.at) == RbtLexer::UNTIL &&
                          site.before() == RbtLexer::RBRACE &&
@@ -140,7 +140,7 @@ Answer do_until(const FailureSite& site) {
   return out;
 }
 
-// repeat { ... } until (c), repeat 3 { ... }, loop { ... }
+// Explains the mistake: repeat { ... } until (c), repeat 3 { ... }, loop { ... }
 Answer foreign_loop(const FailureSite& site) {
   const std::size_t word = site.statement;
   const std::string text = site.text(word);
@@ -172,7 +172,7 @@ Answer foreign_loop(const FailureSite& site) {
   return out;
 }
 
-// lab { ... }
+// Explains the mistake: lab { ... }
 Answer block_without_name(const FailureSite& site) {
   const std::size_t word = site.statement;
   if (site.at != word + 1 || site.type(word) != RbtLexer::ID ||
@@ -184,7 +184,7 @@ Answer block_without_name(const FailureSite& site) {
   return out;
 }
 
-// go(p, until: c > 8N)
+// Explains the mistake: go(p, until: c > 8N)
 Answer until_as_argument(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::UNTIL || !open || !site.is_call(*open) ||

@@ -7,7 +7,7 @@
 namespace armlet::lang {
 namespace {
 
-// A token that is the first of its line: what indentation is measured by.
+// Whether a token is the first of its line, where indentation is measured.
 bool starts_line(const Tokens& tokens, std::size_t i) {
   return i == 0 || tokens[i].line_break_before;
 }
@@ -34,7 +34,7 @@ class BracketCheck {
   std::string text(std::size_t i) const { return std::string(source_.slice(span(i))); }
   int line(std::size_t i) const { return source_.position(tokens_[i].begin).line; }
 
-  // Blanks before the first character of the line that token `i` stands on.
+  // The count of blanks before the first character of the line with token `i`.
   std::size_t indent(std::size_t i) const {
     const std::string_view content = source_.line(line(i));
     return std::min(content.find_first_not_of(" \t"), content.size());
@@ -46,7 +46,7 @@ class BracketCheck {
                                                       : "}";
   }
 
-  // The closer `i` does not belong to the innermost open bracket.
+  // The message for a closing bracket `i` that does not match the innermost open bracket.
   Diagnostic mismatch(std::size_t i) {
     const std::size_t inner = open_.back();
     const bool closes_outer = std::ranges::any_of(
@@ -63,8 +63,8 @@ class BracketCheck {
 
   Diagnostic unclosed(std::size_t opener, std::size_t limit) {
     if (tokens_[opener].type != RbtLexer::LBRACE) return unclosed_bracket(opener, limit);
-    // A bracket left open inside an earlier block may have swallowed a brace: the indentation
-    // decides.
+    // A bracket that an earlier block left open may have been closed by a brace of another block:
+    // the indentation decides.
     if (const std::optional<std::size_t> block = first_outgrown_block())
       return unclosed_block(*block);
     return unclosed_block(opener);
@@ -96,7 +96,7 @@ class BracketCheck {
     return out;
   }
 
-  // The `//` behind the last token of the bracket, if the closing bracket stands in its comment:
+  // The `//` after the last token of the bracket, if the comment contains the closing bracket:
   // print(3 // 2)
   std::optional<Span> swallowed_by_comment(std::size_t opener, std::size_t end) const {
     const std::uint32_t from = tokens_[end - 1].end;
@@ -110,8 +110,8 @@ class BracketCheck {
     return Span{begin, begin + 2, source_.id()};
   }
 
-  // The token before which the bracket `opener` must have ended: a `;`, a closer of something
-  // outside, a line that is indented no deeper than the one with the bracket, the end of the text.
+  // The token before which the bracket `opener` must have ended: a `;`, a closing bracket of an
+  // outer one, a line that is indented no deeper than that of the bracket, or the end of the text.
   std::size_t end_of_bracket(std::size_t opener, std::size_t limit) const {
     std::size_t depth = 0;
     const bool in_for = opener > 0 && tokens_[opener - 1].type == RbtLexer::FOR;
@@ -122,7 +122,7 @@ class BracketCheck {
       if (!outside) continue;
       if (tokens_[i].type == RbtLexer::SEMI && !in_for && tokens_[opener].type == RbtLexer::LPAREN)
         return i;
-      // The rows of a matrix may end with `;`, but then the lines below are indented.
+      // Rows of a matrix may end with `;`; the lines below are then indented.
       if (tokens_[i].type == RbtLexer::SEMI && tokens_[opener].type == RbtLexer::LBRACK &&
           starts_line(tokens_, i + 1) && indent(i + 1) <= indent(opener) &&
           !is_closer(tokens_[i + 1].type))
@@ -135,8 +135,8 @@ class BracketCheck {
     return limit;
   }
 
-  // A block whose text goes on with a line indented no deeper than the line that opens it, in the
-  // order of the text.
+  // The first block that is followed by a line which is indented no deeper than the block's first
+  // line, although no brace has closed it.
   std::optional<std::size_t> first_outgrown_block() {
     std::vector<std::size_t> blocks;
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
@@ -178,8 +178,8 @@ class BracketCheck {
     return out;
   }
 
-  // A closer too many. If an earlier `}` stands on a line indented otherwise than its block, that
-  // one is it.
+  // A closing bracket without an opening one. If an earlier `}` is on a line with another
+  // indentation than its block, that brace is reported.
   Diagnostic surplus(std::size_t i) {
     std::size_t at = i;
     if (tokens_[i].type == RbtLexer::RBRACE) {

@@ -1,5 +1,5 @@
 #pragma once
-// The bracket check: which bracket is really missing, judged by indentation (language reference,
+// The check of brackets. If one is missing, the indentation shows which (language reference,
 // section 20.2).
 
 #include <optional>

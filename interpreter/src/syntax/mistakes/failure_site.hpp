@@ -1,5 +1,5 @@
 #pragma once
-// The place where the parser could not go on, with the questions that messages ask about it.
+// The position where the parser could not continue, with functions for the messages about it.
 
 #include <algorithm>
 #include <optional>
@@ -15,7 +15,7 @@ class FailureSite {
   FailureSite(const Source& source, const Tokens& tokens, std::size_t first, std::size_t failing)
       : statement(first), at(failing), source_(source), tokens_(tokens) {}
 
-  const std::size_t statement;  // first token of the statement
+  const std::size_t statement;  // the first token of the statement
   const std::size_t at;         // the token that does not fit
 
   [[nodiscard]] std::uint16_t type(std::size_t i) const {
@@ -25,22 +25,22 @@ class FailureSite {
   [[nodiscard]] bool inserted(std::size_t i) const { return token(i).inserted; }
   [[nodiscard]] bool starts_line(std::size_t i) const { return token(i).line_break_before; }
 
-  // Characters before the first one of the line that token `i` stands on.
+  // The count of characters before the first token of the line with token `i`.
   [[nodiscard]] std::size_t line_indent(std::size_t i) const {
     const std::string_view line = source_.line(source_.position(token(i).begin).line);
     return std::min(line.find_first_not_of(" \t"), line.size());
   }
-  // Characters before token `i` on its line.
+  // The count of characters before token `i` on its line.
   [[nodiscard]] std::size_t column(std::size_t i) const {
     return static_cast<std::size_t>(source_.position(token(i).begin).column) - 1;
   }
 
-  // From token `first` to token `last`.
+  // The span from token `first` to token `last`.
   [[nodiscard]] Span span(std::size_t first, std::size_t last) const {
     return {token(first).begin, token(last).end, source_.id()};
   }
   [[nodiscard]] Span span(std::size_t i) const { return span(i, i); }
-  // The empty place behind token `i`.
+  // The empty span after token `i`.
   [[nodiscard]] Span after(std::size_t i) const {
     return {token(i).end, token(i).end, source_.id()};
   }
@@ -48,11 +48,11 @@ class FailureSite {
     return std::string(source_.slice(span(first, last)));
   }
   [[nodiscard]] std::string text(std::size_t i) const { return text(i, i); }
-  // Nothing stands between the two tokens, not even a blank.
+  // Whether no character, not even a blank, is between the two tokens.
   [[nodiscard]] bool touch(std::size_t left, std::size_t right) const {
     return right < tokens_.size() && token(left).end == token(right).begin;
   }
-  // No line break between the two tokens.
+  // Whether no line break is between the two tokens.
   [[nodiscard]] bool on_one_line(std::size_t left, std::size_t right) const {
     for (std::size_t i = left + 1; i <= right; ++i) {
       if (token(i).line_break_before) return false;
@@ -60,7 +60,7 @@ class FailureSite {
     return true;
   }
 
-  // Whether a token in front of token `i` has the same text.
+  // Whether a token before token `i` has the same text.
   [[nodiscard]] bool occurs_before(std::size_t i) const {
     const std::string name = text(i);
     for (std::size_t k = 0; k < i; ++k) {
@@ -79,7 +79,7 @@ class FailureSite {
     return std::nullopt;
   }
 
-  // The bracket that closes the one at token `open`.
+  // The token that closes the bracket at token `open`.
   [[nodiscard]] std::size_t closer(std::size_t open) const {
     std::size_t depth = 0;
     for (std::size_t i = open; i < tokens_.size(); ++i) {
@@ -89,12 +89,12 @@ class FailureSite {
     return tokens_.size() - 1;
   }
 
-  // The bracket that the one at token `close` closes.
+  // The token that opens the bracket which token `close` closes.
   [[nodiscard]] std::size_t opener_of(std::size_t close) const {
     return opener(close).value_or(statement);
   }
 
-  // The first token of the value that ends with token `last`: p[i].x
+  // The first token of the value that ends with token `last`, such as p[i].x.
   [[nodiscard]] std::size_t value_start(std::size_t last) const {
     while (true) {
       if (is_closer(type(last))) last = opener_of(last);
@@ -109,7 +109,7 @@ class FailureSite {
     }
   }
 
-  // Whether `(` at token `open` passes arguments: it follows something that can be called.
+  // Whether `(` at token `open` begins arguments, because it follows a value that can be called.
   [[nodiscard]] bool is_call(std::size_t open) const {
     if (open == 0) return false;
     const std::uint16_t callee = type(open - 1);
@@ -127,7 +127,7 @@ class FailureSite {
   }
 
  private:
-  // Behind the last token, that one.
+  // The token with an index; the last one for larger indices.
   [[nodiscard]] const Token& token(std::size_t i) const {
     return tokens_[std::min(i, tokens_.size() - 1)];
   }
@@ -136,7 +136,8 @@ class FailureSite {
   const Tokens& tokens_;
 };
 
-// Habits from other languages, words and marks: the message, or nothing if none is the cause.
+// The message for a habit from another language, or for a misused word or mark; empty if none is
+// the cause.
 [[nodiscard]] std::optional<Diagnostic> explain_habit(const FailureSite& site);
 [[nodiscard]] std::optional<Diagnostic> explain_map_habit(const FailureSite& site);
 [[nodiscard]] std::optional<Diagnostic> explain_sign(const FailureSite& site);

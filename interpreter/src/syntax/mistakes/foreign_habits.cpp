@@ -1,5 +1,5 @@
-// Mistakes of people who know another language: Java's frame around a program, Python's words, a
-// decimal comma.
+// Explains habits from other languages: the class around a Java program, words of Python, decimal
+// commas.
 
 #include <algorithm>
 #include <array>
@@ -23,11 +23,11 @@ bool is_modifier(const FailureSite& site, std::size_t i) {
          std::ranges::find(kModifiers, site.text(i)) != kModifiers.end();
 }
 
-// A class or a main that begins at a token, with modifiers in front: where its header ends.
+// A class or a main function that begins at a token, with modifiers before it.
 struct ProgramFrame {
-  std::size_t modifier;  // the last of them
-  std::size_t brace;     // behind the header
-  bool is_frame;         // of a whole program
+  std::size_t modifier;  // the last modifier
+  std::size_t brace;     // the brace after the header
+  bool is_frame;         // whether it contains a whole program
 };
 
 std::optional<ProgramFrame> frame_at(const FailureSite& site, std::size_t first) {
@@ -47,7 +47,8 @@ std::optional<ProgramFrame> frame_at(const FailureSite& site, std::size_t first)
   return out;
 }
 
-// static int calls = 0; in a function: the variable would keep its value between calls.
+// Whether a modifier is that of `static int calls = 0;` in a function, a variable that keeps its
+// value between calls.
 bool is_kept_between_calls(const FailureSite& site, std::size_t modifier) {
   if (site.text(modifier) != "static") return false;
   std::size_t depth = 0;
@@ -61,7 +62,8 @@ bool is_kept_between_calls(const FailureSite& site, std::size_t modifier) {
   return false;
 }
 
-// public static void main(String[] args) {, and what stands directly inside of such a frame.
+// Explains the mistake: public static void main(String[] args) {, and modifiers directly inside of
+// such a class.
 Answer java_frame(const FailureSite& site) {
   std::optional<ProgramFrame> frame = frame_at(site, site.statement);
   if (!frame) return std::nullopt;
@@ -102,7 +104,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// and, or, not, def; and our own words with capital letters.
+// Explains the mistake: and, or, not, def, and keywords with capital letters.
 Answer foreign_word(const FailureSite& site) {
   const auto known = [&](std::size_t i) -> Answer {
     if (i > site.at || site.type(i) != RbtLexer::ID) return std::nullopt;
@@ -129,7 +131,7 @@ Answer foreign_word(const FailureSite& site) {
   return known(site.statement);
 }
 
-// 0,5
+// Explains the mistake: 0,5
 Answer decimal_comma(const FailureSite& site) {
   const std::size_t comma = site.type(site.at) == RbtLexer::COMMA ? site.at : site.at - 1;
   if (comma == 0 || comma <= site.statement || site.type(comma) != RbtLexer::COMMA)
@@ -144,7 +146,7 @@ Answer decimal_comma(const FailureSite& site) {
   return out;
 }
 
-// 2 s
+// Explains the mistake: 2 s
 Answer unit_apart(const FailureSite& site) {
   if (site.at <= site.statement || !is_name(site.type(site.at))) return std::nullopt;
   const std::uint16_t number = site.before();
@@ -166,7 +168,7 @@ Answer unit_apart(const FailureSite& site) {
   return out;
 }
 
-// x := 3
+// Explains the mistake: x := 3
 Answer colon_equals(const FailureSite& site) {
   const std::size_t colon = site.type(site.at) == RbtLexer::COLON ? site.at : site.at - 1;
   if (site.at == 0 || site.type(colon) != RbtLexer::COLON ||
@@ -175,7 +177,7 @@ Answer colon_equals(const FailureSite& site) {
   }
   Diagnostic out = make_diagnostic("E0119", site.span(colon, colon + 1));
   out.fix = Fix{"write =", {{out.mark.span, "="}}, Confidence::kSure};
-  // A name that the text has not used before is declared here.
+  // A name that does not occur before is declared here.
   const bool alone = colon == site.statement + 1 && is_name(site.type(site.statement));
   if (!alone || site.occurs_before(site.statement)) return out;
   const std::uint32_t begin = site.span(site.statement).begin;
@@ -184,7 +186,7 @@ Answer colon_equals(const FailureSite& site) {
   return out;
 }
 
-// double[] q = (0.0, 0.5)
+// Explains the mistake: double[] q = (0.0, 0.5)
 Answer round_list(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::COMMA || !open || site.type(*open) != RbtLexer::LPAREN ||
@@ -202,7 +204,7 @@ Answer round_list(const FailureSite& site) {
   return out;
 }
 
-// point({0.0, 0.5})
+// Explains the mistake: point({0.0, 0.5})
 Answer braces_as_value(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::LBRACE || !open || site.type(*open) == RbtLexer::LBRACE) {
@@ -224,7 +226,7 @@ Answer braces_as_value(const FailureSite& site) {
   return out;
 }
 
-// run(p, time = 2s)
+// Explains the mistake: run(p, time = 2s)
 Answer setting_with_equals(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::ASSIGN || !open || site.type(*open) != RbtLexer::LPAREN ||
@@ -239,7 +241,7 @@ Answer setting_with_equals(const FailureSite& site) {
   return out;
 }
 
-// print "hello"
+// Explains the mistake: print "hello"
 Answer call_without_parentheses(const FailureSite& site) {
   if (site.at != site.statement + 1 || !is_name(site.type(site.statement)) ||
       !is_literal(site.type(site.at)) || !site.on_one_line(site.statement, site.at)) {
@@ -251,7 +253,7 @@ Answer call_without_parentheses(const FailureSite& site) {
   return out;
 }
 
-// lambda x, y: x + y
+// Explains the mistake: lambda x, y: x + y
 Answer python_lambda(const FailureSite& site) {
   const std::size_t word = site.at - 1;
   if (site.at <= site.statement + 1 || site.text(word) != "lambda" || !is_name(site.type(site.at)))
@@ -271,7 +273,7 @@ Answer python_lambda(const FailureSite& site) {
   return out;
 }
 
-// f'{x}' and f"{"x"}"
+// Explains the mistake: f'{x}' and f"{"x"}"
 Answer quotes_of_a_format(const FailureSite& site) {
   if (site.at <= site.statement || !site.touch(site.at - 1, site.at)) return std::nullopt;
   const Span here = site.span(site.at);
@@ -300,7 +302,7 @@ Answer quotes_of_a_format(const FailureSite& site) {
   return out;
 }
 
-// sin x
+// Explains the mistake: sin x
 Answer function_without_parentheses(const FailureSite& site) {
   constexpr std::array<std::string_view, 13> kFunctions = {"sin",   "cos",  "tan",  "asin", "acos",
                                                            "atan",  "sqrt", "abs",  "exp",  "log",
@@ -315,7 +317,7 @@ Answer function_without_parentheses(const FailureSite& site) {
   return out;
 }
 
-// 1.5.5
+// Explains the mistake: 1.5.5
 Answer two_decimal_points(const FailureSite& site) {
   if (site.at <= site.statement || !site.touch(site.at - 1, site.at)) return std::nullopt;
   if (!is_number(site.before()) || !is_number(site.type(site.at)) ||

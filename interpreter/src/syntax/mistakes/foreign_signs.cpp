@@ -1,5 +1,5 @@
-// Marks and layouts of other languages: ** and <>, commas in the header of a loop, a colon and an
-// indented block.
+// Explains marks and layouts of other languages: ** and <>, commas in the header of a loop, a colon
+// and an indented block.
 
 #include <algorithm>
 #include <array>
@@ -34,8 +34,8 @@ constexpr auto kSigns = std::to_array<Sign>({
     {RbtLexer::ASSIGN, RbtLexer::LT, "<="},
 });
 
-// x ** 2, a <> b, a === b, a =< b: the parser stops at the second of two marks that touch, or at
-// the first.
+// Explains the mistake: x ** 2, a <> b, a === b, a =< b. The parser stops at the first or at the
+// second of two marks without a blank between them.
 Answer doubled_sign(const FailureSite& site) {
   for (const std::size_t first : {site.at, site.at - 1}) {
     if (first > site.at || first <= site.statement || !site.touch(first, first + 1)) continue;
@@ -49,7 +49,7 @@ Answer doubled_sign(const FailureSite& site) {
   return std::nullopt;
 }
 
-// x << 3: a multiplication with 8.
+// Explains the mistake: x << 3, which is a multiplication by 8.
 Answer shifted_bits(const FailureSite& site) {
   for (const std::size_t first : {site.at, site.at - 1}) {
     if (first > site.at || first <= site.statement || !site.touch(first, first + 1)) continue;
@@ -68,7 +68,7 @@ Answer shifted_bits(const FailureSite& site) {
   return std::nullopt;
 }
 
-// if (a => b)
+// Explains the mistake: if (a => b)
 Answer arrow_compares(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   const bool in_header = open && *open > 0 && is_header_word(site.type(*open - 1));
@@ -81,8 +81,8 @@ bool may_precede_lambda(std::uint16_t type) {
          type == RbtLexer::COLON;
 }
 
-// The parameters from token `first` to token `last`, x or (x, y), as those of a function. Types are
-// written where nothing else tells them: behind `let f =`.
+// The parameters x or (x, y), from token `first` to token `last`, as parameters of a function. They
+// have types after `let f =`, where no call determines the types.
 std::string parameters_of_lambda(const FailureSite& site, std::size_t first, std::size_t last) {
   const bool declares = site.type(first - 1) == RbtLexer::ASSIGN;
   std::string out;
@@ -93,7 +93,7 @@ std::string parameters_of_lambda(const FailureSite& site, std::size_t first, std
   return "fn(" + out + ')';
 }
 
-// x => x + 1 and (x, y) => x + y
+// Explains the mistake: x => x + 1 and (x, y) => x + y
 Answer lambda_without_fn(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   std::size_t first = site.at;
@@ -116,7 +116,7 @@ Answer lambda_without_fn(const FailureSite& site) {
   return written_as(mark, found + " =>", meant + " =>", {{mark, meant}});
 }
 
-// for (int i = 0, i < 3, i++)
+// Explains the mistake: for (int i = 0, i < 3, i++)
 Answer commas_in_loop(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (!open || *open == 0 || site.type(*open - 1) != RbtLexer::FOR) return std::nullopt;
@@ -140,7 +140,7 @@ Answer commas_in_loop(const FailureSite& site) {
   return out;
 }
 
-// fn f(x: int): int { ... }
+// Explains the mistake: fn f(x: int): int { ... }
 Answer result_behind_colon(const FailureSite& site) {
   const bool is_function = site.type(site.statement) == RbtLexer::FN;
   if (!is_function || site.type(site.at) != RbtLexer::COLON || site.before() != RbtLexer::RPAREN ||
@@ -150,7 +150,7 @@ Answer result_behind_colon(const FailureSite& site) {
   return written_as(site.span(site.at), ":", "->", {{site.span(site.at), " ->"}});
 }
 
-// double[] q = double[4]
+// Explains the mistake: double[] q = double[4]
 Answer array_without_new(const FailureSite& site) {
   if (site.at <= site.statement + 1 || site.type(site.at) != RbtLexer::LBRACK ||
       !is_primitive_type(site.before())) {
@@ -164,7 +164,7 @@ Answer array_without_new(const FailureSite& site) {
   return out;
 }
 
-// for (i in 0..5): the second point belongs to .5
+// Explains the mistake: for (i in 0..5), where the second point is part of the number .5
 Answer range_with_points(const FailureSite& site) {
   if (site.at <= site.statement || site.type(site.at) != RbtLexer::FLOAT) return std::nullopt;
   const std::string last = site.text(site.at);
@@ -177,7 +177,7 @@ Answer range_with_points(const FailureSite& site) {
   return written_as(mark, site.text(site.at - 1, site.at), meant, {{mark, meant}});
 }
 
-// int a[3];
+// Explains the mistake: int a[3];
 Answer array_as_in_c(const FailureSite& site) {
   const std::size_t first = site.statement;
   if (site.at != first + 3 || !is_primitive_type(site.type(first)) ||
@@ -191,7 +191,7 @@ Answer array_as_in_c(const FailureSite& site) {
   return written_as(mark, site.text(first, site.at + 1), meant, {{mark, meant}});
 }
 
-// if (n > 2) then { ... }
+// Explains the mistake: if (n > 2) then { ... }
 Answer needless_then(const FailureSite& site) {
   for (const std::size_t word : {site.at, site.at - 1}) {
     if (word > site.at || word <= site.statement || site.text(word) != "then") continue;
@@ -207,7 +207,7 @@ Answer needless_then(const FailureSite& site) {
 
 std::size_t indent_of(const FailureSite& site, std::size_t token) { return site.column(token); }
 
-// The last token of the lines below `colon` that are indented deeper than the statement.
+// The last token of the lines after `colon` that are indented deeper than the statement.
 std::size_t end_of_indented(const FailureSite& site, std::size_t colon) {
   std::size_t last = colon;
   for (std::size_t i = colon + 1; site.type(i) != kEndOfText; ++i) {
@@ -218,8 +218,8 @@ std::size_t end_of_indented(const FailureSite& site, std::size_t colon) {
   return last;
 }
 
-// What `def` and `elif` at the start of the statement stand for; empty if it starts with another
-// word.
+// The word of this language for `def` or `elif` at the start of the statement; empty if it starts
+// with another word.
 std::string_view foreign_opening(const FailureSite& site) {
   const std::string_view meant = meant_by(site.text(site.statement), &ForeignWord::at_start);
   return meant == "fn" || meant == "else if" ? meant : std::string_view();
@@ -235,7 +235,7 @@ bool opens_python_block(const FailureSite& site) {
          type == RbtLexer::TRY || type == RbtLexer::FINALLY || !foreign_opening(site).empty();
 }
 
-// The colon behind which a line ends, or a `return` stands; nothing if this is no such statement.
+// The colon at the end of a line, or before a `return`; empty if the statement has no such colon.
 std::optional<std::size_t> python_colon(const FailureSite& site) {
   if (!opens_python_block(site)) return std::nullopt;
   std::size_t colon = site.statement + 1;
@@ -251,8 +251,9 @@ std::optional<std::size_t> python_colon(const FailureSite& site) {
   return has_block || returns ? std::optional(colon) : std::nullopt;
 }
 
-// while x < 3:
-//     x = x + 1
+// Explains the mistake of a colon before an indented block:
+//     while x < 3:
+//         x = x + 1
 Answer python_block(const FailureSite& site) {
   const std::optional<std::size_t> found = python_colon(site);
   if (!found) return std::nullopt;

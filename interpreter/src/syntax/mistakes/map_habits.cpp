@@ -1,4 +1,4 @@
-// What other languages write about maps: `k in m`, `del m[k]`, Map<String, Integer>.
+// Explains map operations of other languages: `k in m`, `del m[k]`, Map<String, Integer>.
 
 #include <algorithm>
 #include <array>
@@ -51,7 +51,7 @@ bool is_declared_as_map(const FailureSite& site, std::size_t name) {
   return false;
 }
 
-// if ("bolt" in stock), if ("bolt" not in stock)
+// Explains the mistake: if ("bolt" in stock), if ("bolt" not in stock)
 Answer key_in_map(const FailureSite& site) {
   const bool negated = site.text(site.at) == "not" && site.type(site.at + 1) == RbtLexer::IN;
   const std::size_t in = negated ? site.at + 1 : site.at;
@@ -75,7 +75,7 @@ Answer key_in_map(const FailureSite& site) {
   return out;
 }
 
-// del stock["bolt"]
+// Explains the mistake: del stock["bolt"]
 Answer deleted_entry(const FailureSite& site) {
   const std::string word = site.text(site.statement);
   const std::size_t first = site.statement + 1;
@@ -100,7 +100,8 @@ std::string type_here(const std::string& name) {
 
 bool is_type_word(std::uint16_t type) { return is_name(type) || is_primitive_type(type); }
 
-// HashMap<String, Integer> from token `first` on: its last token, and the type that is meant.
+// A type such as HashMap<String, Integer> from token `first` on, with the type of this language for
+// it.
 struct Generic {
   std::size_t last;
   std::string meant;  // empty: HashMap<>
@@ -127,7 +128,7 @@ std::optional<std::size_t> made_map(const FailureSite& site, std::size_t first) 
   return open + 1;
 }
 
-// HashMap<String, Integer> stock = new HashMap<>();
+// Explains the mistake: HashMap<String, Integer> stock = new HashMap<>();
 Answer map_with_types(const FailureSite& site) {
   const std::size_t first = site.statement;
   if (const std::optional<Generic> type = generic_map(site, first);

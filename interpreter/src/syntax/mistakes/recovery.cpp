@@ -31,8 +31,7 @@ void StatementRecovery::reportError(antlr4::Parser* parser,
   resume_ = report_(statement == nullptr ? 0 : statement->start->getTokenIndex(), at);
 }
 
-// Every rule between the mistake and its statement gives up; the statement skips what is left of
-// it.
+// All rules between the mistake and its statement end; the statement skips the rest of its tokens.
 void StatementRecovery::recover(antlr4::Parser* parser, std::exception_ptr error) {
   antlr4::ParserRuleContext* ctx = parser->getContext();
   if (ctx->getRuleIndex() != RbtParser::RuleStmt) std::rethrow_exception(error);
@@ -47,7 +46,8 @@ void StatementRecovery::recover(antlr4::Parser* parser, std::exception_ptr error
   input->seek(std::max(next_statement(tokens_, ctx->start->getTokenIndex(), at), resume_));
 }
 
-// Called before every turn of a loop: what starts no statement of a block is reported and skipped.
+// Called before each iteration of a loop in the grammar: tokens that cannot begin a statement of a
+// block are reported and skipped.
 void StatementRecovery::sync(antlr4::Parser* parser) {
   if (parser->getContext()->getRuleIndex() != RbtParser::RuleBlock) return;
   antlr4::TokenStream* input = parser->getTokenStream();

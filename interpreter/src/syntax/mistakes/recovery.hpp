@@ -1,5 +1,6 @@
 #pragma once
-// What the parser does at a mistake: one message, then on to the next statement.
+// The parser's reaction to a mistake: one message, then the parser continues with the next
+// statement.
 
 #include <functional>
 
@@ -8,13 +9,14 @@
 
 namespace armlet::lang {
 
-// The first token behind the statement that starts at `start` and has a mistake at `at`.
+// The first token after the statement that starts at `start` and has a mistake at `at`.
 [[nodiscard]] std::size_t next_statement(const Tokens& tokens, std::size_t start, std::size_t at);
 
 class StatementRecovery : public antlr4::ANTLRErrorStrategy {
  public:
-  // `report(statement, at)`: the statement that starts at the first token cannot go on at the
-  // second. Gives the token before which reading should not go on, 0 if any will do.
+  // `report(statement, at)`: reports that the statement with the first token `statement` cannot
+  // continue at token `at`. Returns a token before which the parser must not continue; 0 if there
+  // is no such limit.
   using Report = std::function<std::size_t(std::size_t statement, std::size_t at)>;
 
   StatementRecovery(const Tokens& tokens, Report report)

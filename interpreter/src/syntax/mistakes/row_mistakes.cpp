@@ -1,11 +1,11 @@
-// Statements where rows belong: record run every (10ms) { print(1) }
+// Explains statements inside blocks that contain rows: record run every (10ms) { print(1) }
 #include "syntax/mistakes/failure_site.hpp"
 
 namespace armlet::lang {
 namespace {
 
-// What is declared by the block that token `brace` opens, "record" for a recording; empty if it
-// holds statements or values.
+// The word that declares the block which token `brace` opens, "record" for a recording; empty if
+// the block contains statements or values.
 std::string word_of_rows(const FailureSite& site, std::size_t brace) {
   if (site.type(brace) != RbtLexer::LBRACE || brace < site.statement + 2) return {};
   if (site.type(brace - 1) == RbtLexer::RPAREN) {
@@ -17,7 +17,7 @@ std::string word_of_rows(const FailureSite& site, std::size_t brace) {
   return is_name(site.type(brace - 1)) && is_name(site.type(brace - 2)) ? site.text(brace - 2) : "";
 }
 
-// The first token of the row in which token `i` stands.
+// The first token of the row with token `i`.
 std::size_t row_start(const FailureSite& site, std::size_t brace, std::size_t i) {
   while (i > brace + 1) {
     const std::uint16_t before = site.type(i - 1);

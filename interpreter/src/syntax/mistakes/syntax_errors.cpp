@@ -17,7 +17,7 @@ std::string with_article(const std::string& word) {
          quoted(word);
 }
 
-// if d > 0.45 { ... }   and   if (a) && (b) { ... }
+// Explains the mistake: if d > 0.45 { ... }   and   if (a) && (b) { ... }
 Answer bare_condition(const FailureSite& site) {
   std::size_t word = site.at - 1;
   if (site.at > site.statement && site.before() == RbtLexer::RPAREN &&
@@ -52,7 +52,7 @@ Answer bare_condition(const FailureSite& site) {
   return out;
 }
 
-// if (state = State.Done)
+// Explains the mistake: if (state = State.Done)
 Answer assignment_as_test(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::ASSIGN || !open || *open == site.statement)
@@ -63,7 +63,7 @@ Answer assignment_as_test(const FailureSite& site) {
   return out;
 }
 
-// The last token of a body that is no header itself and begins at token `i`.
+// The last token of a body that begins at token `i` and is not an `if` or a loop.
 std::size_t body_end(const FailureSite& site, std::size_t i) {
   if (site.type(i) == RbtLexer::LBRACE) return site.closer(i);
   std::size_t last = i;
@@ -75,10 +75,10 @@ std::size_t body_end(const FailureSite& site, std::size_t i) {
   return last;
 }
 
-// The last token of the `if`, `while` or `for` at token `word`, with its body. Bodies may be
-// headers again, as deep as the text is long.
+// The last token of the `if`, `while` or `for` at token `word`, with its body. The bodies may be
+// such statements too, to any depth.
 std::size_t statement_end(const FailureSite& site, std::size_t word) {
-  std::vector<std::size_t> outer;  // the words whose bodies are not over yet
+  std::vector<std::size_t> outer;  // the statements whose bodies are not complete yet
   while (true) {
     std::size_t i = word + 1;
     if (site.type(i) == RbtLexer::LPAREN) i = site.closer(i) + 1;
@@ -97,7 +97,7 @@ std::size_t statement_end(const FailureSite& site, std::size_t word) {
   }
 }
 
-// if (a) if (b) ...
+// Explains the mistake: if (a) if (b) ...
 Answer unbraced_body(const FailureSite& site) {
   if (site.at <= site.statement || !word_of(site.type(site.at)).has_parts) return std::nullopt;
   std::string outer = "else";
@@ -124,8 +124,9 @@ Answer unbraced_body(const FailureSite& site) {
   return out;
 }
 
-// Puts a step of its own before or behind the statement, and its variable where it was. Headers of
-// loops and the like run more than once or end elsewhere, so they have no such edits.
+// The edits that move an increment before or after the statement, and leave its variable there.
+// Headers of loops and similar statements run more than once or end elsewhere, so they have no such
+// edits.
 std::vector<Edit> moved_out(const FailureSite& site, std::size_t first, std::size_t last,
                             const std::string& variable, const std::string& step, bool behind) {
   const std::uint16_t first_word = site.type(site.statement);
@@ -141,7 +142,7 @@ std::vector<Edit> moved_out(const FailureSite& site, std::size_t first, std::siz
   return {use, {site.after(end), '\n' + indent + step}};
 }
 
-// run(p[i++], time: 1s)
+// Explains the mistake: run(p[i++], time: 1s)
 Answer step_as_value(const FailureSite& site) {
   if (site.type(site.at) != RbtLexer::INC && site.type(site.at) != RbtLexer::DEC)
     return std::nullopt;
@@ -168,7 +169,7 @@ Answer step_as_value(const FailureSite& site) {
   return out;
 }
 
-// (a = 2) + 1
+// Explains the mistake: (a = 2) + 1
 Answer assignment_as_value(const FailureSite& site) {
   const std::optional<std::size_t> open = site.opener(site.at);
   if (site.type(site.at) != RbtLexer::ASSIGN || !open || site.type(*open) != RbtLexer::LPAREN)
@@ -186,7 +187,7 @@ Answer assignment_as_value(const FailureSite& site) {
   return out;
 }
 
-// fn(x) => n += x
+// Explains the mistake: fn(x) => n += x
 Answer assignment_as_result(const FailureSite& site) {
   if (!mark_of(site.type(site.at)).assigns || site.at == 0 ||
       !FailureSite::ends_value(site.before()))
@@ -201,7 +202,7 @@ Answer assignment_as_result(const FailureSite& site) {
   return out;
 }
 
-// fn(x) => { ... }
+// Explains the mistake: fn(x) => { ... }
 Answer block_after_arrow(const FailureSite& site) {
   if (site.at == 0 || site.type(site.at) != RbtLexer::LBRACE || site.before() != RbtLexer::FATARROW)
     return std::nullopt;
@@ -220,7 +221,7 @@ Diagnostic statement_on_same_line(const FailureSite& site) {
   return out;
 }
 
-// else, catch, case ... away from what they belong to
+// Explains the mistake: else, catch, case ... without the statement they belong to
 Answer orphan(const FailureSite& site) {
   const std::string_view owner = word_of(site.type(site.at)).belongs_to;
   if (owner.empty()) return std::nullopt;
@@ -236,7 +237,7 @@ Answer orphan(const FailureSite& site) {
   return out;
 }
 
-// let in = 3
+// Explains the mistake: let in = 3
 Answer word_as_name(const FailureSite& site) {
   const Word& word = word_of(site.type(site.at));
   const bool is_word = !word.text.empty() && is_reserved(word);
@@ -251,7 +252,7 @@ Answer word_as_name(const FailureSite& site) {
   return out;
 }
 
-// Where commas are missing between the values of a bracket: [1 2 3].
+// The edits that insert missing commas between the values in a bracket: [1 2 3].
 std::vector<Edit> missing_commas(const FailureSite& site, std::size_t open) {
   std::vector<Edit> out;
   const std::size_t close = site.closer(open);
@@ -264,7 +265,7 @@ std::vector<Edit> missing_commas(const FailureSite& site, std::size_t open) {
   return out;
 }
 
-// f(a b)   and   a = 1 b = 2
+// Explains the mistake: f(a b)   and   a = 1 b = 2
 Answer missing_separator(const FailureSite& site) {
   const std::uint16_t type = site.type(site.at);
   if (site.at <= site.statement || !can_end_statement(site.before())) return std::nullopt;
@@ -286,13 +287,13 @@ Answer missing_separator(const FailureSite& site) {
   return statement_on_same_line(site);
 }
 
-// What must come behind a token; empty if it is complete.
+// The part that must follow a token; empty if none must.
 std::string_view wanted_after(std::uint16_t type) {
   const std::string_view wants = word_of(type).wants;
   return wants.empty() ? mark_of(type).wants : wants;
 }
 
-// let x =
+// Explains the mistake: let x =
 Answer something_missing(const FailureSite& site) {
   if (site.at <= site.statement) return std::nullopt;
   const std::uint16_t type = site.type(site.at);
@@ -306,7 +307,7 @@ Answer something_missing(const FailureSite& site) {
     wanted = "the name of a value";
   if (type == RbtLexer::ASSIGN && site.before() == RbtLexer::COLON) wanted = "a type";
   if (wanted.empty()) {
-    // A header or a declaration that stops before its block.
+    // A header or a declaration that ends before its block.
     if (type != RbtLexer::SEMI && type != kEndOfText) return std::nullopt;
     wanted = word_of(site.type(site.statement)).needs_block ? "a block in braces"
              : site.before() == RbtLexer::RPAREN            ? "a statement"

@@ -40,7 +40,7 @@ std::size_t TablePrediction::adaptivePredict(antlr4::TokenStream* input, std::si
                                              antlr4::ParserRuleContext* outer) {
   const std::size_t alternative = from_tables(*input, decision);
   if (alternative != kUnknown) return alternative;
-  // All parsers share the grammar as ANTLR interprets it, which grows as it predicts.
+  // All parsers share ANTLR's automaton of the grammar, which grows during predictions.
   const auto lock = lock_over_forks();
   RbtParser::prepare();
   return ParserATNSimulator::adaptivePredict(input, decision, outer);

@@ -1,6 +1,6 @@
 #pragma once
-// Our tokens as ANTLR's parser wants them. Its own token objects, 128 bytes each, are made when
-// they are looked at and dropped with the statement they belong to.
+// Passes our tokens to ANTLR's parser. ANTLR's token objects, 128 bytes each, are made when the
+// parser reads them, and freed with their statement.
 
 #include <atomic>
 #include <memory>
@@ -17,7 +17,7 @@ class TokenFeed : public antlr4::TokenStream {
   explicit TokenFeed(const Tokens& tokens, const std::atomic<bool>* cancelled = nullptr)
       : tokens_(tokens), cancelled_(cancelled) {}
 
-  // Forgets the objects of all tokens before the present one.
+  // Frees the objects of all tokens before the current one.
   void drop_past();
 
   void consume() override;
@@ -40,7 +40,7 @@ class TokenFeed : public antlr4::TokenStream {
   const Tokens& tokens_;
   const std::atomic<bool>* cancelled_;
   std::size_t at_ = 0;
-  std::size_t first_ = 0;  // index of made_.front()
+  std::size_t first_ = 0;  // the index of made_.front()
   mutable std::vector<std::unique_ptr<antlr4::CommonToken>> made_;
 };
 

@@ -33,7 +33,7 @@ class Balance {
  private:
   struct Open {
     std::uint16_t closer;
-    std::size_t indent;  // of its line
+    std::size_t indent;  // of the line with the bracket
   };
 
   void begin_line(std::size_t i) {
@@ -62,7 +62,7 @@ class Balance {
   Tokens out_{};
   std::vector<Open> open_{};
   std::size_t indent_ = 0;
-  std::uint32_t place_ = 0;  // where a closer is put in
+  std::uint32_t place_ = 0;  // the position for an inserted bracket
 };
 
 }  // namespace

@@ -1,15 +1,16 @@
 #pragma once
-// Brackets of a text that is being typed: what is missing is put in, so that the text can be read.
+// Inserts missing brackets into the tokens of an incomplete text, so that it can be parsed.
 
 #include "armlet/interpreter/source.hpp"
 #include "syntax/tokens/token.hpp"
 
 namespace armlet::lang {
 
-// The tokens with all brackets closed. If they match, they are as they were. Otherwise a bracket
-// ends at a closer of something outside, before a line that is indented no deeper than the line
-// that opens it, and at the end of the text; closers that belong to nothing are left out. What is
-// put in has no text and stands in front of the token, the line or the end that it stands before.
+// The tokens with all brackets closed, unchanged if the brackets match. An open bracket is closed
+// before a closing bracket of an outer one, before a line that is indented no deeper than the line
+// with the open bracket, or at the end of the text; closing brackets without an opening one are
+// omitted. Inserted brackets have no text; their position is that of the token, line or end that
+// they precede.
 [[nodiscard]] Tokens balanced(const Source& source, const Tokens& tokens);
 
 }  // namespace armlet::lang

@@ -13,7 +13,7 @@ antlr4::Token* FirstFailure::recoverInline(antlr4::Parser* parser) {
 void FirstFailure::reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) {
   if (found_) return;
   const std::size_t at = error.getOffendingToken()->getTokenIndex();
-  // A statement that has not begun is missing in the one around it.
+  // A missing statement belongs to the statement around it.
   std::size_t statement = at;
   for (auto* ctx = static_cast<antlr4::ParserRuleContext*>(parser->getContext());
        ctx != nullptr && statement == at;
@@ -27,7 +27,7 @@ void FirstFailure::recover(antlr4::Parser*, std::exception_ptr error) {
   std::rethrow_exception(error);
 }
 
-// What starts no statement of a block is a statement of its own with a mistake.
+// Tokens that cannot begin a statement of a block count as a statement with a mistake.
 void FirstFailure::sync(antlr4::Parser* parser) {
   if (parser->getContext()->getRuleIndex() != RbtParser::RuleBlock) return;
   antlr4::TokenStream* input = parser->getTokenStream();

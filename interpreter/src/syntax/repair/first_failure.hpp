@@ -1,5 +1,5 @@
 #pragma once
-// What the parser does at a mistake while repairs are tried: it stops, and says where.
+// The parser's reaction to a mistake during a repair: it stops and reports the position.
 
 #include <optional>
 

@@ -13,14 +13,15 @@
 namespace armlet::lang {
 namespace {
 
-// Innermost statements of one statement that are mended, and insertions into one of those.
+// The limit of inner statements that are repaired in one statement, and of insertions into each.
 constexpr int kMostMistakes = 8;
 constexpr int kMostInsertions = 6;
 
-// What may be missing, the likely first. kName stands for a name, a value or a type.
+// The token sequences that may be missing, the most likely first. kName stands for a name, a value
+// or a type.
 constexpr std::uint16_t kName = RbtLexer::ID;
 constexpr std::size_t kLongest = 6;
-using MissingTokens = std::array<std::uint16_t, kLongest>;  // zeros at the end
+using MissingTokens = std::array<std::uint16_t, kLongest>;  // zeros fill the end
 constexpr MissingTokens kMissing[] = {
     {kName},
     {RbtLexer::SEMI},
@@ -71,7 +72,7 @@ Tokens with_insertion(const Tokens& tokens, std::size_t at, const MissingTokens&
   return out;
 }
 
-// A list of statements, mended where reading stops; empty if that does not help.
+// Repairs a list of statements where the parser stops; empty if the repair fails.
 std::optional<Tokens> with_what_is_missing(Tokens tokens, const TryToRead& read) {
   for (int i = 0; i < kMostInsertions; ++i) {
     const std::optional<ParseFailure> failure = read(tokens);

@@ -24,7 +24,8 @@ std::size_t sequence_length(unsigned char first) {
                         : 0;
 }
 
-// Bytes of the character at `at`; 0 if it is not UTF-8, or a control character that no text holds.
+// The length of the character at `at`, bytes; 0 if it is not UTF-8, or a control character that
+// texts may not contain.
 std::size_t character_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
@@ -50,7 +51,7 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
   return std::nullopt;
 }
 
-// The character at `at`, of text that is UTF-8.
+// The character at `at` of a valid UTF-8 text.
 struct Character {
   std::uint32_t code;
   std::size_t length;  // bytes
@@ -70,7 +71,7 @@ struct Character {
   }
 };
 
-// Letters, digits and _ of the grammar.
+// Whether the character at `at` is a letter, digit or _ as in the grammar.
 bool continues_word(std::string_view text, std::size_t at) {
   if (at >= text.size()) return false;
   const std::uint32_t c = Character(text, at).code;
@@ -83,10 +84,11 @@ struct Piece {
   std::size_t end;  // bytes
 };
 
-// The longest token at `begin`; of equally long ones the first of the grammar. The automaton is
+// The longest token at `begin`; of equally long ones the first in the grammar. The automaton is
 // that of the generated lexer (grammar/make_tables.cpp).
 Piece longest_token(std::string_view text, std::size_t begin, const std::atomic<bool>* cancelled) {
-  constexpr std::size_t kOften = 4096;  // characters; a comment can be as long as the program
+  // Characters between two checks; a comment may be as long as the program.
+  constexpr std::size_t kOften = 4096;
   Piece longest{RbtLexer::ERR, begin};
   std::size_t state = 1, since_check = 0;
   for (std::size_t at = begin; at < text.size();) {
@@ -101,8 +103,8 @@ Piece longest_token(std::string_view text, std::size_t begin, const std::atomic<
   return longest;
 }
 
-// `10mm/speed` is `10mm`, `/`, `speed`: a quantity gives back what would stop inside a word, as
-// trimQuantity of the grammar has it.
+// `10mm/speed` is `10mm`, `/`, `speed`: a unit that would end inside of a word is shortened, as by
+// trimQuantity of the grammar.
 Piece trimmed(std::string_view text, std::size_t begin, Piece quantity) {
   const std::size_t whole = quantity.end;
   while (continues_word(text, quantity.end)) {
@@ -119,19 +121,19 @@ Piece trimmed(std::string_view text, std::size_t begin, Piece quantity) {
   return quantity;
 }
 
-// Words of statements that may name an argument.
+// Whether a keyword of statements may be the name of an argument.
 bool names_arguments(std::uint16_t type) {
   return type == RbtLexer::EVERY || type == RbtLexer::WHEN;
 }
 
-// The kind of a text that is one token and UTF-8; an error otherwise.
+// The kind of a UTF-8 text that is one token; the kind of an invalid token for other texts.
 std::uint16_t token_type(std::string_view text) {
   if (text.empty() || first_bad_byte(text)) return RbtLexer::ERR;
   const Piece piece = longest_token(text, 0, nullptr);
   return piece.end == text.size() ? piece.type : std::uint16_t{RbtLexer::ERR};
 }
 
-// The tokens of one part of a text.
+// Divides one part of a text into tokens.
 class Reader {
  public:
   Reader(const Source& source, Span range, DiagnosticSink& sink, const ParseLimits& limits,
@@ -182,7 +184,7 @@ class Reader {
     out_.tokens.push_back(token);
   }
 
-  // `every: 1ms` and `when: [...]` in a call: the word of a statement is the name of an argument.
+  // `every: 1ms` and `when: [...]` in a call: the keyword is the name of an argument.
   void name_argument() {
     const std::size_t count = out_.tokens.size();
     if (count < 2) return;
@@ -216,14 +218,15 @@ class Reader {
     }
   }
 
-  // A closed comment would have been one token, so `/` directly before `*` opens one that is never
-  // closed.
+  // Whether `/` and the `*` directly after it begin a comment that is not closed; a closed comment
+  // would have been one token.
   bool opens_comment(const Token& star) const {
     return !out_.tokens.empty() && out_.tokens.back().type == RbtLexer::SLASH &&
            out_.tokens.back().end == star.begin;
   }
 
-  // One message per line: what follows on it is seldom a mistake of its own.
+  // Reports at most one message per line, because the rest of a line with an invalid token is
+  // seldom a mistake of its own.
   void fail(Diagnostic diagnostic) {
     out_.ok = false;
     if (line_failed_) return;

@@ -24,7 +24,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-// Edits of one letter that turn `a` into `b`.
+// The edit distance: the count of changes of one letter that make `b` from `a`.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -63,8 +63,8 @@ constexpr auto kNicknames = std::to_array<Nickname>({
     {"newton", "N"},       {"hertz", "Hz"},
 });
 
-// Units that differ by one letter or by capitals. One letter alone is near to everything: rather a
-// product.
+// Units that differ by one letter or by capitals. For a unit of one letter these would be too many,
+// so a product of units is proposed.
 std::vector<std::string> units_near(std::string_view word) {
   std::vector<std::string> near;
   const auto nickname = std::ranges::find(kNicknames, word, &Nickname::said);
@@ -83,7 +83,7 @@ struct UnitFamily {
   std::string_view sentence;
 };
 
-// What a reader may write instead, by one member of each family.
+// The units that a message proposes, by one member of each family.
 constexpr auto kFamilies = std::to_array<UnitFamily>({
     {"m", "lengths can be in um, mm, cm, m, km or inch"},
     {"rad", "angles can be in deg, rad, mrad or rev"},
@@ -130,7 +130,8 @@ bool is_word_processor_quote(std::string_view text) {
   return std::ranges::find(kWordProcessorQuotes, text) != kWordProcessorQuotes.end();
 }
 
-// The quotes and what stands between them, if another such quote follows on the line.
+// A quote of a word processor; the span contains the text up to a second such quote, if one follows
+// on the line.
 Diagnostic word_processor_quote(const Source& source, Span opening) {
   const std::string_view text = source.text();
   std::size_t end = text.find('\n', opening.begin);
@@ -155,7 +156,7 @@ Diagnostic word_processor_quote(const Source& source, Span opening) {
   return out;
 }
 
-// Whether a value ends directly before a place: a name, a number or a closing bracket.
+// Whether the text ends with a value: a name, a number or a closing bracket.
 bool ends_value(std::string_view before) {
   if (before.empty()) return false;
   const char last = before.back();
@@ -163,7 +164,7 @@ bool ends_value(std::string_view before) {
          std::isalnum(static_cast<unsigned char>(last)) != 0;
 }
 
-// 4.sqrt() and 0xFFL, as they are written here; empty for other words.
+// The form in this language for numbers such as 4.sqrt() and 0xFFL; empty for other words.
 std::string other_number(std::string_view digits, std::string_view word, std::string_view behind) {
   const std::size_t last = word.find_last_not_of("lLuU");
   const bool is_hexadecimal =
@@ -181,7 +182,7 @@ namespace {
 constexpr std::string_view kLinesBetween =
     "a text over several lines stands between \"\"\" and \"\"\"";
 
-// """ without another """: the text holds the rest of the program.
+// """ without another """: the text contains the rest of the program.
 Diagnostic unclosed_lines(const Source& source, Span text) {
   const std::string_view body = source.slice(text);
   const auto opening = static_cast<std::uint32_t>(quotes_of(body).opening);
@@ -195,7 +196,7 @@ Diagnostic unclosed_lines(const Source& source, Span text) {
     out.fix = Fix{"end it with \"\"\" behind its last line", {}, {}};
     return out;
   }
-  std::size_t behind = keep;  // one or two quotes at its end were meant to close it
+  std::size_t behind = keep;  // one or two quotes at its end were meant as the closing ones
   while (behind < line.size() && line[behind] == '"') ++behind;
   const Span written{text.begin + static_cast<std::uint32_t>(keep),
                      text.begin + static_cast<std::uint32_t>(behind), text.source};
@@ -205,7 +206,7 @@ Diagnostic unclosed_lines(const Source& source, Span text) {
   return out;
 }
 
-// The last of three single quotes.
+// Whether the text begins at the last of three single quotes.
 bool is_third_quote(const Source& source, Span text) {
   return source.text().substr(0, text.begin).ends_with("''");
 }
@@ -256,7 +257,7 @@ Diagnostic bad_number(const Source& source, Span number) {
   const std::string text(source.slice(number));
   Diagnostic out = make_diagnostic("E0103", number, {text});
   std::size_t letters = text.find_first_not_of("0123456789._");
-  // 1e5x: the exponent belongs to the number.
+  // 1e5x: the exponent is part of the number.
   if (letters != std::string::npos && letters + 1 < text.size() &&
       std::tolower(static_cast<unsigned char>(text[letters])) == 'e' &&
       std::isdigit(static_cast<unsigned char>(text[letters + 1])) != 0) {

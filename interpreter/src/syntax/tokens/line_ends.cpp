@@ -9,16 +9,16 @@ namespace {
 
 enum class Bracket : std::uint8_t { kNone, kRound, kSquare, kListBrace, kBlockBrace };
 
-// What is known inside one pair of brackets, or outside all of them.
+// The state inside one pair of brackets, or outside of all.
 struct Level {
   Bracket bracket = Bracket::kNone;
-  bool is_header = false;       // the parentheses of if (...), while (...) and so on
+  bool is_header = false;       // the parentheses of if (...), while (...) and similar words
   bool is_do_block = false;     // the braces of do { ... }
-  bool has_assignment = false;  // the present statement has `=` or `=>` outside brackets
-  std::size_t statement = 0;    // index of the present statement's first token
+  bool has_assignment = false;  // the current statement has `=` or `=>` outside of brackets
+  std::size_t statement = 0;    // the index of the current statement's first token
 };
 
-// Tokens with which a line goes on with the statement of the line above.
+// Whether a line that begins with the token continues the statement of the line above.
 bool continues_statement(std::uint16_t type) {
   return word_of(type).goes_on || mark_of(type).goes_on;
 }
@@ -39,7 +39,7 @@ class Filter {
     return std::move(out_);
   }
 
-  // Whether a statement has ended before the token, outside of all brackets.
+  // Whether a statement ends before the token, outside of all brackets.
   bool ends_before(std::size_t index) {
     for (std::size_t i = 0; i < index; ++i) {
       if (i > 0 && ends_between(i - 1, i)) start_statement(i);
@@ -53,7 +53,8 @@ class Filter {
   }
 
  private:
-  // fn f(x: int) -> int, struct Part, double mean(double[] a): what is declared comes below.
+  // fn f(x: int) -> int, struct Part, double mean(double[] a): the brace with the body may be on
+  // the next line.
   bool awaits_brace(const Token& last) {
     const std::size_t first = top().statement;
     if (top().has_assignment || last.type == RbtLexer::RBRACE || first + 1 >= in_.size())
@@ -89,7 +90,7 @@ class Filter {
     return B.type != RbtLexer::LBRACE || !brace_belongs(a);
   }
 
-  // Whether a `{` on the line after token `a` belongs to the statement that `a` is part of.
+  // Whether a `{` on the line after token `a` belongs to the statement with `a`.
   bool brace_belongs(std::size_t a) {
     // new int[]
     const bool is_pair =
@@ -127,7 +128,8 @@ class Filter {
     return in_[i].type == RbtLexer::RBRACK ? i : open;
   }
 
-  // `{` after `=`, after `new T[]`, or inside a list after `,`, `:` or `{`.
+  // Whether a `{` begins a list: after `=`, after `new T[]`, or inside a list after `,`, `:` or
+  // `{`.
   bool is_list_brace(std::size_t i) {
     if (i == 0) return false;
     const std::uint16_t before = in_[i - 1].type;
@@ -146,7 +148,7 @@ class Filter {
     return i >= 1 && is_name(in_[i].type) && in_[i - 1].type == RbtLexer::NEW;
   }
 
-  // Takes note of token `i`, which has just been put out.
+  // Updates the state with token `i`, which was just written.
   void follow(std::size_t i) {
     const std::uint16_t type = in_[i].type;
     const bool was_after_do_block = after_do_block_;
@@ -163,7 +165,7 @@ class Filter {
     } else if (type == RbtLexer::ASSIGN || type == RbtLexer::FATARROW) {
       top().has_assignment = true;
     }
-    // The `while` of a do loop is followed by parentheses that are no header.
+    // The parentheses after the `while` of a do loop are not a header.
     do_while_ = was_after_do_block && type == RbtLexer::WHILE;
   }
 
@@ -189,7 +191,7 @@ class Filter {
   }
 
   void close(std::size_t i) {
-    if (levels_.size() == 1) return;  // the bracket check has complained
+    if (levels_.size() == 1) return;  // the bracket check has reported it
     const Level closed = top();
     levels_.pop_back();
     after_header_ = closed.is_header;

@@ -5,7 +5,7 @@
 namespace armlet::lang {
 namespace {
 
-// The two lists of rules have the same order.
+// Rule and the generated parser have the rules in the same order.
 static_assert(static_cast<std::size_t>(Rule::kBlock) == RbtParser::RuleBlock);
 static_assert(static_cast<std::size_t>(Rule::kFnBody) == RbtParser::RuleFnBody);
 static_assert(static_cast<std::size_t>(Rule::kTypeName) == RbtParser::RuleTypeName);

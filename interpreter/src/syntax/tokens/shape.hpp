@@ -1,6 +1,6 @@
 #pragma once
-// A program as its author wrote it: every token, every comment, and the rules of the grammar that
-// the tokens belong to. What the formatter works on; the tree of ast.hpp forgets too much for it.
+// The concrete syntax of a program for the formatter: every token, every comment, and the grammar
+// rules of the tokens. The syntax tree of ast.hpp lacks details that the formatter needs.
 
 #include <cstdint>
 #include <vector>
@@ -13,7 +13,7 @@ class ParserRuleContext;
 
 namespace armlet::lang {
 
-// The rules of grammar/RbtParser.g4, in its order, and the tokens.
+// The rules of grammar/RbtParser.g4 in its order, and tokens.
 enum class Rule : std::uint8_t {
   kProgram,
   kStmt,
@@ -83,11 +83,11 @@ enum class Rule : std::uint8_t {
   kToken
 };
 
-// A rule with what it consists of; rules that consist of one part only are left out, so that
-// `(f(x))` is not twenty levels deep.
+// A grammar rule with its parts. Rules that have only one part are omitted, so that `(f(x))` does
+// not have twenty levels.
 struct ShapeNode {
   Rule rule = Rule::kProgram;
-  std::uint32_t token = 0;  // kToken: its index; otherwise the index of its first token
+  std::uint32_t token = 0;  // kToken: its index; otherwise that of its first token
   std::vector<ShapeNode> parts = {};
 };
 
@@ -100,8 +100,8 @@ struct Shape {
 // The shape of one statement that the parser has read.
 [[nodiscard]] ShapeNode shape_of(antlr4::ParserRuleContext* statement);
 
-// Whether two programs consist of the same tokens, put together in the same way. Ends of statements
-// that stand for nothing, such as the one after a block, do not count.
+// Whether two programs have the same tokens in the same grammar rules. Ends of statements without
+// effect, such as the one after a block, are ignored.
 [[nodiscard]] bool same_shape(const Shape& a, const Source& a_text, const Shape& b,
                               const Source& b_text);
 

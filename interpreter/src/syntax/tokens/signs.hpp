@@ -1,5 +1,5 @@
 #pragma once
-// Kinds of tokens by name, for whoever looks at tokens outside of the parser.
+// Names of the kinds of tokens, for code outside of the parser.
 
 #include <RbtLexer.h>
 

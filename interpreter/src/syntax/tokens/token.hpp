@@ -1,6 +1,6 @@
 #pragma once
-// One token of a text, without anything of ANTLR: what the filter, the bracket check and the
-// messages work on.
+// One token of a text, independent of ANTLR, for the insertion of line ends, the bracket check and
+// the messages.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,11 +11,11 @@
 namespace armlet::lang {
 
 struct Token {
-  std::uint32_t begin = 0;  // bytes in the source
+  std::uint32_t begin = 0;  // in the source
   std::uint32_t end = 0;
   std::uint16_t type = 0;          // RbtLexer::ID, ...; kEndOfText at the end
-  bool line_break_before = false;  // between it and the token before
-  bool inserted = false;           // a `;` that stands for the end of a line
+  bool line_break_before = false;  // since the token before
+  bool inserted = false;           // a `;` for the end of a line
 };
 
 inline constexpr std::uint16_t kEndOfText = 0xFFFF;

@@ -1,5 +1,5 @@
 #pragma once
-// Questions about kinds of tokens that several stages ask.
+// Properties of kinds of tokens that several stages use.
 
 #include <RbtLexer.h>
 
@@ -24,7 +24,7 @@ static_assert(RbtLexer::LBRACE == kFirstMark && RbtLexer::CARET + 1 == kBehindMa
   return type == RbtLexer::RPAREN || type == RbtLexer::RBRACK || type == RbtLexer::RBRACE;
 }
 
-// The closing bracket that belongs to an opening one.
+// The kind of closing bracket for a kind of opening one.
 [[nodiscard]] inline std::uint16_t closer_of(std::uint16_t opener) {
   return opener == RbtLexer::LPAREN   ? RbtLexer::RPAREN
          : opener == RbtLexer::LBRACK ? RbtLexer::RBRACK
@@ -39,13 +39,13 @@ static_assert(RbtLexer::LBRACE == kFirstMark && RbtLexer::CARET + 1 == kBehindMa
   return type == RbtLexer::INT || type == RbtLexer::FLOAT || type == RbtLexer::QUANTITY;
 }
 
-// A value that consists of one token.
+// Whether the token is a whole value: a number, a text, true or false.
 [[nodiscard]] inline bool is_literal(std::uint16_t type) {
   return is_number(type) || type == RbtLexer::STRING || type == RbtLexer::FSTRING ||
          word_of(type).kind == WordKind::kTruth;
 }
 
-// Words that open the parentheses of a header.
+// Whether the keyword is followed by a header in parentheses.
 [[nodiscard]] inline bool is_header_word(std::uint16_t type) { return word_of(type).has_header; }
 
 // Whether a statement may end after it (section 3.1, token A).
