@@ -22,7 +22,7 @@ void check_top_level(Checker& checker) {
   std::vector<hir::Stmt*> body;
   checker.scopes.open_block();
   const ast::Seq<ast::Stmt*> written = checker.file.program.body;
-  // A recording takes all statements behind it.
+  // A recording contains all statements after it.
   const bool shows = checker.into.entry.is_one && is_main_file(checker) && !written.empty() &&
                      std::ranges::none_of(written, [](const ast::Stmt* stmt) {
                        return stmt->kind == ast::StmtKind::kRecord;
@@ -38,7 +38,7 @@ void check_top_level(Checker& checker) {
       checker.make<hir::Block>(hir::StmtKind::kBlock, checker.file.program.span, checker.seq(body));
 }
 
-// What belongs to the program as a whole.
+// Checks that need the whole program.
 void finish(Shared& shared, CheckedProgram& into) {
   Checker& main = *shared.files.back();
   hir::Module& module = into.module;
@@ -52,7 +52,7 @@ void finish(Shared& shared, CheckedProgram& into) {
   into.names.declared = shared.blocks.all();
 }
 
-// The bodies that could wait, and those of functions that nobody calls.
+// Checks the bodies that were postponed, and those of functions that are never called.
 void check_functions(Checker& checker) {
   const auto work_off = [&checker] {
     while (Instance* instance = checker.shared.instances.next()) {
@@ -68,7 +68,7 @@ void check_functions(Checker& checker) {
       continue;
     }
     checker.messages.begin_statement();
-    // A parameter without a type is known when the function is called.
+    // A parameter without a declared type is known only when the function is called.
     std::vector<const Type*> types = function.parameters;
     std::replace(types.begin(), types.end(), static_cast<const Type*>(nullptr),
                  checker.types.any());
@@ -77,7 +77,7 @@ void check_functions(Checker& checker) {
   }
 }
 
-// Of a text that may only declare things.
+// Reports statements in a text that may only contain declarations.
 void check_only_declares(Checker& checker, const CompileOptions& options, DiagnosticSink& sink) {
   if (options.only_blocks.empty()) return;
   for (const ast::Stmt* stmt : checker.file.program.body) {
@@ -129,7 +129,7 @@ bool check_program(std::span<const FileTree> files, CheckedProgram& into, const 
   }
   check_only_declares(main, options, sink);
   for (Checker& file : checkers) check_top_level(file);
-  check_waiting_tests(main);  // those of imported files are run by themselves
+  check_waiting_tests(main);  // tests of imported files are run on their own
   for (Checker& file : checkers) check_functions(file);
   for (Checker& file : checkers) close_block(file);
   for (Checker& file : checkers) refuse_active_statements(file);

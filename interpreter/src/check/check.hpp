@@ -1,6 +1,6 @@
 #pragma once
-// Checks a program: names, types, units, rules of the host. The result is the typed tree that the
-// compiler reads.
+// The checker: checks names, types, units and rules of the host. The result is the typed tree for
+// the compiler.
 
 #include <span>
 #include <vector>
@@ -15,14 +15,14 @@ namespace armlet::lang {
 
 class Learnt;
 
-// Fills into.module, types, arena, facts and names. Messages go to `sink`; the tree may be
-// compiled only if there were no errors.
+// Checks a program and fills into.module, types, arena, facts and names. Messages go to `sink`; the
+// tree may be compiled only if there were no errors.
 //
-// files  imported ones before those that import them, the main file last; they and their arena may
-//        be dropped afterwards.
-// into   into.sources must hold the program's texts and stay where they are: the tree points into
-//        them.
-// learnt  what the check finds out besides, also where it fails; null: not asked for.
+// files    imported ones before those that import them, the main file last; they and their arena
+//          may be freed afterwards.
+// into     into.sources must have the texts of the program and must not be moved: the tree refers
+//          to them.
+// learnt   gets further results for editors, also if the check fails; null: not needed.
 // returns  whether there were no errors.
 bool check_program(std::span<const FileTree> files, CheckedProgram& into, const Registry& registry,
                    const CompileOptions& options, DiagnosticSink& sink, Learnt* learnt = nullptr);

@@ -115,10 +115,11 @@ hir::Expr* block_value(Checker& checker, const ast::ObjectStmt& stmt, const Type
   return call_native(checker, type_text, makers, stmt.name.span, stmt.span, std::move(arguments));
 }
 
-// The rows of each part as one list, named like the part.
+// The rows of a block, as one list argument for each kind of row. The argument has the name of the
+// kind.
 std::vector<Argument> block_rows(Checker& checker, const ast::ObjectStmt& stmt) {
   std::vector<std::pair<ast::Name, std::vector<hir::Expr*>>> parts;
-  std::unordered_map<std::string_view, std::size_t> places;  // of the parts, by name
+  std::unordered_map<std::string_view, std::size_t> places;  // of the kinds of rows, by name
   for (const ast::BlockItem& item : stmt.items) {
     if (!item.is_row) continue;
     hir::Expr* row = block_row(checker, stmt, item);
@@ -140,7 +141,8 @@ std::vector<Argument> block_rows(Checker& checker, const ast::ObjectStmt& stmt) 
   return out;
 }
 
-// A part that repeats may be missing altogether: the rule of the host says whether that is right.
+// Adds an empty list for a kind of row that does not occur. The rule of the host decides whether it
+// may be missing.
 void add_missing_rows(Checker& checker, const NativeFunction& maker, Span span,
                       std::vector<Argument>& arguments) {
   for (const Parameter& parameter : checker.shared.signatures.of(maker).parameters) {
@@ -157,7 +159,7 @@ void add_missing_rows(Checker& checker, const NativeFunction& maker, Span span,
   }
 }
 
-// phase wound(...): a call of "motor.phase.wound".
+// Checks a row such as phase wound(...), a call of the function "motor.phase.wound".
 hir::Expr* block_row(Checker& checker, const ast::ObjectStmt& stmt, const ast::BlockItem& item) {
   const std::string part = checker.text_of(stmt.type->span) + '.' + std::string(item.name.text);
   const std::string full = part + '.' + std::string(item.constructor.text);

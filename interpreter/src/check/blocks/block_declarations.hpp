@@ -1,6 +1,6 @@
 #pragma once
-// T name { field: value; row constructor(...) }: for structs, and for host types with a function
-// "T{}".
+// Block declarations, T name { field: value; row constructor(...) }, for structs and for host types
+// with a function "T{}".
 
 #include "check/state/checker.hpp"
 
@@ -8,7 +8,7 @@ namespace armlet::lang {
 
 hir::Stmt* check_object(Checker& checker, const ast::ObjectStmt& stmt);
 
-// E0201: a row whose words are none of this block's.
+// Reports E0201 for a row whose words are not those of this block.
 hir::Expr* unknown_row(Checker& checker, const ast::ObjectStmt& stmt, const ast::BlockItem& item);
 
 }  // namespace armlet::lang

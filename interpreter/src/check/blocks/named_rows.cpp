@@ -44,8 +44,8 @@ namespace {
 
 bool is_lambda(const ast::Arg& arg) { return arg.value->kind == ast::ExprKind::kLambda; }
 
-// What a row holds: the parameter `value` of the function that was called, or a function that it is
-// given; null if there is neither.
+// The contents of a row: the argument `value` of the function that was called, or a function among
+// its arguments; null if there is neither.
 hir::Expr** value_of(Checker& checker, hir::CallNativeExpr& call) {
   const int at = checker.shared.signatures.of(*call.function).index_of("value");
   if (at >= 0) {
@@ -64,7 +64,7 @@ class NamedRows {
       : checker_(checker), stmt_(stmt), out_(out), rows_(stmt.items.size(), nullptr) {}
 
   std::vector<Argument> run() {
-    // What rows hold can be seen by the lambdas of all of them.
+    // The lambdas of all rows can use the variables of all rows.
     check_all(
         [](const ast::BlockItem& item) { return !std::ranges::any_of(item.args, is_lambda); });
     check_all([](const ast::BlockItem& item) { return std::ranges::any_of(item.args, is_lambda); });
@@ -126,7 +126,7 @@ class NamedRows {
     return row;
   }
 
-  // A row without a value is declared too, so that its name is taken.
+  // A row without a value is declared too, so that no other row can have its name.
   void declare(const ast::BlockItem& item, std::string_view dotted, hir::Expr* row, Use used) {
     hir::Expr** value =
         row->kind == hir::ExprKind::kCallNative
@@ -151,7 +151,7 @@ class NamedRows {
   std::vector<hir::Expr*> rows_;  // by item
 };
 
-// Names of the rows of a block that hold something.
+// The names of the rows of a block that have a value.
 std::vector<std::string_view> row_names(Checker& checker, std::string_view block) {
   const std::string prefix = std::string(block) + '.';
   std::vector<std::string_view> out;

@@ -1,7 +1,7 @@
 #pragma once
-// Rows of a block that the program names: `field clearance(80mm)`, made by "panel.field.NAME".
+// Rows of a block that have names: `field clearance(80mm)`, made by "panel.field.NAME".
 //
-// What such a row gives as `value` is a variable of the top level, `panel1.clearance`, which the
+// The argument `value` of such a row becomes a global variable, `panel1.clearance`, which the
 // program reads and its host may set.
 
 #include <vector>
@@ -10,15 +10,16 @@
 
 namespace armlet::lang {
 
-// The rows as the list `rows`, in their order; nothing if there are none. What gives their
-// variables the first values is added to `out`.
+// Returns the rows as the list argument `rows`, in their order; empty if there are none. The
+// statements that give the variables their first values are added to `out`.
 std::vector<Argument> named_rows(Checker& checker, const ast::ObjectStmt& stmt,
                                  std::vector<hir::Stmt*>& out);
 
-// A block with such rows stands once, at the top level of the program's own file; says so if not.
+// Whether a block with such rows is allowed at this position: only once, at the top level of the
+// main file. Reports a message otherwise.
 [[nodiscard]] bool may_have_named_rows(Checker& checker, const ast::ObjectStmt& stmt);
 
-// The variable of a row, `panel1.clearance`; null if the name in front is of no such block.
+// The variable of a row, such as `panel1.clearance`; null if the object is not such a block.
 hir::Expr* named_row_value(Checker& checker, const ast::MemberExpr& member);
 
 }  // namespace armlet::lang

@@ -15,20 +15,20 @@ using Dims = std::optional<std::vector<NumberDim>>;
 
 constexpr int kDeepestPart = 24;
 constexpr int kMostLooks = 5000;
-constexpr std::size_t kMostParts = 200;  // things of a value
+constexpr std::size_t kMostParts = 200;  // numbers in one value
 
 bool is_number_list(const TypePattern& pattern, int d) {
   return pattern.form == TypePattern::Form::kList &&
          pattern.parts[0].form == TypePattern::Form::kDimension && pattern.parts[0].d == d &&
          pattern.parts[0].e == 0;
 }
-// D, with nothing else in it.
+// Whether a type pattern is just the dimension parameter D.
 bool is_plain_d(const TypePattern& pattern) {
   return pattern.form == TypePattern::Form::kDimension && pattern.d == 1 && pattern.e == 0 &&
          pattern.dim.is_none();
 }
 
-// Null: the value is no function of the text.
+// The function of the program that a value is; null if it is not one.
 const hir::Function* function_of(const hir::Expr& value) {
   if (value.kind == ExprKind::kFunctionValue) return value.as<hir::FunctionValueExpr>().function;
   return value.kind == ExprKind::kClosure ? value.as<hir::ClosureExpr>().function : nullptr;
@@ -61,7 +61,7 @@ class DimsOfParts {
     return found ? found : by_type(*at.type);
   }
 
-  // Of one element of a list, or of one row of a matrix, if all are alike.
+  // The dimensions of one element of a list, or of one row of a matrix, if they are equal for all.
   Dims each(const hir::Expr& expr, int depth) const {
     if (depth > kDeepestPart || --left_ < 0) return std::nullopt;
     const hir::Expr& at = origin_of(expr);
@@ -81,7 +81,7 @@ class DimsOfParts {
     return all;
   }
 
-  // Of the row that a recording takes at an instant; null: it is no recording.
+  // The row that a recording samples at each instant; null if the table is not a recording.
   const hir::RecordExpr* row_of(const hir::Expr& table) const {
     const hir::Expr& at = origin_of(table);
     if (at.kind != ExprKind::kCallNative) return nullptr;
@@ -96,7 +96,8 @@ class DimsOfParts {
     return row->kind == ExprKind::kRecord ? &row->as<hir::RecordExpr>() : nullptr;
   }
 
-  // What a function gives whose body names some values and ends with one.
+  // The dimensions of the result of a function whose body consists of declarations and a last
+  // value.
   Dims result_of(const hir::Function& function, int depth) const {
     if (function.body == nullptr || function.body->body.empty()) return std::nullopt;
     const hir::Stmt* last = function.body->body.back();
@@ -113,7 +114,7 @@ class DimsOfParts {
            std::adjacent_find(all.begin(), all.end(), std::not_equal_to()) == all.end();
   }
 
-  // A column of a recording: what is sampled into it.
+  // The dimensions of a column of a recording: those of the value that is sampled.
   Dims column(const hir::CallNativeExpr& call, int depth) const {
     const hir::RecordExpr* row = row_of(*call.arguments[0]);
     const auto place = whole(call.arguments[1], 0);
@@ -123,11 +124,12 @@ class DimsOfParts {
     return of(*row->fields[static_cast<std::size_t>(*place)], depth + 1);
   }
 
-  // matrix[a:b, j] is a list of what stands in column j, matrix[a:b, c:d] a matrix.
+  // The dimensions of a part of a matrix: matrix[a:b, j] is a list of column j, matrix[a:b, c:d] a
+  // matrix.
   Dims part(const hir::PartExpr& node, int depth) const {
     return node.rows.is_range ? columns_of(node, depth) : std::nullopt;
   }
-  // matrix[i, c:d], a list
+  // The dimensions of matrix[i, c:d], which is a list.
   Dims part_of_row(const hir::PartExpr& node, int depth) const {
     return node.rows.is_range ? std::nullopt : columns_of(node, depth);
   }
@@ -157,7 +159,7 @@ class DimsOfParts {
     return found;
   }
 
-  // The list of which a parameter of the function that is looked into is an element; null: of none.
+  // The list whose element a parameter of the current function is; null if it is none.
   const hir::Expr* list_of(const hir::Expr& at) const {
     if (at.kind != ExprKind::kVariable || here_ == nullptr || here_->mapped == nullptr)
       return nullptr;
@@ -167,7 +169,7 @@ class DimsOfParts {
     return is_first && variable->fixed ? here_->list : nullptr;
   }
 
-  // matrix(rows); a + b, a - b, abs(a), element by element.
+  // The dimensions of matrix(rows), and of a + b, a - b and abs(a) element by element.
   Dims each_native(const hir::CallNativeExpr& call, int depth) const {
     const std::string_view name = call.function->name;
     if (name != "matrix" && name != "abs" && name != "operator+" && name != "operator-")
@@ -182,8 +184,8 @@ class DimsOfParts {
     return found;
   }
 
-  // The function that is looked into, and where it stands: what it is called with, or the list
-  // whose elements it is given one after the other.
+  // The function whose body is searched, with its call: its arguments, or the list whose elements
+  // it is called with.
   struct Inside {
     const hir::CallExpr* call;
     const Inside* outer;
@@ -199,7 +201,8 @@ class DimsOfParts {
     return found;
   }
 
-  // What a parameter of the function that is looked into stands for; null: it is none.
+  // The argument for a parameter of the current function; null if the expression is not a
+  // parameter.
   const hir::Expr* argument_for(const hir::Expr& at) const {
     if (at.kind != ExprKind::kVariable || here_ == nullptr || here_->call == nullptr)
       return nullptr;
@@ -212,7 +215,7 @@ class DimsOfParts {
     return is_given ? here_->call->arguments[place] : nullptr;
   }
 
-  // Of an argument, which stands where the call does.
+  // The dimensions of an argument, in the scope of the call.
   Dims outside(const hir::Expr& argument, int depth) const {
     const Inside* const inside = here_;
     here_ = inside->outer;
@@ -229,7 +232,8 @@ class DimsOfParts {
     return found;
   }
 
-  // What a rule tells of a value, which may have come through parameters.
+  // The fact that a rule of the host has stored for a value, which may be an argument of the
+  // current function.
   const Fact* fact_here(const hir::Expr& expr) const {
     const Inside* const inside = here_;
     const hir::Expr* at = &origin_of(expr);
@@ -255,7 +259,8 @@ class DimsOfParts {
     return dims.empty() ? std::nullopt : Dims(std::move(dims));
   }
 
-  // One thing; how many there are in a list, a matrix or a value of the host, a type does not tell.
+  // The dimension of one number; the count of numbers in a list, matrix or host value does not
+  // follow from its type.
   static Dims by_type(const Type& type) {
     if (type.is_quantity()) return std::vector{NumberDim{type.dim}};
     const bool is_one =
@@ -280,7 +285,7 @@ class DimsOfParts {
     return all ? some(*all, *index, *index + 1) : std::nullopt;
   }
 
-  // Of a field of a record that the text makes.
+  // The dimensions of a field of a record that the program makes.
   Dims field(const hir::FieldExpr& node, int depth) const {
     const hir::Expr& record = origin_of(*node.object);
     if (record.kind != ExprKind::kRecord) return std::nullopt;
@@ -299,7 +304,8 @@ class DimsOfParts {
     return some(*all, *first, *last);
   }
 
-  // Those from `first` to before `last`. Behind as many as only the run knows nothing has a place.
+  // The dimensions from `first` to before `last`. After a part whose count is known only at run
+  // time, no positions are known.
   static Dims some(const std::vector<NumberDim>& all, std::int64_t first, std::int64_t last) {
     if (first < 0 || last - first > static_cast<std::int64_t>(kMostParts)) return std::nullopt;
     std::vector<NumberDim> out;
@@ -317,7 +323,7 @@ class DimsOfParts {
     return out;
   }
 
-  // Of two that have the same.
+  // The dimensions of a sum: those of both operands, if they are equal.
   Dims sum(const hir::BinaryExpr& node, int depth) const {
     if (node.op != hir::Op::kAddR && node.op != hir::Op::kSubR) return std::nullopt;
     const Dims left = of(*node.left, depth + 1);
@@ -338,8 +344,8 @@ class DimsOfParts {
     return all;
   }
 
-  // Of a value of the host that holds numbers: q[k] one of them, q + r and q - r what both are, or
-  // what q is where nothing is known of the other.
+  // The dimensions of a host value that contains numbers: q[k] has one of them; q + r and q - r
+  // have those of both, or those of q if nothing is known of r.
   Dims in_host(const hir::CallNativeExpr& call, int depth) const {
     const std::string_view name = call.function->name;
     const bool is_element = name.ends_with("[]");
@@ -358,7 +364,8 @@ class DimsOfParts {
     return !is_known || others == all ? all : std::nullopt;
   }
 
-  // norm(v: D[]) -> D gives what all of v are; a + b, element by element, what both are.
+  // The dimensions of the result of a library function: norm(v: D[]) -> D has that of all elements
+  // of v; a + b, element by element, those of both.
   Dims native(const hir::CallNativeExpr& call, int depth) const {
     const Signature& signature = checker_.shared.signatures.of(*call.function);
     const auto* by_argument = dynamic_cast<const DimsOfArgumentFact*>(call.fact);
@@ -384,8 +391,9 @@ class DimsOfParts {
   }
 
   Checker& checker_;
-  mutable const Inside* here_ = nullptr;  // null: in no function that was called
-  mutable int left_ = kMostLooks;         // `let b = a + a; let c = b + b` doubles them
+  mutable const Inside* here_ = nullptr;  // null: no function is searched
+  // Limits the work: `let b = a + a; let c = b + b` doubles it with each line.
+  mutable int left_ = kMostLooks;
 };
 
 }  // namespace
@@ -400,7 +408,8 @@ Dims dims_of_numbers(Checker& checker, const hir::Expr& expr) {
 
 namespace {
 
-// "rad/s,m/s", "@" and NumberDim::later for what only the run knows; empty: nothing is known.
+// Dimensions as text: "rad/s,m/s"; "@" and NumberDim::later for one known at run time only; empty
+// if none is known.
 std::string text_of(const Dims& dims) {
   std::string units;
   if (!dims || std::ranges::all_of(*dims, &NumberDim::is_none)) return units;
@@ -413,7 +422,7 @@ std::string text_of(const Dims& dims) {
   return units;
 }
 
-// Of each column of a recording, with semicolons between them.
+// The units of each column of a recording, separated by semicolons.
 std::string units_of_columns(Checker& checker, const hir::Expr& table) {
   const hir::RecordExpr* row = DimsOfParts(checker).row_of(table);
   if (row == nullptr) return {};
@@ -426,7 +435,7 @@ std::string units_of_columns(Checker& checker, const hir::Expr& table) {
   return units.find_first_not_of(';') == std::string::npos ? std::string() : units;
 }
 
-// Of the lines of a list of lists.
+// The units of the inner lists of a list of lists.
 std::string units_of_lists(Checker& checker, const hir::Expr& lists) {
   const hir::Expr& at = origin_of(lists);
   if (at.kind != ExprKind::kList) return {};

@@ -37,7 +37,7 @@ bool is_missing(const ast::Expr& expr) {
   return expr.kind == ast::ExprKind::kName && expr.as<ast::NameExpr>().name.empty();
 }
 
-// What a list written in a call is going to be, when all functions of the name agree on it.
+// The type that a list literal in a call gets, if all functions of the name expect the same type.
 const Type* list_hint(Checker& checker, std::string_view callee, const ast::Arg& arg,
                       std::size_t position) {
   if (arg.value->kind != ast::ExprKind::kList && arg.value->kind != ast::ExprKind::kBrace)
@@ -63,7 +63,7 @@ std::vector<Argument> arguments_of(Checker& checker, ast::Seq<ast::Arg> args,
   std::vector<Argument> out;
   for (std::size_t i = 0; i < args.size(); ++i) {
     const ast::Arg& arg = args[i];
-    // Where a value may come, none has to.
+    // A missing last argument of an incomplete call is not an error: there may be none.
     const bool is_last = i + 1 == args.size() && arg.name.text.empty();
     if (checker.shared.guesses && is_last && is_missing(*arg.value)) break;
     Argument argument{.name = arg.name.text, .name_span = arg.name.span, .written = arg.value};
@@ -112,7 +112,7 @@ hir::Expr* call_by_name(Checker& checker, const ast::CallExpr& call, std::string
   return call_function(checker, name, callee, call.span, arguments_of(checker, call.args, name));
 }
 
-// A function of the text, a struct, or a function of the library.
+// Checks a call of a script function, a struct, or a library function.
 hir::Expr* call_function(Checker& checker, std::string_view name, Span callee, Span span,
                          std::vector<Argument> arguments) {
   if (FunctionDecl* function = checker.names.find_function(name)) {
@@ -130,8 +130,8 @@ hir::Expr* call_function(Checker& checker, std::string_view name, Span callee, S
                      std::move(arguments));
 }
 
-// What the library has of that name for values of this type. A function of the text comes before it
-// whose first parameter is of the type, or of none where the library has nothing but a field.
+// The library functions of a name with this type as the first parameter. A script function has
+// priority if its first parameter has the type, or has none while the library has only a field.
 std::span<const NativeFunction* const> methods_of(Checker& checker, const Type& type,
                                                   std::string_view name) {
   const auto methods = checker.registry.functions(type_name(&type) + '.' + std::string(name));
@@ -245,7 +245,7 @@ hir::Expr* check_new_object(Checker& checker, const ast::NewObjectExpr& expr) {
   const Type* type = checker.resolve(*expr.type);
   if (type->is(Kind::kAny)) return checker.failed(expr.span);
   std::string_view name = checker.arena.copy(type_name(type));
-  // Another name of a type of the host has a constructor of its own.
+  // A second name of a host type has a constructor of its own.
   if (type->is(Kind::kHost)) name = checker.arena.copy(checker.text_of(expr.type->span));
   if (type->is(Kind::kRecord) && checker.shared.structs.find(type) != nullptr) {
     return construct(checker, *checker.shared.structs.find(type), expr.type->span, expr.span,

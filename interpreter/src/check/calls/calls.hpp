@@ -1,5 +1,6 @@
 #pragma once
-// Calls: f(a), x.f(a), new T(a). Which function is meant; the other parts check the values.
+// Checks calls, f(a), x.f(a), new T(a), and finds the function that is called. Arguments are
+// checked in other files.
 
 #include <string_view>
 #include <vector>
@@ -13,7 +14,8 @@ hir::Expr* call_value(Checker& checker, hir::Expr* function, const ast::CallExpr
 hir::Expr* check_new_object(Checker& checker, const ast::NewObjectExpr& expr);
 std::vector<Argument> arguments_of(Checker& checker, ast::Seq<ast::Arg> args,
                                    std::string_view callee);
-// A name without text, which stands where one is missing (syntax/repair).
+// Whether an expression is the name without text that repairs insert for a missing value
+// (syntax/repair).
 [[nodiscard]] bool is_missing(const ast::Expr& expr);
 [[nodiscard]] bool waits(Checker& checker, const ast::Expr& expr);
 const Type* list_hint(Checker& checker, std::string_view callee, const ast::Arg& arg,

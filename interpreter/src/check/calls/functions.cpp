@@ -14,7 +14,8 @@
 namespace armlet::lang {
 namespace {
 
-// A function that calls itself with ever new types would never end.
+// The limit of types for which a function is checked. A function that calls itself with new types
+// each time would never end.
 constexpr std::size_t kMostInstances = 200;
 
 }  // namespace
@@ -95,7 +96,7 @@ void check_body(Checker& checker, Instance& instance) {
   instance.result_known = true;
 }
 
-// => value: returns it, or runs it if it gives nothing.
+// The body of a function `=> value`: it returns the value, or runs the expression if that has none.
 hir::Block* value_body(Checker& checker, const ast::Expr& expr, FunctionContext& context) {
   hir::Expr* value = checker.check(expr, context.result);
   hir::Stmt* stmt = nullptr;
@@ -114,7 +115,7 @@ hir::Block* value_body(Checker& checker, const ast::Expr& expr, FunctionContext&
                                   checker.seq(std::vector<hir::Stmt*>{stmt}));
 }
 
-// Settles an inferred result, and sees that every way through returns one.
+// Completes an inferred result, and checks that every path through the function returns a value.
 void finish_result(Checker& checker, FunctionContext& context, std::string_view name, Span end) {
   if (!context.result_is_declared) {
     if (context.result == nullptr) context.result = checker.types.void_type();
@@ -138,7 +139,7 @@ void finish_result(Checker& checker, FunctionContext& context, std::string_view 
   checker.messages.begin_statement();
   Diagnostic diagnostic = make_diagnostic("E0306", end, {std::string(name)});
   diagnostic.mark.label = "the end can be reached without a return";
-  // The line of the function's name is shown too.
+  // The mark begins at the function's name, so that its line is shown too.
   const Span head{context.function->span.begin, context.function->span.begin,
                   context.function->span.source};
   diagnostic.related.push_back({head, ""});
@@ -150,7 +151,7 @@ void finish_result(Checker& checker, FunctionContext& context, std::string_view 
   checker.report(std::move(diagnostic));
 }
 
-// The name of a function where a value is needed.
+// The name of a function in the position of a value.
 hir::Expr* function_value(Checker& checker, FunctionDecl& function, const Type* expected,
                           Span span) {
   if (checker.shared.learnt != nullptr) checker.shared.learnt->use(span, function.node->name.span);

@@ -1,6 +1,6 @@
 #pragma once
-// Functions of the text: one typed form for every combination of argument types, results found from
-// bodies.
+// Checks script functions: one typed form for each combination of argument types, with result types
+// inferred from the bodies.
 
 #include <string_view>
 #include <vector>

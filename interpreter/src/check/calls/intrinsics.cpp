@@ -29,7 +29,7 @@ std::string values(std::size_t least, std::size_t most) {
 
 }  // namespace
 
-// Whether the call has that many values, none of them named.
+// Whether the call has a count of values in this range, none of them named.
 bool takes(Checker& checker, const ast::CallExpr& call, std::string_view name, std::size_t least,
            std::size_t most) {
   for (const ast::Arg& arg : call.args) {
@@ -110,7 +110,7 @@ hir::Expr* print_formatted(Checker& checker, const ast::CallExpr& call) {
   return parts ? print_parts(checker, call, *parts) : checker.failed(call.span);
 }
 
-// The last value of a list that should be computed only once.
+// The last element of a list, whose expression is evaluated only once.
 hir::Expr* last_call(Checker& checker, hir::Expr* list, Span span) {
   const NativeFunction* const functions[] = {checker.registry.language().last};
   return call_native(checker, "last", functions, span, span, {Argument{.value = list}});

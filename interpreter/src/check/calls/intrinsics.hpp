@@ -1,5 +1,5 @@
 #pragma once
-// Calls that the language itself understands: print, error, int(x), and the methods of lists and
+// Checks calls that are part of the language: print, error, int(x), and the methods of lists and
 // texts.
 
 #include <string_view>

@@ -11,7 +11,7 @@
 
 namespace armlet::lang {
 
-// The variable that `here` uses for a variable of `owner` outside of it.
+// The variable of the current function for a captured variable of `owner`, an enclosing function.
 hir::Variable* captured(Checker& checker, Local& local, FunctionContext& owner,
                         FunctionContext& here) {
   if (&here == &owner) return local.variable;
@@ -38,7 +38,7 @@ hir::Variable* captured(Checker& checker, Local& local, FunctionContext& owner,
   inner->fixed = true;
   inner->init = outer->init;
   if (shares && !outer->fixed) {
-    // What never changes may as well be copied.
+    // A variable that never changes can be copied.
     inner->fixed = false;
     inner->storage = outer->storage = hir::Storage::kBoxed;
   }
@@ -60,7 +60,7 @@ hir::Expr* closure(Checker& checker, hir::Function* function, FunctionContext& c
 
 namespace {
 
-// The parameters of a lambda, with the types that are written or expected; empty after a message.
+// The parameters of a lambda, with their declared or expected types; empty after a message.
 std::optional<std::vector<hir::Variable*>> lambda_parameters(Checker& checker,
                                                              const ast::LambdaExpr& lambda,
                                                              const Type* expected,
@@ -142,8 +142,8 @@ hir::Expr* check_lambda(Checker& checker, const ast::LambdaExpr& lambda, const T
                  checker.types.function(std::move(types), context.result), lambda.span);
 }
 
-// The condition of until and wait until: a function without parameters that is called again and
-// again.
+// The condition of until and wait until, as a function without parameters that is called at each
+// instant.
 hir::Expr* check_guard(Checker& checker, const ast::Expr& written) {
   FunctionContext context;
   context.kind = FunctionContext::Kind::kCondition;

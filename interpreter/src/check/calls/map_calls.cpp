@@ -1,4 +1,4 @@
-// The methods of maps, and what other languages call them.
+// Checks the methods of maps, and explains their names in other languages.
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@ namespace {
 
 using hir::MapQuestion;
 
-// What another language calls a method, and how that is written here. $m is the map, $1 and $2 are
-// the values of the call.
+// A method of another language and its form in this one. $m is the map, $1 and $2 are the arguments
+// of the call.
 struct ForeignMethod {
   std::string_view name;
   std::size_t values;
@@ -163,7 +163,7 @@ hir::Expr* foreign_empty_map(Checker& checker, std::string_view name, std::size_
   if (std::ranges::find(kTypes, name) == kTypes.end() || values != 0) return nullptr;
   Diagnostic diagnostic = make_diagnostic("E0201", span, {std::string(name)});
   Fix fix{.text = "write [:]", .edits = {{span, "[:]"}}};
-  // var stock = dict(): the type stands behind the name.
+  // var stock = dict(): the type is written after the name.
   const std::string_view text = (*checker.into.sources)[span.source].text();
   const std::string_view before = text.substr(0, span.begin);
   const std::size_t equals = before.find_last_not_of(" \t");

@@ -30,14 +30,14 @@ hir::Expr* guessed_call(Checker& checker, std::string_view name,
 Ambient find_ambient(Checker& checker, const HostType& type, bool all = false);
 hir::Expr* ambient_value(Checker& checker, const HostType& type, Span callee);
 
-// `motor left = motors.small()`: a library function that takes a name gives its handle the declared
-// one.
+// Whether a parameter gets the name of the declared variable: in `motor left = motors.small()` the
+// library function gets "left".
 bool names_result(const Parameter& parameter, const Type* type, const Type* result) {
   return parameter.name == "name" && type->is(Kind::kText) && result->is(Kind::kHost) &&
          result->host->is_handle;
 }
 
-// `plot(x, y)`: a text parameter xUnit that is left out gets the unit of x in SI, from its type.
+// `plot(x, y)`: an absent text parameter xUnit gets the SI unit of x, from its type.
 std::optional<std::string> unit_for(const Signature& signature, const Parameter& parameter,
                                     const Type* type, const Bindings& bindings, TypePool& types) {
   constexpr std::string_view kSuffix = "Unit";
@@ -51,8 +51,8 @@ std::optional<std::string> unit_for(const Signature& signature, const Parameter&
   return si_unit(measured->dim);
 }
 
-// For a text parameter valueUnits that is left out, the units of `value` when all is known
-// (number_dims.hpp); null: it is no such parameter.
+// The expression for an absent text parameter valueUnits, whose text follows when all functions are
+// known (number_dims.hpp); null if it is no such parameter.
 hir::Expr* units_text(Checker& checker, const Signature& signature, const Parameter& parameter,
                       const Type* type, Span callee, std::span<hir::Expr* const> values) {
   constexpr std::string_view kSuffix = "Units";
@@ -98,22 +98,23 @@ hir::Expr* call_native(Checker& checker, std::string_view name,
 
 namespace {
 
-// Whether this is a lambda that gives a type for its parameter `i`.
+// Whether the argument is a lambda with a declared type of its parameter `i`.
 bool is_written_with_type(const ast::Expr& written, std::size_t i) {
   return written.kind == ast::ExprKind::kLambda &&
          written.as<ast::LambdaExpr>().params[i].type != nullptr;
 }
 
-// A lambda or the name of a function, now that its parameter's type is known as far as it will be.
+// Checks a lambda or the name of a function, after the other arguments have determined its type as
+// far as possible.
 hir::Expr* waiting_argument(Checker& checker, std::string_view name, const Argument& argument,
                             const TypePattern& pattern, Bindings& bindings) {
   const Type* expected = instantiate(pattern, bindings, checker.types);
   if (expected == nullptr && pattern.form == TypePattern::Form::kFunction) {
-    // The result is found from the body.
+    // The result type is inferred from the body.
     std::vector<const Type*> parameters;
     for (std::size_t i = 0; i + 1 < pattern.parts.size(); ++i) {
       parameters.push_back(instantiate(pattern.parts[i], bindings, checker.types));
-      // Its own type takes the place of one that is not known.
+      // A declared type replaces one that is not known.
       const bool may_be_open = checker.shared.guesses || is_written_with_type(*argument.written, i);
       if (parameters.back() == nullptr && may_be_open) parameters.back() = checker.types.any();
     }
@@ -136,7 +137,7 @@ hir::Expr* waiting_argument(Checker& checker, std::string_view name, const Argum
   return value;
 }
 
-// The values of a variadic parameter.
+// The arguments of a variadic parameter.
 std::vector<hir::Expr*> rest_of(Checker& checker, const Parameter& parameter,
                                 const std::vector<Argument>& arguments,
                                 const std::vector<int>& rest, const Target& element) {
@@ -152,7 +153,7 @@ std::vector<hir::Expr*> rest_of(Checker& checker, const Parameter& parameter,
   return items;
 }
 
-// For editors: the function that was chosen, and its parameters that are named.
+// For editors: notes the selected function, and its named parameters.
 void note_native_names(Checker& checker, const NativeFunction& function, Span callee,
                        const std::vector<Argument>& arguments, const Fit& fit) {
   if (checker.shared.learnt == nullptr) return;
@@ -165,8 +166,8 @@ void note_native_names(Checker& checker, const NativeFunction& function, Span ca
   }
 }
 
-// A call that fails, for editors: names of settings, what is in lambdas, and the type that it will
-// have all the same.
+// A call that cannot be checked, for editors: names of settings, the contents of lambdas, and the
+// type that the call would have.
 hir::Expr* guessed_call(Checker& checker, std::string_view name,
                         std::span<const NativeFunction* const> candidates, Span callee, Span span,
                         std::vector<Argument>& arguments) {
@@ -190,7 +191,8 @@ hir::Expr* guessed_call(Checker& checker, std::string_view name,
   return checker.guessed(span, begun.result);
 }
 
-// A text that is left out and follows from the call: the name of what is declared, or a unit.
+// The value of an absent text parameter that follows from the call: the name of the declared
+// variable, or a unit.
 std::optional<std::string> text_for(Checker& checker, const Signature& signature,
                                     const Parameter& parameter, const Type* type, const Fit& fit,
                                     const Type* result, Span span) {
@@ -199,7 +201,8 @@ std::optional<std::string> text_for(Checker& checker, const Signature& signature
   return unit_for(signature, parameter, type, fit.bindings, checker.types);
 }
 
-// Null after a message. `columns` are those of a table that is read from a file.
+// The type of the result; null after a message. `columns` are those of a table that is read from a
+// file.
 const Type* native_result(Checker& checker, std::string_view name, const Signature& signature,
                           const Fit& fit, const std::vector<Argument>& arguments, Span span,
                           std::string& columns) {
@@ -272,7 +275,7 @@ hir::Expr* finish_native(Checker& checker, std::string_view name, const NativeFu
 
 }  // namespace
 
-// A pause in a condition would stop the clock that the condition waits for.
+// A pause in a condition would stop the clock that the condition depends on.
 void note_pause(Checker& checker, Span span) {
   checker.scopes.use().pauses = true;
   for (const FunctionContext* context = &checker.scopes.here(); context != nullptr;
@@ -287,7 +290,7 @@ void note_pause(Checker& checker, Span span) {
 
 namespace {
 
-// Those of the entries before that have not been declared again.
+// Adds the ambient values of earlier entries that are not declared again.
 void add_earlier(Checker& checker, const HostType& type, Ambient& out, bool all) {
   const KeptNames* kept = checker.shared.earlier.kept();
   if (kept == nullptr) return;
@@ -342,7 +345,7 @@ Ambient find_ambient(Checker& checker, const HostType& type, bool all) {
     }
     std::ranges::sort(out.names);
     out.names.erase(std::unique(out.names.begin(), out.names.end()), out.names.end());
-    // Those of two files may have the same name.
+    // Two files may use the same name.
     std::ranges::move(out.names, std::back_inserter(found));
     out.names.clear();
     if (!all && found.size() > 1) break;

@@ -1,5 +1,5 @@
 #pragma once
-// Calls of library functions, once it is known which one is meant.
+// Checks calls of a library function that has been selected.
 
 #include <span>
 #include <string_view>

@@ -1,6 +1,6 @@
-// Functions of the library that visit every element of a list: map, filter, fold ... The library
-// declares them without a thunk; the program runs them as loops, so that the function they are
-// given may fail, wait or be stopped like any other.
+// Checks map, filter, fold and similar functions of the library. The library declares them without
+// C++ code; they are compiled to loops, so that the functions given to them may fail, wait or be
+// stopped like others.
 
 #include "check/calls/over_list.hpp"
 
@@ -27,7 +27,7 @@ constexpr std::array<std::pair<std::string_view, ListVerb>, 9> kVerbs = {
      {"contains", ListVerb::kContains},
      {"indexOf", ListVerb::kIndexOf}}};
 
-// What a function does as a loop; nothing for those that the library runs.
+// The loop that a function is compiled to; empty for functions that the library implements.
 std::optional<ListVerb> verb_of(const NativeFunction& function) {
   if (function.thunk) return std::nullopt;
   for (const auto& [name, verb] : kVerbs) {
@@ -76,7 +76,7 @@ hir::Expr* over_list(Checker& checker, const NativeFunction& function, hir::Call
                                          call.arguments, call.site);
 }
 
-// Of a row that the program names, "motor.phase.NAME": its word.
+// The word of a named row: "phase" for "motor.phase.NAME".
 static std::string_view written_name(const NativeFunction& function) {
   std::string_view name = function.name;
   if (!name.ends_with(kNamedRow)) return name;

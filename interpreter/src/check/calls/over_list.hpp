@@ -1,6 +1,6 @@
 #pragma once
-// Functions of the library that take functions of the program: those that are loops of the program,
-// and those that call back.
+// Library functions that take script functions: those that are compiled to loops, and those that
+// call them from C++.
 
 #include <span>
 #include <vector>
@@ -9,21 +9,21 @@
 
 namespace armlet::lang {
 
-// fold(xs, 0, f): a whole number written as the start becomes what the elements are, because what f
-// gives does. 0 becomes any quantity, other numbers a double.
+// fold(xs, 0, f): an int literal as the start gets the type of the elements, because f returns that
+// type. 0 becomes any quantity, other numbers become a double.
 void settle_start(Checker& checker, std::span<const NativeFunction* const> candidates,
                   std::vector<Argument>& arguments);
 
-// The call as a loop; null if it is none. The key of sort and what is looked for must be
-// comparable.
+// The call as a loop; null if it is not one. The key of sort and the value that contains and
+// indexOf search must be comparable.
 [[nodiscard]] hir::Expr* over_list(Checker& checker, const NativeFunction& function,
                                    hir::CallNativeExpr& call);
 
-// Remembers functions handed to the library, which calls them while time stands still.
+// Notes script functions that are passed to the library, which calls them while time stands still.
 void note_callbacks(Checker& checker, const NativeFunction& function,
                     const std::vector<hir::Expr*>& values);
 
-// Refuses those of them that would take time (E0520); after everything is checked.
+// Reports E0520 for those that would take time; called after everything is checked.
 void check_callbacks(Checker& checker);
 
 }  // namespace armlet::lang

@@ -22,7 +22,7 @@ bool is_ambient_first(const Signature& signature) {
 
 bool is_ambient(const Type& type) { return type.is(Kind::kHost) && type.host->is_ambient; }
 
-// Finds parameters by name; in a table when there are many of both.
+// Finds parameters by name; with a table if there are many parameters and arguments.
 class ParameterNames {
  public:
   ParameterNames(const Signature& signature, std::size_t searches) : signature_(signature) {
@@ -43,7 +43,7 @@ class ParameterNames {
   std::unordered_map<std::string_view, int> table_;
 };
 
-// Whether a call with so many values by position can fit.
+// Whether a call with this count of positional values can fit.
 bool takes_values(const Signature& signature, std::size_t count) {
   const auto& parameters = signature.parameters;
   const std::size_t ambient = is_ambient_first(signature) ? 1 : 0;
@@ -59,7 +59,7 @@ auto rank(const Fit& fit) {
 
 }  // namespace
 
-// Lets the arguments fall on parameters: by position, then by name.
+// Assigns the arguments to parameters: by position, then by name.
 bool place_arguments(const Signature& signature, const std::vector<Argument>& arguments, Fit& fit) {
   const auto& parameters = signature.parameters;
   const ParameterNames names(signature, arguments.size());
@@ -99,9 +99,9 @@ bool place_arguments(const Signature& signature, const std::vector<Argument>& ar
 
 namespace {
 
-// How far the types that the parameters of a function are written with, null where none is, are
-// those of a pattern: 0 if none differs, 1 if one does, 2 if one of both is a struct; -1 where a
-// struct is asked for and none is written, unless the other arguments say which.
+// The cost of the declared parameter types of a function (null for those without a type) for a
+// pattern: 0 if all are the same, 1 if one differs, 2 if one of the two is a struct. -1 if the
+// pattern has a struct where no type is declared, unless the other arguments determine it.
 int cost_of_parameters(const TypePattern& pattern, const std::vector<const Type*>& written,
                        const Bindings& known) {
   if (pattern.form != TypePattern::Form::kFunction) return 0;
@@ -119,8 +119,8 @@ int cost_of_parameters(const TypePattern& pattern, const std::vector<const Type*
   return cost;
 }
 
-// A lambda or the name of a function fits a function type with as many parameters; better one
-// whose parameters are written with its types. -1: it does not.
+// The cost of a lambda or the name of a function for a function type: it fits if it has as many
+// parameters, and costs less if its declared types are those of the pattern. -1: it does not fit.
 int fit_waiting(Checker& checker, const ast::Expr& written, const TypePattern& pattern,
                 const Bindings& known) {
   std::size_t wanted = 0;
@@ -193,7 +193,7 @@ Fit fit(Checker& checker, const Signature& signature, const std::vector<Argument
     if (!begun || out.problem != Problem::kMissing) return out;
     out.problem = Problem::kNone;
   }
-  // Zeros and lambdas take their type from the others, so they come last.
+  // Zeros and lambdas get their types from the other arguments, so they are checked last.
   const auto pass_of = [&](int argument) {
     const Argument& given = arguments[argument];
     return given.waits() ? 2 : is_zero(*given.value) ? 1 : 0;
@@ -245,7 +245,7 @@ const NativeFunction* choose(Checker& checker, std::string_view name,
       if (ambient && !is_ambient_first(signature)) continue;
       Fit attempt = fit(checker, signature, arguments, ambient);
       if (attempt.problem != Problem::kNone) {
-        // f.g(): what stands in front of the point is no value of the call.
+        // f.g(): the name before the point is no argument of the call.
         const bool has_receiver = !arguments.empty() && arguments[0].written == nullptr &&
                                   !arguments[0].waits() && is_ambient(*arguments[0].value->type);
         const auto closeness = [&](const Fit& f) {
@@ -271,7 +271,7 @@ const NativeFunction* choose(Checker& checker, std::string_view name,
     report_misfit(checker, name, checker.shared.signatures.of(*closest), callee, span, arguments,
                   closest_fit);
   } else if (equal.size() > 1) {
-    // sum([]): a type would decide.
+    // sum([]): the type of the elements is needed.
     for (const Argument& argument : arguments) {
       const bool is_open = argument.value != nullptr && argument.value->type->is(Kind::kList) &&
                            argument.value->type->element->is(Kind::kAny);

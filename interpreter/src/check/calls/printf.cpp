@@ -7,7 +7,7 @@
 namespace armlet::lang {
 namespace {
 
-// %[-][+][0][width][.digits]letter; letter is 0 where the text cannot be read.
+// A conversion %[-][+][0][width][.digits]letter; the letter is 0 if it is invalid.
 struct Conversion {
   TextStyle style;
   char letter = 0;
@@ -44,7 +44,7 @@ Conversion read_conversion(std::string_view text) {
   out.letter = text[at];
   out.style.width = static_cast<std::uint16_t>(width);
   out.style.digits = static_cast<std::int8_t>(digits);
-  // Java fills on the left, texts too.
+  // Java pads on the left, texts too.
   out.style.align = width == 0 ? '\0' : is_left ? '<' : '>';
   out.style.zeros = out.style.zeros && !is_left && width > 0;
   return out;

@@ -1,5 +1,5 @@
 #pragma once
-// Java's printf, read while checking: its text must be written in the program.
+// Java's printf, converted while checking, so that its format has to be a literal.
 
 #include <optional>
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace armlet::lang {
 
-// The texts that System.out.printf("...", values) prints, in order. %d %s %b %f %.2f %e %g %n %%
-// are known; a width or a flag is refused. Empty after a message.
+// The texts that System.out.printf("...", values) prints, in order, for %d %s %b %f %.2f %e %g %n
+// %% with their widths and flags. Empty after a message.
 std::optional<std::vector<hir::Expr*>> printf_parts(Checker& checker, const ast::CallExpr& call);
-// print(text)
+// A call of print(text).
 hir::Expr* print_line(Checker& checker, const ast::CallExpr& call, hir::Expr* text);
-// The call that prints them.
+// The call that prints these texts.
 hir::Expr* print_formatted(Checker& checker, const ast::CallExpr& call);
 
 }  // namespace armlet::lang

@@ -1,4 +1,5 @@
-// Rules that a host checks before running: one call as a rule sees it.
+// Rules of the host, which check a call before the program runs: the view of the call that a rule
+// gets.
 
 #include <algorithm>
 #include <map>
@@ -65,7 +66,7 @@ class Call final : public CheckCall {
 
   Span origin(int parameter, int item) const override {
     const hir::Expr* at = &origin_of(*call_.arguments[parameter]);
-    // new T(list): look into what the value was made from.
+    // new T(list): the rule sees the list that the value is made from.
     while (at->kind == hir::ExprKind::kCallNative &&
            at->as<hir::CallNativeExpr>().arguments.size() == 1) {
       at = &origin_of(*at->as<hir::CallNativeExpr>().arguments[0]);
@@ -105,14 +106,14 @@ class Call final : public CheckCall {
   void report(Diagnostic diagnostic) override { checker_.report(std::move(diagnostic)); }
 
  private:
-  // The value as written, before conversion; null if it was not written.
+  // The argument in the text, before its conversion; null if it is not in the text.
   const hir::Expr* written(int parameter) const {
     if (parameter < 0 || parameter >= static_cast<int>(fit_.from.size())) return nullptr;
     const int from = fit_.from[parameter];
     return from >= 0 ? arguments_[from].value : nullptr;
   }
 
-  // The values of a variadic parameter, or of a list of rows.
+  // The arguments of a variadic parameter, or of a list of rows.
   const std::vector<const hir::Expr*>& items(int parameter) const {
     const auto [known, is_new] = items_.try_emplace(parameter);
     std::vector<const hir::Expr*>& out = known->second;
@@ -131,7 +132,7 @@ class Call final : public CheckCall {
     return out;
   }
 
-  // Facts live as long as the program.
+  // Facts exist as long as the program.
   static std::shared_ptr<const Fact> shared(const Fact* fact) {
     return {std::shared_ptr<const Fact>(), fact};
   }
@@ -141,7 +142,8 @@ class Call final : public CheckCall {
   const std::vector<Argument>& arguments_;
   const Fit& fit_;
   hir::CallNativeExpr& call_;
-  mutable std::map<int, std::vector<const hir::Expr*>> items_;  // of the parameters asked for
+  // Of the parameters that a rule has asked for.
+  mutable std::map<int, std::vector<const hir::Expr*>> items_;
 };
 
 }  // namespace

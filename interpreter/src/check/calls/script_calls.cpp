@@ -1,4 +1,4 @@
-// Calls of functions of the text, and values of struct types.
+// Checks calls of script functions, and values of struct types.
 
 #include <algorithm>
 #include <utility>
@@ -16,8 +16,8 @@
 namespace armlet::lang {
 namespace {
 
-// What a parameter of a lambda in this call most likely is: another value of the call, or an
-// element of one.
+// The most likely type of a lambda's parameter in this call: that of another argument, or of its
+// elements.
 std::string likely_type(const std::vector<Argument>& arguments) {
   for (const Argument& argument : arguments) {
     if (argument.waits() || argument.value->type->is(Kind::kAny)) continue;
@@ -27,7 +27,7 @@ std::string likely_type(const std::vector<Argument>& arguments) {
   return "double";
 }
 
-// For editors: which parameters the names in front of values mean.
+// For editors: notes the parameters that argument names refer to.
 void note_named_values(Checker& checker, ast::Seq<ast::Param> parameters,
                        const std::vector<Argument>& arguments) {
   if (checker.shared.learnt == nullptr) return;
@@ -43,7 +43,7 @@ std::optional<std::vector<Argument*>> by_parameter(Checker& checker, std::string
                                                    ast::Seq<ast::Param> parameters, Span callee,
                                                    Span span, std::vector<Argument>& arguments) {
   note_named_values(checker, parameters, arguments);
-  // The same rules as for the library, told by the same messages.
+  // The rules and messages are those of library functions.
   Signature signature;
   for (const ast::Param& parameter : parameters) {
     signature.parameters.push_back({.name = std::string(parameter.name.text),
@@ -62,14 +62,14 @@ std::optional<std::vector<Argument*>> by_parameter(Checker& checker, std::string
   return out;
 }
 
-// Of a value of which not all is known: it failed, or is an empty list or map.
+// Whether a type is not fully known: the value failed, or is an empty list or map.
 bool is_open(const Type& type) {
   return type.is(Kind::kAny) ||
          ((type.is(Kind::kList) || type.is(Kind::kMap)) && type.element->is(Kind::kAny));
 }
 
-// Whether a value with a type does not suit a parameter of its own kind, after a message: a table
-// of other columns, or a list of nothing.
+// Whether an argument with a known type is refused for a parameter of the same kind, after a
+// message: a table with other columns, or a list without a known element type.
 bool refuse_kind(Checker& checker, const FunctionDecl& function, const ast::Param& parameter,
                  const hir::Expr& value) {
   const ast::TypeExpr* written = parameter.type;

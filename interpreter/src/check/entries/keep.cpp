@@ -13,7 +13,7 @@ namespace {
 
 using Users = std::vector<std::string_view>;
 
-// Each word of a text once.
+// The different words of a text.
 std::set<std::string_view> words_of(std::string_view text) {
   std::set<std::string_view> words;
   for (std::size_t i = 0; i < text.size();) {
@@ -69,7 +69,7 @@ class Keeper {
     return kept;
   }
 
-  // The numbers of variables that nothing can reach any more are used again.
+  // Numbers of variables that no code can use any more are given to new ones.
   void number_globals() {
     for (hir::Variable* variable : main_.into.module.globals) {
       if (kept_->free_globals.empty()) {
@@ -81,8 +81,8 @@ class Keeper {
     }
   }
 
-  // The text of an entry runs once and is number 0. A function with the signature of an older one
-  // takes its number, so whoever calls that calls this one.
+  // The text of an entry runs once and has number 0. A function with the signature of an older one
+  // gets its number, so that callers of the older one call the new one.
   void number_functions() {
     kept_->functions = std::max(kept_->functions, 1U);
     std::unordered_map<const hir::Function*, const hir::Function*> replaced;
@@ -105,7 +105,8 @@ class Keeper {
       } else {
         function->index = old->second->index;
         replaced_.insert(function->index);
-        // Callers hand over what the older one adopts.
+        // Callers move the arguments that the older function takes over, so the new one must take
+        // them over too.
         for (std::size_t i = 0; i < function->parameters.size(); ++i)
           function->parameters[i]->adopted = old->second->parameters[i]->adopted;
       }
@@ -181,7 +182,7 @@ class Keeper {
     return kept;
   }
 
-  // Functions of earlier entries have new forms now.
+  // Keeps functions of earlier entries that were checked for further types.
   void keep_grown() {
     for (const Earlier::Grown& grown : shared_.earlier.grown()) {
       KeptFile& file = *kept_->files.back();
@@ -193,7 +194,8 @@ class Keeper {
     }
   }
 
-  // Calls that leave such a value out find those of all entries, each by its newest declaration.
+  // Keeps the ambient values of all entries, with the newest declaration of each name, for calls
+  // that omit them.
   void keep_ambient() {
     std::vector<KeptAmbient> all;
     bool changed = false;
@@ -240,7 +242,7 @@ class Keeper {
         add_user(use_key(*variable), function->name);
       for (const hir::Function* called : use.calls) add_user(use_key(*called), function->name);
     }
-    // Forms that calls of later entries will ask for, and defaults, mention what their texts say.
+    // Bodies and default values that later entries check refer to the names in their texts.
     const KeptFile& file = *kept_->files.back();
     for (const auto& [name, function] : main_.names.functions())
       note_words(file, function.node->span, name);
@@ -256,14 +258,15 @@ class Keeper {
     }
   }
 
-  // Whether it goes on running: a function that later entries can call, or an armed block.
+  // Whether a user of a function or variable is still active: a function that later entries can
+  // call, or an armed block.
   [[nodiscard]] bool lives_on(std::string_view user) const {
     if (user.starts_with("when ") || user.starts_with("every ")) return true;
     const KeptName* kept = kept_->files.back()->find(user);
     return kept != nullptr && kept->function != nullptr && !declared_.contains(user);
   }
 
-  // What is declared again while something goes on with the older declaration.
+  // Reports advice if a name is declared again while other code still uses the older declaration.
   void advise() {
     if (before_ == nullptr) return;
     for (const std::string_view name : declared_) {
@@ -305,7 +308,8 @@ class Keeper {
     main_.report(std::move(advice));
   }
 
-  // What nobody can reach any more: variables that are declared again, and those of blocks.
+  // Frees the numbers of variables that no code can use any more: those that are declared again,
+  // and those of blocks.
   void free_globals() {
     for (const std::string_view name : declared_) {
       const KeptName* old = before_ != nullptr ? before_->main().find(name) : nullptr;
@@ -323,8 +327,8 @@ class Keeper {
   Shared& shared_;
   const KeptNames* before_;
   std::unique_ptr<KeptNames> kept_;
-  std::set<std::uint32_t> replaced_;     // numbers
-  std::set<std::string_view> declared_;  // by the main file
+  std::set<std::uint32_t> replaced_;     // numbers of replaced variables
+  std::set<std::string_view> declared_;  // names declared by the main file
 };
 
 }  // namespace

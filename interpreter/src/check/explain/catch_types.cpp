@@ -7,15 +7,15 @@
 namespace armlet::lang {
 namespace {
 
-// Types that take every error here, and in the languages that have them.
+// Whether a type catches every error, in this language or in another one.
 bool takes_everything(std::string_view type) {
   constexpr std::array<std::string_view, 6> kAll = {
       "error", "Exception", "Throwable", "RuntimeException", "Error", "BaseException"};
   return std::ranges::find(kAll, type) != kAll.end();
 }
 
-// A kind of errors of the language or the library, or one that the text of the program names or, as
-// in other languages, makes: `throw new Torn("belt")`.
+// Whether a name is a kind of errors of the language, of the library or of the program, or a class
+// that the program throws as in another language: `throw new Torn("belt")`.
 bool is_kind(Checker& checker, const std::string& name) {
   if (name.empty() || checker.registry.messages().of_kind(name) != nullptr) return true;
   return std::ranges::any_of(checker.shared.files, [&](const Checker* file) {
@@ -26,7 +26,8 @@ bool is_kind(Checker& checker, const std::string& name) {
   });
 }
 
-// The kind that a type stands for: "Timeout" for `Timeout` and `TimeoutException`; empty: none.
+// The kind of errors for a type: "Timeout" for `Timeout` and `TimeoutException`; empty if there is
+// none.
 std::string kind_of(Checker& checker, const std::string& type) {
   if (is_kind(checker, type)) return type;
   for (const std::string_view ending : {"Exception", "Error"}) {

@@ -1,12 +1,12 @@
 #pragma once
-// `catch` with a type, as other languages write it.
+// Explains `catch` with a type, as in other languages.
 
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {
 
-// W0756: catch (IOException e). The fix keeps to the errors of that kind if there is one, and
-// leaves the type out otherwise.
+// Reports W0756 for catch (IOException e). The fix catches only errors of that kind if there is
+// one, and removes the type otherwise.
 void advise_catch_of_a_type(Checker& checker, const ast::CatchClause& clause);
 
 }  // namespace armlet::lang

@@ -12,8 +12,7 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 |
 
 bool is_operator(char c) { return std::string_view("+-*/%").find(c) != std::string_view::npos; }
 
-// Reads a divisor as it is written: 2, n, or (n + 1). What it consists of must be numbers and
-// variables that hold numbers.
+// Parses a divisor: 2, n, or (n + 1). It must consist of numbers and of variables that are numbers.
 class Divisor {
  public:
   Divisor(Checker& checker, std::string_view text) : checker_(checker), text_(text) {}
@@ -77,11 +76,11 @@ class Divisor {
 };
 
 struct Remark {
-  Span whole{};             // from the end of the value to the end of the divisor
+  Span whole{};             // from the end of the value to the end of the comment's divisor
   std::string_view inside;  // the divisor
 };
 
-// The comment directly behind a value, with one blank or none on both sides of its mark.
+// The comment directly after a value, with at most one blank on each side of its mark.
 Remark remark_behind(std::string_view text, std::uint32_t end, std::uint32_t source) {
   const std::size_t blank = text.substr(end).starts_with(' ') ? 1 : 0;
   if (!text.substr(end + blank).starts_with("//")) return {};
@@ -94,7 +93,7 @@ Remark remark_behind(std::string_view text, std::uint32_t end, std::uint32_t sou
   return {{end, last, source}, inside};
 }
 
-// With the parentheses around it, which its span leaves out.
+// The span of an expression with the parentheses around it.
 Span with_parentheses(std::string_view text, const ast::Expr& written) {
   Span out = written.span;
   for (int i = 0; i < written.parens; ++i) {
@@ -109,7 +108,7 @@ Span with_parentheses(std::string_view text, const ast::Expr& written) {
   return out;
 }
 
-// Whether what is written before a division sign is divided as a whole.
+// Whether a division sign after the expression would divide all of it.
 bool is_divided_whole(const ast::Expr& written) {
   using ast::ExprKind;
   if (written.parens > 0) return true;
@@ -118,7 +117,7 @@ bool is_divided_whole(const ast::Expr& written) {
   return std::ranges::find(kWhole, written.kind) != kWhole.end();
 }
 
-// The number in the comment may be the value itself, for the reader.
+// Whether the comment states the value itself, so that it is not a divisor.
 bool is_result(const Checker& checker, const hir::Expr& value, std::string_view divisor) {
   const std::optional<Constant> known = checker.shared.constants.of(value);
   return known && known->kind == Constant::Kind::kInt && std::to_string(known->integer) == divisor;

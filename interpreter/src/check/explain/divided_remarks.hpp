@@ -4,10 +4,10 @@
 
 namespace armlet::lang {
 
-// Advice about `let half = n // 2`, which other languages divide: behind the number that a
-// statement stores or returns, a comment that consists of a divisor.
+// Reports advice about `let half = n // 2`, which divides in other languages: a comment that
+// consists of a divisor, after an int that a statement stores or returns.
 //
-// type  of the place where the value is stored; null: its own.
+// type  the type of the variable or result; null: that of the value.
 void advise_on_divided_remark(Checker& checker, const ast::Expr& written, const hir::Expr& value,
                               const Type* type);
 

@@ -6,7 +6,7 @@ namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The text of the line in front of a place.
+// The text of the line before a position.
 std::string line_before(const Checker& checker, Span place) {
   const Source& source = (*checker.into.sources)[place.source];
   const std::uint32_t begin = source.line_start(source.position(place.begin).line);

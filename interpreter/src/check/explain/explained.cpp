@@ -5,7 +5,7 @@
 namespace armlet::lang {
 namespace {
 
-// Whether two values are the same variable, read twice.
+// Whether two values are reads of the same variable.
 bool is_same_variable(Checker& checker, const hir::Expr& a, const hir::Expr& b) {
   if (a.kind == hir::ExprKind::kVariable && b.kind == hir::ExprKind::kVariable)
     return a.as<hir::VariableExpr>().variable == b.as<hir::VariableExpr>().variable;

@@ -1,5 +1,5 @@
 #pragma once
-// explain(f(x)): says how f(x) comes about, without its failing first.
+// explain(f(x)): explains the result of f(x), although the call does not fail.
 
 #include <vector>
 
@@ -7,12 +7,12 @@
 
 namespace armlet::lang {
 
-// The call that says it, if the value handed to `name` is a call of a library function that can
-// explain itself; null otherwise. `m.explain(m.f(x))` is the same as `explain(m.f(x))`.
+// The call that gives the explanation, if the argument of `name` is a call of a library function
+// that can explain itself; null otherwise. `m.explain(m.f(x))` is the same as `explain(m.f(x))`.
 [[nodiscard]] hir::Expr* explained_call(Checker& checker, std::string_view name,
                                         const std::vector<Argument>& arguments, Span span);
 
-// explain(x) as a statement: the call that prints it; null if the statement is another one.
+// The call that prints the explanation, for explain(x) as a statement; null for other statements.
 [[nodiscard]] hir::Expr* shown_explanation(Checker& checker, const ast::ExprStmt& stmt,
                                            hir::Expr* value);
 

@@ -1,13 +1,13 @@
 #pragma once
-// A line that starts with ( or [ goes on with the value of the line above.
+// Explains lines that start with ( or [ and therefore continue the value of the line above.
 
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {
 
-// Of a call or an index whose bracket stands on a line of its own; empty otherwise.
+// The bracket of a call or an index that begins a line; empty otherwise.
 [[nodiscard]] Joined joined_line(const Checker& checker, const ast::Expr& expr);
-// Says so in a message whose mark begins in the innermost of them.
+// Adds a note about the innermost of these lines to a message whose mark begins in it.
 void tell_of_joined_lines(const std::vector<Joined>& joined, Diagnostic& diagnostic);
 
 }  // namespace armlet::lang

@@ -10,10 +10,10 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::size_t kAll = 15;  // so many are listed
-constexpr std::size_t kSome = 8;  // of more than that
+constexpr std::size_t kAll = 15;  // all names are listed up to this count
+constexpr std::size_t kSome = 8;  // names that are listed of more
 
-// "q" and 12 of "q12"; nothing for a name without a number at its end.
+// A name such as "q12" in its parts "q" and 12; empty if it does not end with a number.
 struct Numbered {
   std::string_view stem;
   int number = 0;
@@ -28,7 +28,7 @@ std::optional<Numbered> numbered(std::string_view name) {
   return Numbered{name.substr(0, digits), number};
 }
 
-// Names that differ only in a number that counts up from the first are one entry.
+// Names that differ only in consecutive numbers are one entry.
 std::vector<std::string> entries_of(const std::vector<std::string>& names) {
   constexpr std::size_t kFew = 3;
   std::map<std::string_view, std::vector<int>> numbers;

@@ -7,8 +7,9 @@
 
 namespace armlet::lang {
 
-// "R, T and x": the names there are where `asked` is none. Numbered ones stand together ("q1 to
-// q12"); of very many those that are most like `asked`, and how many others there are.
+// A list such as "R, T and x": the names that exist if `asked` is none of them. Names with
+// consecutive numbers are one entry ("q1 to q12"). Of very many names those most similar to `asked`
+// are listed, with the count of the others.
 [[nodiscard]] std::string listed_names(std::string_view asked,
                                        const std::vector<std::string>& names);
 

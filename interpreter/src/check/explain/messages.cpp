@@ -37,7 +37,7 @@ std::string Checker::text_of(Span span) const { return std::string(into.sources-
 
 int Checker::line_of(Span span) const { return into.sources->position(span).line; }
 
-// For names of functions without one, which messages show while running.
+// The name of a function without a name, by its line, for messages at run time.
 std::string line_name(const Checker& checker, Span span) {
   const std::string line = "line " + std::to_string(checker.line_of(span));
   return is_main_file(checker) ? line : line + " of " + file_name(checker);

@@ -18,7 +18,7 @@ void report_count(Checker& checker, std::string_view name, const Signature& sign
 void report_argument(Checker& checker, std::string_view name, const Signature& signature, Span span,
                      const std::vector<Argument>& arguments, const Fit& fit);
 
-// "1 value", "2 to 4 values", "at least 1 value".
+// The count of values that a function accepts: "1 value", "2 to 4 values", "at least 1 value".
 std::string accepted_count(const Signature& signature, bool ambient) {
   std::size_t least = 0;
   std::size_t most = 0;
@@ -44,7 +44,7 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-// The value before the point is no value of the list.
+// The count of values before the point: it is 1 for x.f(a) and does not count in messages.
 int receivers(const std::vector<Argument>& arguments) {
   return !arguments.empty() && arguments[0].written == nullptr ? 1 : 0;
 }
@@ -79,7 +79,7 @@ namespace {
 
 void report_unknown_setting(Checker& checker, std::string_view name, const Signature& signature,
                             const Argument& at, bool ambient) {
-  if (checker.messages.was_told(at.name)) return;  // a field of a struct whose text failed
+  if (checker.messages.was_told(at.name)) return;  // a field of a struct with mistakes
   std::vector<std::string> settings;
   std::vector<std::string_view> names;
   for (std::size_t p = ambient ? 1 : 0; p < signature.parameters.size(); ++p) {
@@ -107,7 +107,7 @@ void report_unknown_setting(Checker& checker, std::string_view name, const Signa
 void report_count(Checker& checker, std::string_view name, const Signature& signature, Span callee,
                   const std::vector<Argument>& arguments, const Fit& fit) {
   const bool missing = fit.problem == Fit::Problem::kMissing;
-  // A number of values says nothing where some are given by name.
+  // The count of values does not matter if some are named.
   const auto by_name = [](const Argument& argument) { return !argument.name.empty(); };
   if (missing && std::ranges::any_of(arguments, by_name)) {
     checker.report(make_diagnostic("E0327", callee,
@@ -132,14 +132,15 @@ std::string function_of(std::size_t values) {
   return "a function of " + (values == 1 ? "1 value" : std::to_string(values) + " values");
 }
 
-// How many values a lambda or a function of the text takes.
+// The count of parameters of a lambda or a script function.
 std::size_t parameters_of(Checker& checker, const ast::Expr& function) {
   if (function.kind == ast::ExprKind::kLambda) return function.as<ast::LambdaExpr>().params.size();
   const FunctionDecl* known = written_function(checker, function);
   return known != nullptr ? known->node->params.size() : 0;
 }
 
-// fn(a, b) => a.n - b.n compares; here the order is that of one value of each element.
+// fn(a, b) => a.n - b.n compares two elements; in this language the key is a function of one
+// element.
 void key_for_comparison(const Checker& checker, const ast::Expr& function, Diagnostic& diagnostic) {
   if (function.kind != ast::ExprKind::kLambda) return;
   const auto& lambda = function.as<ast::LambdaExpr>();
@@ -170,7 +171,7 @@ void key_for_comparison(const Checker& checker, const ast::Expr& function, Diagn
       .text = "write " + key, .edits = {{function.span, key}}, .confidence = Confidence::kMaybe};
 }
 
-// f(400mm, 0mm, 200mm): a function of the library makes what is wanted of these values.
+// f(400mm, 0mm, 200mm): a library function makes the expected value from these values.
 bool report_loose_parts(Checker& checker, std::string_view name, const Type& wanted,
                         const std::vector<Argument>& arguments, const Fit& fit) {
   if (!wanted.is(Kind::kHost)) return false;

@@ -1,5 +1,6 @@
 #pragma once
-// Messages about calls that fit no function: which value, and what the closest function takes.
+// Messages about calls that fit no function: the wrong argument, and the parameters of the most
+// similar function.
 
 #include <string_view>
 #include <vector>

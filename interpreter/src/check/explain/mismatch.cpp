@@ -36,7 +36,7 @@ bool is_handed_over(const Target& target) {
   return target.role == Target::Role::kArgument || target.role == Target::Role::kSetting;
 }
 
-// 1e9 and 2.0 as ints have them; empty for numbers with a fraction.
+// The int for numbers such as 1e9 and 2.0; empty for numbers with a fraction.
 std::string as_whole_number(const std::string& text) {
   constexpr double kMostExact = 9e15;
   if (!is_decimal_number(text) || text.find('_') != std::string::npos) return {};
@@ -45,7 +45,7 @@ std::string as_whole_number(const std::string& text) {
   return std::to_string(static_cast<std::int64_t>(number));
 }
 
-// [1, 2].fold(0, fn(a, x) => a + x / 2.0): what a fold gives has the type of its start.
+// [1, 2].fold(0, fn(a, x) => a + x / 2.0): the result of a fold has the type of its start.
 Diagnostic whole_start_of_fold(const Checker& checker, const hir::Expr& value, Span start) {
   Diagnostic out = make_diagnostic("E0303", value.span, {type_phrase(value.type)});
   const std::string text = checker.text_of(start);
@@ -80,7 +80,7 @@ Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value,
       Fix{.text = "write " + cut, .edits = {{value.span, cut}}, .confidence = Confidence::kMaybe};
   if (value.kind != hir::ExprKind::kBinary || value.as<hir::BinaryExpr>().op != hir::Op::kDivR)
     return out;
-  // i / 3.0 for an int i: the same with a whole number.
+  // i / 3.0 for an int i: the same with an int divisor.
   const auto& division = value.as<hir::BinaryExpr>();
   const std::string right = checker.text_of(division.right->span);
   if (division.left->kind != hir::ExprKind::kConvert || !right.ends_with(".0")) return out;
@@ -93,7 +93,7 @@ Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value,
   return out;
 }
 
-// A list where the host's value made from it is needed.
+// The message for a list where a host value is expected that can be made from it.
 Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, const Target& target,
                              bool constructible) {
   const HostType& host = *target.type->host;
@@ -113,7 +113,7 @@ Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, con
   return out;
 }
 
-// Whether the function that is called like the host's type makes one of a value like this.
+// Whether the function with the name of the host type makes a value of that type from this one.
 bool is_made_from(Checker& checker, const Type* wanted, const Type* value) {
   const auto makers = checker.registry.functions(wanted->host->name);
   return std::ranges::any_of(makers, [&](const NativeFunction* maker) {
@@ -126,7 +126,7 @@ bool is_made_from(Checker& checker, const Type* wanted, const Type* value) {
 
 }  // namespace
 
-// A session can declare a name again.
+// In a session a name can be declared again.
 std::string namesakes(const Type* one, const Type* other) {
   const std::string name = type_name(one);
   if (one == other || name != type_name(other)) return {};
@@ -136,7 +136,7 @@ std::string namesakes(const Type* one, const Type* other) {
 hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& target) {
   const Type* have = value.type;
   const Type* want = target.type;
-  if (!checker.messages.takes_errors()) {  // what is said below may quote the whole call
+  if (!checker.messages.takes_errors()) {  // the text below may contain the whole call
     checker.report(make_diagnostic("E0315", value.span, {"", ""}));
     return checker.failed(value.span);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Values of the wrong type.
+// Messages about values of the wrong type.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace armlet::lang {
 
-// Why two types that are written alike are not the same; empty if they are not written alike.
+// The reason why two types with the same name are different; empty if their names differ.
 [[nodiscard]] std::string namesakes(const Type* one, const Type* other);
 
 hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& target);

@@ -15,7 +15,7 @@ namespace {
 
 bool variable_named_like_a_unit(Checker& checker, const hir::Expr& value, const Target& target);
 
-// The unit in which people write a quantity of this dimension.
+// The unit that is usual for quantities of this dimension.
 std::string usual_unit(Dim dim) {
   if (dim == dims::kAngle) return "deg";
   if (dim == dims::kLength) return "mm";
@@ -27,7 +27,7 @@ std::string usual_unit(Dim dim) {
   return display_unit(dim, 1.0).name;
 }
 
-// "length per time"; what a named dimension is made of, where that helps.
+// The definition of a named dimension, such as "length per time", if it helps.
 std::string made_of(Dim dim) {
   if (dim == dims::kSpeed) return "length per time";
   if (dim == dims::kAngularSpeed) return "angle per time";
@@ -46,7 +46,7 @@ std::string short_number(double value) {
   return buffer;
 }
 
-// PI / 2, 2*PI
+// Whether the text contains PI: PI / 2, 2*PI
 bool mentions_pi(std::string_view text) {
   constexpr std::string_view kPi = "PI";
   const auto belongs_to_word = [](char c) {
@@ -72,15 +72,15 @@ void plain_number_for_quantity(Checker& checker, const hir::Expr& value, const T
   const std::string text = checker.text_of(value.span);
   const std::string unit = usual_unit(target.type->dim);
   if (!is_number_literal(value) || !is_decimal_number(text)) {
-    // What a program computes is in SI units; 45 / 2 is what somebody thought of, PI / 2 in
-    // radians.
+    // Computed values are in SI units. A constant such as 45 / 2 was chosen by the author, perhaps
+    // in degrees; PI / 2 is in radians.
     const bool is_chosen = checker.shared.constants.of(value) && !mentions_pi(text);
     const std::string& one = is_chosen ? unit : si_unit(target.type->dim);
     const std::string written = as_operand(text) + " * 1" + one;
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
   } else {
     const auto constant = checker.shared.constants.of(value);
-    // 0.3 for a length hardly means a third of a millimetre, nor for a speed.
+    // 0.3 for a length or a speed hardly means a third of a millimetre.
     const bool is_small = constant && std::abs(constant->real) < 1.0;
     const bool metres = target.type->dim == dims::kLength || target.type->dim == dims::kSpeed;
     const std::string written = text + (is_small && metres ? si_unit(target.type->dim) : unit);

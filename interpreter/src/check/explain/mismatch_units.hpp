@@ -1,5 +1,5 @@
 #pragma once
-// Values whose unit is missing or wrong (language reference, section 20.3, E04xx).
+// Messages about values with a missing or wrong unit (language reference, section 20.3, E04xx).
 
 #include "check/state/checker.hpp"
 

@@ -8,10 +8,10 @@ namespace {
 
 struct Question {
   std::string why;
-  std::string text;  // instead of the comparison; empty: there is none
+  std::string text;  // that replaces the comparison; empty: there is none
 };
 
-// What can be asked of a value of this type that could be missing elsewhere.
+// The test for a value of this type that corresponds to "is missing" in other languages.
 Question question_about(Checker& checker, const hir::Expr& other, bool equal) {
   const Type& type = *other.type;
   const std::string value = checker.text_of(other.span);

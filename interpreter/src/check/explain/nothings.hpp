@@ -1,5 +1,5 @@
 #pragma once
-// null, None, nil ... of other languages: here every value is there.
+// Explains null, None, nil ... of other languages: in this one every variable has a value.
 
 #include "check/state/checker.hpp"
 
@@ -7,8 +7,8 @@ namespace armlet::lang {
 
 [[nodiscard]] bool is_nothing(std::string_view name);
 
-// x == null, null != x: says what can be asked instead (E0310). Null if neither side is such a
-// word. other: the checked other side, once it is.
+// x == null, null != x: reports E0310 with a test that can replace the comparison. Returns null if
+// neither side is such a word. other: the other side, once it is checked.
 [[nodiscard]] const ast::Expr* nothing_in(Checker& checker, const ast::BinaryExpr& comparison);
 hir::Expr* compared_with_nothing(Checker& checker, const ast::BinaryExpr& comparison,
                                  const ast::Expr& nothing, const hir::Expr& other);

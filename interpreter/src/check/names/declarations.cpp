@@ -51,7 +51,7 @@ void close_block(Checker& checker) {
     const bool declared = local.how == Declared::kLet || local.how == Declared::kFinal ||
                           local.how == Declared::kVar || local.how == Declared::kClassic;
     const Type* type = local.variable->type;
-    // After an error a use may not have been seen.
+    // After an error some uses of the variable may not have been checked.
     if (local.used || checker.messages.errors() > 0 || !declared || !in_function ||
         type->is(Kind::kAny) || type->is(Kind::kHost) || local.variable->name.starts_with('_')) {
       continue;
@@ -62,10 +62,10 @@ void close_block(Checker& checker) {
   checker.scopes.forget(begin);
 }
 
-// Whether a name can be declared here; says so if not.
+// Whether a name can be declared here; reports a message if not.
 bool is_free(Checker& checker, const ast::Name& name, const ast::Expr* value, Span keyword) {
   Span first{};
-  std::vector<Edit> changed;  // that make the first declaration a variable
+  std::vector<Edit> changed;  // that change the first declaration to a variable
   bool found = false;
   for (FunctionContext* context = &checker.scopes.here(); context != nullptr && !found;
        context = context->outer) {
@@ -147,7 +147,7 @@ hir::Stmt* check_var(Checker& checker, const ast::VarStmt& stmt) {
 
 namespace {
 
-// let xs = [] and let m = [:]: whether the type of the elements is not known, after a message.
+// let xs = [] and let m = [:]: reports a message if the type of the elements is not known.
 bool refuse_unknown_elements(Checker& checker, const ast::Name& name, const hir::Expr& value) {
   const Type* inner = value.type;
   while (inner->is(Kind::kList) || inner->is(Kind::kMap)) inner = inner->element;
@@ -199,7 +199,7 @@ hir::Stmt* declare(Checker& checker, const ast::VarStmt& stmt, const ast::Declar
                        : stmt.classic ? Declared::kFinal
                                       : Declared::kLet;
   if (value != nullptr && type->is(Kind::kHost)) variable->kind = kind_of(*value);
-  // Fixed in fact, when nothing in the text changes it.
+  // A variable that the text never changes counts as constant.
   if (value != nullptr && (stmt.fixed || !checker.names.is_changed(name.text))) {
     variable->init = value;
     checker.shared.constants.note(*variable);
@@ -224,8 +224,8 @@ hir::Stmt* declare(Checker& checker, const ast::VarStmt& stmt, const ast::Declar
 
 namespace {
 
-// The ambient type that a declaration shows: written, or made by motors.something(...); null if
-// none.
+// The ambient type of a declared variable: its declared type, or that of motors.something(...);
+// null if it is not ambient.
 const HostType* ambient_type(Checker& checker, const ast::TypeExpr* type, const ast::Expr* init) {
   while (type != nullptr && type->form == ast::TypeForm::kProduct && type->factors.size() == 1) {
     type = type->factors[0].type;
@@ -243,11 +243,11 @@ const HostType* ambient_type(Checker& checker, const ast::TypeExpr* type, const 
   return host != nullptr && host->is_ambient ? host : nullptr;
 }
 
-// Notes what the whole text shows before any of it is checked.
+// Collects facts about the whole text before any of it is checked.
 void look_ahead(Checker& checker, const ast::Block& program) {
   const Sights sights = look_over(program);
   std::set<std::string_view> changed = sights.changed;
-  // Later entries may change what this one does not.
+  // Later entries may change variables that this one does not change.
   for (const ast::Stmt* stmt : program.body) {
     if (!checker.into.entry.is_one || stmt->kind != ast::StmtKind::kVar) continue;
     const auto& declaration = stmt->as<ast::VarStmt>();
@@ -268,7 +268,8 @@ void look_ahead(Checker& checker, const ast::Block& program) {
     if (const HostType* host = is_new ? ambient_type(checker, type, init) : nullptr)
       checker.names.add_ambient(host->name, name.text);
   };
-  std::set<std::pair<std::string, std::string_view>> rows;  // that a type of block has somewhere
+  // That a type of block has in one of its declarations.
+  std::set<std::pair<std::string, std::string_view>> rows;
   for (const ast::Stmt* stmt : program.body) {
     if (stmt->kind == ast::StmtKind::kVar) {
       for (const ast::Declarator& at : stmt->as<ast::VarStmt>().declarators)
@@ -399,7 +400,7 @@ void collect_functions(Checker& checker, const ast::Block& program) {
 hir::Stmt* check_test(Checker& checker, const ast::TestStmt& stmt) {
   if (&checker.scopes.here() != &checker.scopes.main() || checker.scopes.main().blocks.size() > 1)
     return nullptr;  // refused before
-  // Checked when the whole top level is known.
+  // Tests are checked after the whole top level.
   checker.postponed.add_test(stmt);
   return nullptr;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Declarations: variables, structs, enums, functions, tests.
+// Checks declarations of variables, structs, enums, functions and tests.
 
 #include <string_view>
 

@@ -7,8 +7,8 @@
 namespace armlet::lang {
 namespace {
 
-// Records that hold each other in a circle: R. Tarjan, "Depth-first search and linear graph
-// algorithms", SIAM J. Comput. 1972, with a stack of its own, because circles may be long.
+// Finds cycles of records that contain each other (R. Tarjan, "Depth-first search and linear graph
+// algorithms", SIAM J. Comput. 1972). It uses a stack of its own, because the cycles may be long.
 class Circles {
  public:
   void look_from(const RecordInfo* first) {
@@ -37,8 +37,8 @@ class Circles {
  private:
   struct Visit {
     const RecordInfo* record;
-    std::size_t next;    // of its fields
-    std::size_t lowest;  // number that can be reached from here
+    std::size_t next;    // index of the next field
+    std::size_t lowest;  // the smallest number that is reachable
   };
 
   void enter(const RecordInfo* record) {

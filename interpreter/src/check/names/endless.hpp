@@ -1,5 +1,6 @@
 #pragma once
-// Structs that hold themselves, directly or through others: a value of one would never end.
+// Reports structs that contain themselves, directly or through others: their values would be
+// infinite.
 
 #include <optional>
 #include <span>

@@ -39,7 +39,7 @@ hir::Expr* library_function_value(Checker& checker, const ast::Expr& written, st
   std::vector<ast::Arg> args(count);
   const Span behind{written.span.end, written.span.end, written.span.source};
   for (std::size_t i = 0; i < count; ++i) {
-    // No program can write this name, so that it hides nothing.
+    // The name contains a blank, so no name of a program can be the same.
     const ast::Name parameter{checker.arena.copy("value " + std::to_string(i + 1)), written.span};
     params[i] = {
         .name = parameter, .type = nullptr, .default_value = nullptr, .span = written.span};

@@ -16,7 +16,7 @@
 namespace armlet::lang {
 namespace {
 
-// The type of a place, without a message; null if it is none.
+// The type of an assignment target, without a message; null if the expression is none.
 const Type* type_of_place(Checker& checker, const ast::Expr& expr) {
   if (expr.kind == ast::ExprKind::kName) {
     FunctionContext* where = nullptr;
@@ -45,14 +45,15 @@ const ast::Expr* object_of(const ast::Expr& target) {
   return nullptr;
 }
 
-// Whether a row of that name takes a value and so many further arguments.
+// Whether a library function of that name takes a value and `further` more arguments.
 bool has_row(Checker& checker, const std::string& name, std::size_t further) {
   return std::ranges::any_of(checker.registry.functions(name), [&](const NativeFunction* function) {
     return checker.shared.signatures.of(*function).parameters.size() == further + 1;
   });
 }
 
-// The row of the library that reads elements of a value by so many indexes; empty: there is none.
+// The library function that reads elements of a value with this count of indices; empty if there is
+// none.
 std::string element_row(Checker& checker, const Type& type, std::string_view kind,
                         std::size_t indexes) {
   const std::string name = type_name(&type);
@@ -61,16 +62,16 @@ std::string element_row(Checker& checker, const Type& type, std::string_view kin
   return has_row(checker, name + "[]", indexes) ? name + "[]" : std::string();
 }
 
-// One part of a host value in a place, whose indexes are evaluated once.
+// A part of a host value in an assignment target, whose indices are evaluated once.
 struct Part {
   hir::Place place;
   std::string name;                   // "point.x", "point[]"
-  std::string read;                   // the row that reads it: "image.grey[]"
+  std::string read;                   // the function that reads it: "image.grey[]"
   std::vector<hir::Expr*> indexes{};  // of an element
   std::vector<hir::Stmt*> before{};
 };
 
-// What other code could change meanwhile is kept in a variable.
+// Stores a value in a hidden variable if other code could change it meanwhile.
 hir::Expr* kept(Checker& checker, hir::Expr* value, std::vector<hir::Stmt*>& before) {
   if (is_quiet(*value)) return value;
   hir::Variable* once = hidden(checker, value->type, value->span);
@@ -172,7 +173,8 @@ hir::Stmt* change_host_part(Checker& checker, const ast::Expr& target,
   if (old->type->is(Kind::kAny)) return nullptr;
   const bool is_sum = assign.op == ast::BinaryOp::kAdd || assign.op == ast::BinaryOp::kSub;
   if (old->type->is_double() && value->type->is_quantity() && is_sum) {
-    // An element is a number in SI; with a quantity it counts as one of its kind.
+    // An element is a number in SI units. With a quantity on the right side it counts as a quantity
+    // of the same dimension.
     old = checker.make<hir::ConvertExpr>(hir::ExprKind::kConvert, value->type, old->span,
                                          hir::Conversion::kSame, old);
   } else if (old->type->is_double() && !is_sum) {
@@ -195,7 +197,7 @@ hir::Expr* call_row(Checker& checker, const std::string& name, Span span,
                      std::move(arguments));
 }
 
-// img[x0:x1, y0:y1], where every end may be left out.
+// img[x0:x1, y0:y1], where every bound is optional.
 hir::Expr* host_part(Checker& checker, const ast::IndexExpr& index, hir::Expr* object) {
   const std::string row = type_name(object->type) + "[:]";
   if (!has_row(checker, row, 2 * index.items.size())) return nullptr;

@@ -47,14 +47,14 @@ void report_no_name(Checker& checker, const ast::ImportStmt& stmt, const std::st
   checker.report(std::move(diagnostic));
 }
 
-// Everything that other files may use, for suggestions.
+// The names that other files may use, for proposals.
 std::vector<std::string_view> public_names(const Checker& file) {
   std::vector<std::string_view> names = file.names.all();
   std::erase_if(names, is_private);
   return names;
 }
 
-// Tells of a name that the file has not, or keeps for itself; false if all is well.
+// Reports a name that the file does not have, or does not export; false if the name is valid.
 bool refuse_member(Checker& checker, const Checker& file, std::string_view import,
                    const ast::Name& member) {
   const Span declared = file.names.declaration_of(member.text);
@@ -150,7 +150,7 @@ hir::Expr* imported_member(Checker& checker, const Import& from, const ast::Memb
   if (file.names.find_type(name) != nullptr)
     checker.report(
         make_diagnostic("E0219", member.span, {import + '.' + std::string(name), "type"}));
-  return checker.failed(member.span);  // its declaration failed, which was told
+  return checker.failed(member.span);  // its declaration failed, which was reported
 }
 
 hir::Expr* call_imported(Checker& checker, const Import& from, const ast::CallExpr& call,
@@ -278,7 +278,7 @@ bool is_active_statement(const Checker& checker, const ast::Stmt& stmt) {
 void check_active_statement(Checker& checker, const ast::Stmt& stmt) {
   Use used;
   Use& before = checker.scopes.collect_in(used);
-  checker.scopes.open_block();  // so that it is no statement of the top level
+  checker.scopes.open_block();  // so that it is not a statement of the top level
   (void)checker.check_statement(stmt);
   close_block(checker);
   checker.scopes.collect_in(before);
@@ -287,7 +287,7 @@ void check_active_statement(Checker& checker, const ast::Stmt& stmt) {
 
 namespace {
 
-// The import that brought the file into the program: its first one.
+// The first import of a file.
 struct Importer {
   const Checker* file = nullptr;
   Span span{};
@@ -303,7 +303,7 @@ Importer importer_of(const Checker& file) {
   return {};
 }
 
-// "run a motor", in the words of the host.
+// The action of a host that an imported file must not do, as in "run a motor".
 std::string what_acts(const Checker& file) {
   for (const auto& [name, type] : file.registry.types()) {
     if (type->resource != nullptr) return std::string(type->resource->act_on_one);

@@ -1,6 +1,6 @@
 #pragma once
-// Files that import each other: what an importing file sees of another one, and what an imported
-// file may contain.
+// Imports of other files: the names that an importing file can use, and the statements that an
+// imported file may contain.
 
 #include <string>
 #include <string_view>
@@ -10,47 +10,48 @@
 namespace armlet::lang {
 
 [[nodiscard]] bool is_main_file(const Checker& checker);
-// Of the file, without its folders.
+// The name of the file without its folders.
 [[nodiscard]] std::string file_name(const Checker& checker);
-// "line 7", or "line 7 of grip.rbt" if that is not the file that `checker` is about.
+// "line 7", or "line 7 of grip.rbt" for a line of another file.
 [[nodiscard]] std::string line_phrase(const Checker& checker, Span span);
 
-// What an import calls its file when it has no `as`: the file's name without folders and ending.
+// The name of an import without `as`: the file's name without folders and ending.
 [[nodiscard]] std::string imported_as(const ast::ImportStmt& stmt);
 
-// Gives the imported files the names that they have here.
+// Declares the names of the imported files.
 void bind_imports(Checker& checker);
 
-// grip.width, grip.close, grip.Side; after a message, a value that failed.
+// Members of an import: grip.width, grip.close, grip.Side. After a message, a value that failed.
 hir::Expr* imported_member(Checker& checker, const Import& from, const ast::MemberExpr& member,
                            const Type* expected);
-// grip.close(5mm), grip.Part(mass: 2kg), grip.law(0.5).
+// Calls of functions of an import: grip.close(5mm), grip.Part(mass: 2kg), grip.law(0.5).
 hir::Expr* call_imported(Checker& checker, const Import& from, const ast::CallExpr& call,
                          const ast::MemberExpr& member);
 // Whether `member` is the name of a function of an imported file.
 [[nodiscard]] const FunctionDecl* imported_function(Checker& checker, const ast::Expr& member);
-// The struct or enum called `name` here: Side, or grip.Side of an imported file. null: none.
+// The struct or enum with this name: Side, or grip.Side of an imported file. null: none.
 [[nodiscard]] const Type* declared_type(Checker& checker, std::string_view name);
-// How a name is written that an imported file declares and this one does not; empty if there is
-// none.
+// The qualified form of a name that an imported file declares and this one does not; empty if there
+// is none.
 [[nodiscard]] std::string imported_name(const Checker& checker, std::string_view name);
-// A type written with a file in front, grip.Side; `any` after a message.
+// A type with a file before it, grip.Side; `any` after a message.
 const Type* imported_type(Checker& checker, const ast::TypeExpr& type);
-// The function `name` of the file that declares `type`, for tray.slot(3); null if that is no other
-// file, or it has none.
+// The function `name` of the file that declares `type`, for tray.slot(3); null if that is this
+// file, or if it has no such function.
 [[nodiscard]] FunctionDecl* method_of(Checker& checker, const Type* type, std::string_view name);
-// grip.width = 3mm: imported variables are read-only (ruling 8).
+// Refuses grip.width = 3mm: imported variables are read-only.
 void refuse_change(Checker& checker, const ast::Expr& place, Span statement);
 
-// A handle of the host declared in two files under one name, by which the world knows it.
+// Refuses a host handle that two files declare under one name, since the world knows it by that
+// name.
 void refuse_second_owner(Checker& checker, const ast::ObjectStmt& stmt, const Type* type);
 
-// An imported file consists of declarations and tests: notes any other statement.
+// Notes a statement of an imported file that is neither a declaration nor a test.
 [[nodiscard]] bool is_active_statement(const Checker& checker, const ast::Stmt& stmt);
 void check_active_statement(Checker& checker, const ast::Stmt& stmt);
-// Reports what would command a resource, or do anything else, while the file is imported.
+// Reports statements that would act on a resource, or do anything else, during the import.
 void refuse_active_statements(Checker& checker);
-// Puts the imported files' first values in front of the program.
+// Adds the initialisers of the imported files before the program.
 void run_imports_first(Checker& main);
 
 }  // namespace armlet::lang

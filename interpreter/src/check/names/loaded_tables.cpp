@@ -7,8 +7,8 @@
 namespace armlet::lang {
 namespace {
 
-// What a text parameter is. Null: it was left out. `known` is false if the text of the program does
-// not show it.
+// The value of a text parameter. Null: the argument is absent. `known` is false if the text of the
+// program does not show it.
 struct SaidText {
   Span span;
   bool known = false;
@@ -36,7 +36,7 @@ const Type* refuse_file(Checker& checker, Span span, const std::string& file, st
   return nullptr;
 }
 
-// The columns of the file; null: they cannot be read, which was reported.
+// The columns of the file; null if the file cannot be read, which was reported.
 const Type* columns_of_file(Checker& checker, const std::string& file, Span span,
                             std::vector<TableColumn>& columns) {
   const Checker& main = *checker.shared.files.back();

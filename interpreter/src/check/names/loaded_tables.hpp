@@ -1,5 +1,5 @@
 #pragma once
-// Tables that are read from files: which columns they have is found out when the program is
+// Tables that a program loads from files: their columns are determined while the program is
 // checked.
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace armlet::lang {
 
-// The type of what a function gives whose result is a `table` and which has a parameter `file`: the
-// columns are those that its text parameter `columns` says, or else those of the file, which is
-// read as if the program imported it. Both have to be known from the text.
+// The type of the result of a function that returns a `table` and has a parameter `file`. The
+// columns are those of its text parameter `columns`, or else those of the file, which is read like
+// an import. Both arguments have to be known from the text.
 //
-// columns  what `columns` is if it was left out (table_text.hpp).
+// columns  the default of `columns` (table_text.hpp).
 // returns  null after a message.
 [[nodiscard]] const Type* loaded_table(Checker& checker, const Signature& signature, const Fit& fit,
                                        const std::vector<Argument>& arguments, Span span,

@@ -13,7 +13,7 @@ class Lookout {
  public:
   explicit Lookout(Sights& sights) : sights_(sights) {}
 
-  // Nothing in it is entered by a call of its own: programs may nest deeply.
+  // Visits all parts without recursion, because programs may be nested deeply.
   void look_over(const ast::Stmt& program) {
     statements_.push_back(&program);
     while (!statements_.empty() || !expressions_.empty()) {
@@ -70,7 +70,7 @@ class Lookout {
     } else if (at.kind == ast::StmtKind::kStep) {
       changes(at.as<ast::StepStmt>().target);
     } else if (at.kind == ast::StmtKind::kVar) {
-      // Without a first value the first assignment is a change.
+      // The first assignment to a variable without a first value is a change.
       for (const ast::Declarator& declarator : at.as<ast::VarStmt>().declarators)
         if (declarator.init == nullptr) sights_.changed.insert(declarator.name.text);
     } else if (at.kind == ast::StmtKind::kWith) {
@@ -84,7 +84,7 @@ class Lookout {
   std::vector<const ast::Stmt*> statements_;
 };
 
-// Whether a `return` below the statement belongs to another function or to a task.
+// Whether a `return` inside of the statement belongs to another function or to a task.
 bool holds_other_returns(const ast::Stmt& at) {
   return at.kind == ast::StmtKind::kFunction || at.kind == ast::StmtKind::kTest ||
          at.kind == ast::StmtKind::kParallel || at.kind == ast::StmtKind::kWhen ||

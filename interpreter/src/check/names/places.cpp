@@ -45,7 +45,7 @@ const ast::Expr& root_of(const ast::Expr& expr) {
 
 }  // namespace
 
-// void fill(double[] a) { a[0] = 1.0; }: only the copy would change.
+// void fill(double[] a) { a[0] = 1.0; }: only the copy of the argument would change.
 namespace {
 
 void report_copy(Checker& checker, const Local& local, Span statement) {
@@ -74,11 +74,11 @@ void report_copy(Checker& checker, const Local& local, Span statement) {
   checker.report(std::move(diagnostic));
 }
 
-// whole: the variable itself gets a new value; otherwise a part of it changes.
+// whole: the variable gets a new value; otherwise only a part of it changes.
 bool may_change(Checker& checker, Local& local, FunctionContext& where, Span statement,
                 bool whole) {
   const std::string name(local.variable->name);
-  // Lambdas between here and the variable hold copies.
+  // Lambdas between the current function and the variable have copies.
   for (const FunctionContext* context = &checker.scopes.here();
        context != &where && context != nullptr; context = context->outer) {
     if (context->kind != FunctionContext::Kind::kLambda) continue;
@@ -91,7 +91,7 @@ bool may_change(Checker& checker, Local& local, FunctionContext& where, Span sta
     report_copy(checker, local, statement);
     return false;
   }
-  // let x: T without a value gets its only value later.
+  // A `let x: T` without a value gets its only value later.
   if (!local.variable->fixed ||
       (whole && &where == &checker.scopes.here() && where.flow.is_unset(local.variable)))
     return true;
@@ -102,7 +102,7 @@ bool may_change(Checker& checker, Local& local, FunctionContext& where, Span sta
       diagnostic.related.push_back({local.keyword, local.how == Declared::kLet
                                                        ? "declared with let"
                                                        : "declared with final"});
-      if (local.keyword.source < checker.into.sources->first()) {  // that entry has run
+      if (local.keyword.source < checker.into.sources->first()) {  // that entry has run already
         diagnostic.fix = Fix{.text = "declare it again: var " + name + " = " + name};
         break;
       }
@@ -129,7 +129,7 @@ bool may_change(Checker& checker, Local& local, FunctionContext& where, Span sta
   return false;
 }
 
-// `root` is the start of the place `expr`, and no variable.
+// Reports a target `expr` that starts with `root`, which is not a variable.
 void refuse_place(Checker& checker, const ast::Expr& root, const ast::Expr& expr, Span statement) {
   if (root.kind == ast::ExprKind::kName &&
       checker.names.find_import(root.as<ast::NameExpr>().name) != nullptr) {
@@ -216,7 +216,8 @@ std::optional<hir::Place> check_place(Checker& checker, const ast::Expr& expr, S
 
 namespace {
 
-// One field or element of a place of type `type`; whole: the place as written.
+// Checks one field or element of an assignment target of type `type`; whole: the expression of the
+// target.
 std::optional<hir::Step> check_place_step(Checker& checker, const ast::Expr& at, const Type* type,
                                           Span whole) {
   hir::Step step{};
@@ -314,10 +315,10 @@ hir::Stmt* assign_one(Checker& checker, const ast::Expr& target, const ast::Assi
                                        hir::Op::kAddI, assign.op_span);
 }
 
-// What one of several targets takes.
+// One of several targets of an assignment.
 struct ManyTarget {
   const ast::Expr* written;
-  std::optional<hir::Place> place{};  // empty: `part`, or a part of a host value
+  std::optional<hir::Place> place{};  // empty: `part` is set, or a part of a host value
   std::optional<PartStore> part{};
 
   [[nodiscard]] const Type* type() const {
@@ -353,7 +354,7 @@ hir::Stmt* store_copy(Checker& checker, const ManyTarget& target, hir::Expr* cop
                                        hir::Op::kAddI, assign.op_span);
 }
 
-// a = b = e: e once, then from right to left.
+// a = b = e: evaluates e once, then assigns from right to left.
 hir::Stmt* assign_many(Checker& checker, const ast::AssignStmt& assign) {
   std::vector<ManyTarget> targets;
   for (const ast::Expr* target : assign.targets) {
@@ -414,7 +415,7 @@ hir::Stmt* assign_compound(Checker& checker, const ast::AssignStmt& assign) {
   std::vector<hir::Stmt*> before;
   const bool numbers = place->type->is_number();
   if (!numbers) {
-    // The place is written twice, so what its indexes compute is kept.
+    // The target occurs twice in the result, so the values of its indices are stored.
     for (hir::Step& step : place->steps) {
       evaluate_once(checker, step.index, before);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What stands in front of `=`: variables, elements and fields that can be changed.
+// Checks assignment targets: variables, elements and fields.
 
 #include <optional>
 
@@ -12,7 +12,7 @@ std::optional<hir::Place> check_place(Checker& checker, const ast::Expr& expr, S
 hir::Stmt* check_assign(Checker& checker, const ast::AssignStmt& assign);
 hir::Stmt* check_step(Checker& checker, const ast::StepStmt& step);
 hir::Expr* read_place(Checker& checker, const hir::Place& place);
-// `target + value` of `target += value`: what combine checks.
+// The expression `target + value` for `target += value`, which combine checks.
 ast::BinaryExpr operation_of(const ast::AssignStmt& assign, const ast::Expr& target);
 
 }  // namespace armlet::lang

@@ -16,7 +16,7 @@
 namespace armlet::lang {
 namespace {
 
-// Whether a name can be a new one beside another: vy beside vx, p2 beside p1.
+// Whether a name may be intended as a new one beside a similar one: vy and vx, p2 and p1.
 bool is_name_of_its_own(std::string_view name, std::string_view other) {
   constexpr std::size_t kShort = 2;
   const auto without_digits = [](std::string_view text) {
@@ -147,7 +147,8 @@ hir::Expr* not_a_function(Checker& checker, const ast::CallExpr& call, std::stri
     const Span first = call.args[0].value->span;
     const Span last = call.args[call.args.size() - 1].value->span;
     const std::string meant = std::string(name) + '[' + checker.text_of(cover(first, last)) + ']';
-    // Languages with round brackets count from 1: only a 0 shows that this one does not.
+    // Languages with round brackets for indices count from 1; only an index 0 shows that the
+    // program counts from 0.
     const bool counts_from_zero = std::ranges::any_of(
         call.args, [&](const ast::Arg& arg) { return checker.text_of(arg.value->span) == "0"; });
     if (type->is(Kind::kMap) || counts_from_zero) {
@@ -167,7 +168,7 @@ hir::Expr* not_a_function(Checker& checker, const ast::CallExpr& call, std::stri
 }
 
 bool refuse_decimal_comma(Checker& checker, const std::vector<Argument>& arguments) {
-  // One comma without a blank behind it, among others that have one.
+  // Searches a single comma without a blank after it, among others with one.
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     const ast::Expr* whole = arguments[i].written;
@@ -203,7 +204,7 @@ std::string_view empty_value(const Type& type) {
   return type.is(Kind::kReal) ? "0.0" : std::string_view();
 }
 
-// go p10, v1000, z50, tool0;  reads like a declaration of four variables.
+// go p10, v1000, z50, tool0;  is parsed as a declaration of four variables.
 static bool refuse_call_without_parentheses(Checker& checker, std::string_view name, Span span) {
   const ForeignName* foreign = checker.registry.foreign(name);
   const std::string function(foreign != nullptr ? foreign->here : name);
@@ -290,7 +291,7 @@ std::optional<Fix> did_you_mean(const Checker& checker, std::string_view name, S
   return did_you_mean(checker, name, span, library);
 }
 
-// let f = fn(n: int) -> int => n * f(n - 1): a function that calls itself has a name.
+// let f = fn(n: int) -> int => n * f(n - 1): only a named function can call itself.
 static std::optional<Fix> named_function_fix(const Checker& checker, Span declared, Span use) {
   if (use.source != declared.source || use.begin < declared.end) return std::nullopt;
   const std::string between = checker.text_of({declared.end, use.begin, use.source});
@@ -311,7 +312,7 @@ static std::optional<Fix> named_function_fix(const Checker& checker, Span declar
              .confidence = Confidence::kSure};
 }
 
-// object("cube") where `cube` was written.
+// object("cube") for the undeclared name `cube`.
 static std::optional<Fix> fix_of_world(const Checker& checker, std::string_view name, Span span) {
   const WorldNames* world = checker.options.world.get();
   if (world == nullptr || world->maker.empty() || !world->has(name)) return std::nullopt;
@@ -319,8 +320,8 @@ static std::optional<Fix> fix_of_world(const Checker& checker, std::string_view 
   return Fix{.text = "write " + made, .edits = {{span, made}}, .confidence = Confidence::kSure};
 }
 
-// A name that something has behind a point: State.Idle, pal.slot, group.member. Empty if none has,
-// or several have.
+// The full form of a name that is used after a point: State.Idle, pal.slot, group.member. Empty if
+// there is none, or if there are several.
 static std::string whole_name(const Checker& checker, std::string_view name) {
   if (std::string imported = imported_name(checker, name); !imported.empty()) return imported;
   std::vector<std::string> found;

@@ -19,14 +19,14 @@ void note_call(Checker& checker, const hir::Function* function) {
 
 namespace {
 
-// A call above a declaration may read the variable before it has a value: such reads are checked
-// while running.
+// A call above a declaration may read the variable before it has a value; such reads are checked at
+// run time.
 void mark_unset_globals(Checker& checker) {
   std::unordered_map<const hir::Variable*, std::size_t> order;
   const auto& entries = checker.shared.top_level.entries();
   for (std::size_t i = 0; i < entries.size(); ++i) order[entries[i].variable] = i;
-  // By rising number of variables declared before the call: the first visit of a function tells
-  // most.
+  // In the order of the count of variables declared before the call: the first call of a function
+  // is the one with the fewest variables.
   std::vector<std::pair<std::size_t, const hir::Function*>> calls;
   for (const auto& [function, declared] : checker.shared.uses.main_calls())
     calls.emplace_back(declared, function);
@@ -46,7 +46,7 @@ void mark_unset_globals(Checker& checker) {
       open.insert(open.end(), use.calls.begin(), use.calls.end());
     }
   }
-  // Functions of earlier entries may call those that replace theirs at any time.
+  // Functions of earlier entries may call the ones that replace theirs at any time.
   const bool any_time = replaces_functions(checker);
   for (const auto& [variable, init] : entries) {
     if ((init->value == nullptr || any_time) && variable->storage == hir::Storage::kGlobal)
@@ -54,7 +54,7 @@ void mark_unset_globals(Checker& checker) {
   }
 }
 
-// The top-level variables that a test needs, by their order in the text.
+// The global variables that a test needs, by their order in the text.
 class Needs {
  public:
   explicit Needs(Shared& shared) : shared_(shared) {
@@ -62,7 +62,7 @@ class Needs {
     for (std::size_t i = 0; i < entries.size(); ++i) order_[entries[i].variable] = i;
   }
 
-  // Takes from `room` what looking costs; nothing if that is not enough.
+  // Subtracts the cost of the search from `room`; empty if the rest is not sufficient.
   std::optional<std::vector<std::size_t>> of(const hir::Function* test, std::size_t& room) {
     needed_.clear();
     known_.clear();
@@ -98,12 +98,12 @@ class Needs {
   std::vector<std::size_t> needed_;
 };
 
-// A test runs without the program's text, so the variables that it needs are given their first
-// values in front of it.
+// A test runs without the statements of the program, so the initialisers of the variables that it
+// needs run before it.
 void prepare_tests(Checker& checker) {
   if (checker.postponed.tests().empty()) return;
-  // Each test has its own: tests of many variables by many tests are as many first values as both
-  // multiplied.
+  // Each test has its own initialisers: their count may be the product of the counts of tests and
+  // of variables.
   std::size_t room = 20'000'000;
   Needs needs(checker.shared);
   for (const hir::Test& test : checker.postponed.tests()) {

@@ -1,12 +1,12 @@
 #pragma once
-// What the whole program shows about its parts: which top-level variables tests need, which may be
-// read too early, and which conditions would wait.
+// Facts that need the whole program: the global variables that tests need, variables that may be
+// read too early, and conditions that would wait.
 
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {
 
-// A call from here, for the order in which the top level runs.
+// Notes a call at the current position, for the order in which the top level runs.
 void note_call(Checker& checker, const hir::Function* function);
 void finish_usage(Checker& checker);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the top level of a file declares besides variables: imports, functions, structs.
+// Declarations at the top level of a file other than variables: imports, functions, structs.
 
 #include <vector>
 
@@ -10,15 +10,15 @@ namespace armlet::lang {
 
 struct Checker;
 
-// A file that another one imports, under the name that it has there.
+// A file that another one imports, with its name there.
 struct Import {
   Span span{};              // of the import
-  Checker* file = nullptr;  // null: it could not be read, which was told
+  Checker* file = nullptr;  // null: it could not be read, which was reported
 };
 
 struct FunctionDecl;
 
-// A function of the text for the types of one call.
+// A script function, checked for the argument types of one call.
 struct Instance {
   std::vector<const Type*> types{};
   hir::Function* function = nullptr;
@@ -28,20 +28,20 @@ struct Instance {
   Span first_call{};
 };
 
-// A function of the text, and its forms for the types it was called with.
+// A script function, with its forms for different argument types.
 struct FunctionDecl {
   const ast::FunctionStmt* node = nullptr;
-  Checker* file = nullptr;                // where it is declared
-  std::vector<const Type*> parameters{};  // null: generic by use
+  Checker* file = nullptr;                // that declares it
+  std::vector<const Type*> parameters{};  // null: without a declared type
   const Type* result = nullptr;           // null: inferred
   std::vector<Instance*> instances{};
-  bool failed = false;  // a form of it had errors
+  bool failed = false;  // one of its forms had errors
   [[nodiscard]] bool is_generic() const;
 };
 
 struct StructDecl {
   const ast::StructStmt* node = nullptr;
-  Checker* file = nullptr;  // where it is declared
+  Checker* file = nullptr;  // that declares it
   const Type* type = nullptr;
 };
 

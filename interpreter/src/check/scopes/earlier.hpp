@@ -1,6 +1,7 @@
 #pragma once
-// What an entry finds of the entries before it, made for its own check when it is first mentioned:
-// the kept things are shared by all who go on from there, and are not touched.
+// The declarations of earlier entries of a session, as objects of the current check. They are made
+// at the first use: the kept declarations are shared by all sessions that continue from there, and
+// do not change.
 
 #include <deque>
 #include <memory>
@@ -16,7 +17,7 @@ struct Shared;
 
 class Earlier {
  public:
-  // kept  of the entry before; null: this is the first one, or no entry at all.
+  // kept  the names of the entry before; null for the first entry and for programs.
   Earlier(Shared& shared, const KeptNames* kept);
   ~Earlier();
   Earlier(const Earlier&) = delete;
@@ -24,16 +25,16 @@ class Earlier {
 
   [[nodiscard]] const KeptNames* kept() const { return kept_; }
 
-  // The file as it was at the end of its entry: functions declared there are checked in it.
+  // The file in its state at the end of its entry; functions that it declares are checked in it.
   Checker& file(const KeptFile& kept);
   FunctionDecl& function(const std::shared_ptr<const KeptFunction>& kept);
   const Import& import(const KeptName& kept);
-  // A variable of the program with the number of the earlier one.
+  // The global variable with the number of the earlier one.
   hir::Variable* variable(const KeptName& kept);
-  // Of a struct that earlier entries declare; nothing: they do not.
+  // The kept struct or enum; null if earlier entries do not declare it.
   [[nodiscard]] const KeptType* type(const void* info) const;
 
-  // Forms that this entry added to functions of earlier ones.
+  // The forms that this entry added to functions of earlier entries.
   struct Grown {
     std::shared_ptr<const KeptFunction> from;
     const FunctionDecl* function;

@@ -7,7 +7,7 @@
 namespace armlet::lang {
 namespace {
 
-// What a map has for a name; null if nothing.
+// The value of a name in a map; null if it has none.
 auto* value_in(auto& map, std::string_view name) {
   const auto found = map.find(name);
   return found == map.end() ? nullptr : &found->second;

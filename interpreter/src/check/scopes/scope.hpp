@@ -1,6 +1,6 @@
 #pragma once
-// One function while its body is checked: the variables that can be seen, which of them have a
-// value, and what can be left from here.
+// The state of one function while its body is checked: the visible variables, those that have a
+// value, and the statements that can be left.
 
 #include <string_view>
 #include <unordered_map>
@@ -13,7 +13,7 @@
 
 namespace armlet::lang {
 
-// A variable that can be seen from here.
+// A visible variable.
 struct Local {
   hir::Variable* variable = nullptr;
   Declared how = Declared::kVar;
@@ -21,25 +21,26 @@ struct Local {
   bool used = false;
 };
 
-// Whether the end of the text so far can be reached, and which variables have no value there on
-// some way.
+// The state of the control flow at a point of the text: whether the point can be reached, and the
+// variables that have no value there on at least one path.
 struct Flow {
   bool reachable = true;
   VariableSet unset{};
 
-  // Where two ways meet.
+  // The state where two paths meet.
   void merge(const Flow& other);
-  // After what has run besides: what has a value there has one here too.
+  // Adds the values that were assigned by code which has run as well.
   void add_values_of(const Flow& other);
   void assign(const hir::Variable* variable) { unset.erase(variable); }
   [[nodiscard]] bool is_unset(const hir::Variable* variable) const;
 };
 
-// Where many ways meet. In pairs, then pairs of pairs, so that sets that are much alike meet first.
+// The state where many paths meet. Merges pairs, then pairs of pairs, so that similar sets are
+// merged first.
 [[nodiscard]] Flow merged(std::vector<Flow> ways);
 
-// A statement that break, continue or retry can leave; kFinally and kPath: one that nothing can
-// leave.
+// A statement that break, continue or retry can leave; kFinally and kPath mark statements that no
+// jump may leave.
 struct JumpTarget {
   enum class Kind : std::uint8_t { kLoop, kSwitch, kCatch, kFinally, kPath } kind;
   const hir::Stmt* statement;
@@ -47,13 +48,13 @@ struct JumpTarget {
   std::vector<Flow> repeats{};  // the states at each continue
 };
 
-// A value that calls inside a `with` block mean when they leave it out: its resource.
+// The ambient value of a `with` block: the resource of calls inside that omit it.
 struct WithAmbient {
   const HostType* type = nullptr;
   Local local;
 };
 
-// One function, lambda, condition or test while its body is being checked.
+// One function, lambda, condition or test while its body is checked.
 struct FunctionContext {
   enum class Kind : std::uint8_t {
     kProgram,
@@ -63,30 +64,30 @@ struct FunctionContext {
     kCondition,
     kTask
   } kind = Kind::kProgram;
-  bool in_row = false;  // kLambda: of a row that is asked again and again
+  bool in_row = false;  // kLambda: of a row, which is evaluated repeatedly
   hir::Function* function = nullptr;
-  FunctionContext* outer = nullptr;     // lambdas and conditions: where they are written
+  FunctionContext* outer = nullptr;     // lambdas and conditions: the function around
   FunctionDecl* declaration = nullptr;  // kNamed
   Instance* instance = nullptr;         // kNamed
-  std::vector<Local> locals{};          // all that can be seen, innermost last
-  std::unordered_map<std::string_view, std::size_t> places{};  // of names in locals
-  std::vector<std::size_t> ambient_places{};  // of the locals that calls can leave out
-  std::vector<std::size_t> blocks{};          // where each open block begins in locals
-  std::vector<WithAmbient> ambients{};        // innermost last
+  std::vector<Local> locals{};          // all visible ones, the innermost last
+  std::unordered_map<std::string_view, std::size_t> places{};  // indices in locals, by name
+  std::vector<std::size_t> ambient_places{};  // indices of the locals with ambient values
+  std::vector<std::size_t> blocks{};    // indices in locals of the first one of each open block
+  std::vector<WithAmbient> ambients{};  // the innermost last
   std::vector<hir::Capture> captures{};
   std::unordered_map<const hir::Variable*, hir::Variable*>
-      inner_of{};  // what captures has, by outer
+      inner_of{};  // of captures: the inner variable, by outer one
   std::vector<JumpTarget> targets{};
   Flow flow{};
-  int tries = 0;                 // bodies of `try` that are open
+  int tries = 0;                 // count of open `try` bodies
   const Type* result = nullptr;  // declared, or of the first return; null: none so far
   bool result_is_declared = false;
-  std::vector<hir::ReturnStmt*> returns{};  // of an inferred result
+  std::vector<hir::ReturnStmt*> returns{};  // whose result is inferred
 
-  // The variable of that name; null if none can be seen here.
+  // The visible variable with that name; null if there is none.
   [[nodiscard]] Local* find(std::string_view name);
   void add(Local local);
-  // Forgets the locals from `first` on.
+  // Removes the locals from `first` on.
   void drop(std::size_t first);
   [[nodiscard]] const FunctionContext& root() const;
 };

@@ -21,8 +21,8 @@ Local* Scopes::find_top(std::string_view name, FunctionContext*& where) {
   return local != nullptr ? local : find_earlier(name, where);
 }
 
-// A variable that this file declares is meant in its functions wherever they stand; in the text
-// itself it counts from its declaration on.
+// Inside functions a name refers to a variable that this file declares anywhere. In the text itself
+// it does so only after the declaration.
 Local* Scopes::find_earlier(std::string_view name, FunctionContext*& where) {
   if (names_ == nullptr) return nullptr;
   const KeptName* kept = names_->find_earlier(name);
@@ -41,7 +41,8 @@ Local* Scopes::find_here(std::string_view name, FunctionContext*& where) {
     }
     if (in_program()) return nullptr;
   }
-  // Named functions and tests see what the top level has declared so far, but not its inner blocks.
+  // Named functions and tests can use the variables that the top level has declared so far, but not
+  // those of its inner blocks.
   where = &main_;
   Local* local = main_.find(name);
   const bool inner =

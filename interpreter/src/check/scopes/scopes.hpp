@@ -1,5 +1,5 @@
 #pragma once
-// Where in a file the check is: in which function, and which variables can be seen there.
+// The position of the check in a file: the current function, and its visible variables.
 
 #include <string_view>
 #include <utility>
@@ -14,35 +14,35 @@ class Names;
 
 class Scopes {
  public:
-  // A function, and where its uses are collected.
+  // A function, and the object that collects its uses.
   struct Position {
     FunctionContext* function = nullptr;
     Use* use = nullptr;
   };
 
-  // Variables of the entries before are found by what the file's names say of them.
+  // Adds the variables of earlier entries, which the file's names refer to.
   void follow(const Names& names, Earlier& earlier) {
     names_ = &names;
     earlier_names_ = &earlier;
   }
-  // `program` is the file's top level as a function; before anything is checked.
+  // `program` is the top level of the file as a function. Called before the check begins.
   void begin(hir::Function* program, Use& use);
 
   [[nodiscard]] FunctionContext& here() { return *here_; }
   [[nodiscard]] const FunctionContext& here() const { return *here_; }
-  // The top level.
+  // The context of the top level.
   [[nodiscard]] FunctionContext& main() { return main_; }
   [[nodiscard]] const FunctionContext& main() const { return main_; }
-  // What the text that is checked mentions.
+  // Collects the names that the current text uses.
   [[nodiscard]] Use& use() { return *use_; }
 
-  // Whether this is the top level itself, outside of all blocks.
+  // Whether the position is at the top level, outside of all blocks.
   [[nodiscard]] bool at_top_level() const { return here_ == &main_ && main_.blocks.size() == 1; }
-  // Whether this is part of the top level, in lambdas and tasks too, but not in functions and
-  // tests.
+  // Whether the position is part of the top level, also inside lambdas and tasks, but not inside
+  // functions and tests.
   [[nodiscard]] bool in_program() const { return &here_->root() == &main_; }
 
-  // Into a function; gives where to come back to.
+  // Enters a function; returns the old position, to restore it.
   [[nodiscard]] Position enter(FunctionContext& function, Use& use) {
     return {std::exchange(here_, &function), std::exchange(use_, &use)};
   }
@@ -50,21 +50,22 @@ class Scopes {
     here_ = to.function;
     use_ = to.use;
   }
-  // Uses are collected there from now on; gives where they were until now.
+  // Collects uses in `use` from now on; returns the previous object.
   Use& collect_in(Use& use) { return *std::exchange(use_, &use); }
 
-  // While a default value is checked only the top level can be seen. Gives what held until now.
+  // While a default value is checked only the top level is visible. Returns the previous setting.
   bool see_top_level_only(bool only) { return std::exchange(only_top_level_, only); }
 
-  // The variable of that name and the function that it belongs to; null if none can be seen.
+  // The visible variable with that name and the function that it belongs to; null if there is none.
   [[nodiscard]] Local* find(std::string_view name, FunctionContext*& where);
-  // The same for the top level alone, as other files see it.
+  // The same for the top level only, as other files use it.
   [[nodiscard]] Local* find_top(std::string_view name, FunctionContext*& where);
   Local* add(hir::Variable* variable, Declared how, Span keyword);
   void open_block() { here_->blocks.push_back(here_->locals.size()); }
-  // Of the innermost block; gives where its variables begin.
+  // Closes the innermost block; returns the index of its first variable.
   [[nodiscard]] std::size_t close_block();
-  // Forgets variables, except of the top level, which stay visible to functions checked later.
+  // Removes variables, except those of the top level, which stay visible in functions checked
+  // later.
   void forget(std::size_t first);
 
  private:
@@ -72,7 +73,7 @@ class Scopes {
   Local* find_earlier(std::string_view name, FunctionContext*& where);
 
   FunctionContext main_;
-  FunctionContext earlier_;  // the variables of the entries before that were mentioned
+  FunctionContext earlier_;  // variables of earlier entries that the text uses
   const Names* names_ = nullptr;
   Earlier* earlier_names_ = nullptr;
   FunctionContext* here_ = &main_;

@@ -1,5 +1,5 @@
 #pragma once
-// The variables of the top level of all files.
+// The global variables of all files.
 
 #include <unordered_map>
 #include <vector>
@@ -16,22 +16,22 @@ class TopLevel {
     hir::InitStmt* init;
   };
 
-  // An entry: all variables stay for the entries behind it.
+  // For an entry of a session: all variables stay for later entries.
   void keep_all() { keeps_all_ = true; }
 
-  // use: what its first value mentions.
+  // use: the names that its first value uses.
   void add(hir::Variable* variable, hir::InitStmt* init, Use use);
   [[nodiscard]] std::size_t count() const { return entries_.size(); }
-  // In their order.
+  // The variables in their order.
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  // null: it is no variable of the top level.
+  // The uses of a variable's first value; null if it is not global.
   [[nodiscard]] const Use* use_of(const hir::Variable* variable) const;
 
-  // Functions use the variable, which may stand in a block of the top level too.
+  // Makes a variable global because functions use it; it may be in a block of the top level.
   void make_global(hir::Variable& variable);
-  // Shows those of the main file, which has this number, to the host.
+  // Makes those of the main file, which has this number, visible to the host.
   void open(std::uint32_t main_source);
-  // All global variables, numbered.
+  // Numbers all global variables and returns them.
   [[nodiscard]] std::vector<hir::Variable*> number_globals() const;
 
  private:

@@ -20,7 +20,7 @@ void Use::add(const Use& other) {
 
 bool Uses::may_pause(const Use& use) {
   if (!pausing_) {
-    // From the functions that pause themselves to those that call them.
+    // The callers of each function, for the propagation of pauses from functions to their callers.
     std::unordered_map<const hir::Function*, std::vector<const hir::Function*>> callers;
     std::vector<const hir::Function*> open;
     for (const auto& [function, mentioned] : uses_) {

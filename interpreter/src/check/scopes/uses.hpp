@@ -1,6 +1,6 @@
 #pragma once
-// What functions mention, and what follows from it: which of them take time, and what calls of the
-// top level may read too early.
+// The functions and variables that each function uses, and conclusions from them: functions that
+// take time, and variables that calls of the top level may read too early.
 
 #include <optional>
 #include <unordered_map>
@@ -12,7 +12,7 @@
 
 namespace armlet::lang {
 
-// Which top-level variables and which functions the text of a function mentions.
+// The global variables and functions that the text of a function uses.
 struct Use {
   std::vector<hir::Variable*> globals{};
   std::vector<const hir::Function*> calls{};
@@ -24,12 +24,12 @@ struct Use {
   void add(const Use& other);
 };
 
-// Of all functions of the program.
+// The uses of all functions of the program.
 class Uses {
  public:
   [[nodiscard]] Use& of(const hir::Function* function) { return uses_[function]; }
 
-  // A call of the top level, behind so many of its variables.
+  // A call of the top level, after this count of its variables.
   struct MainCall {
     const hir::Function* function;
     std::size_t declared;
@@ -39,13 +39,14 @@ class Uses {
   }
   [[nodiscard]] const std::vector<MainCall>& main_calls() const { return main_calls_; }
 
-  // Whether running what `use` mentions may wait or move; once all functions have been checked.
+  // Whether the code that `use` describes may wait or move. Valid once all functions have been
+  // checked.
   [[nodiscard]] bool may_pause(const Use& use);
 
  private:
   std::unordered_map<const hir::Function*, Use> uses_;
   std::vector<MainCall> main_calls_;
-  // Functions that may wait or move, through others too.
+  // Functions that may wait or move, directly or through others.
   std::optional<std::unordered_set<const hir::Function*>> pausing_;
 };
 

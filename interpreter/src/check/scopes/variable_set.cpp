@@ -9,7 +9,7 @@ VariableSet::Key VariableSet::key_of(const hir::Variable* variable) {
   return static_cast<Key>(reinterpret_cast<std::uintptr_t>(variable));
 }
 
-// Whether a key can be below the node.
+// Whether a key may be in the subtree of the node.
 bool VariableSet::belongs(Key key, const Node& node) {
   const Key above = ~(node.branch | (node.branch - 1));
   return node.branch == 0 ? key == node.key : (key & above) == (node.key & above);
@@ -27,14 +27,14 @@ VariableSet::Tree VariableSet::leaf(Key key) {
   return std::make_shared<const Node>(Node{.key = key});
 }
 
-// Two trees whose keys differ in a bit above both their branches.
+// Joins two trees whose keys differ in a bit above the branches of both.
 VariableSet::Tree VariableSet::joined(const Tree& a, const Tree& b) {
   const Key branch = std::bit_floor(a->key ^ b->key);
   const bool a_first = (a->key & branch) == 0;
   return std::make_shared<const Node>(Node{a->key, branch, a_first ? a : b, a_first ? b : a});
 }
 
-// The node with other parts; the node itself if they are the ones it has.
+// The node with other subtrees; the node itself if they are the same.
 VariableSet::Tree VariableSet::with_parts(const Tree& whole, Tree zero, Tree one) {
   if (zero == whole->zero && one == whole->one) return whole;
   if (zero == nullptr) return one;

@@ -1,6 +1,6 @@
 #pragma once
-// Sets of variables that are copied at every branch of a program: copies share what they have in
-// common, and putting two together looks only at where they differ.
+// Sets of variables that are copied at every branch of a program. Copies share equal parts, and a
+// union visits only the parts that differ.
 //
 // Big-endian Patricia trees: Okasaki and Gill, "Fast mergeable integer maps", ML Workshop 1998.
 
@@ -17,9 +17,9 @@ class VariableSet {
   [[nodiscard]] bool contains(const hir::Variable* variable) const;
   void insert(const hir::Variable* variable);
   void erase(const hir::Variable* variable);
-  // Adds what the other one has.
+  // Adds the elements of the other set (union).
   void unite(const VariableSet& other) { root_ = united(root_, other.root_); }
-  // Keeps what the other one has too.
+  // Removes the elements that the other set does not have (intersection).
   void intersect(const VariableSet& other) { root_ = common(root_, other.root_); }
 
  private:
@@ -27,10 +27,11 @@ class VariableSet {
   using Tree = std::shared_ptr<const Node>;
   using Key = std::uint64_t;
 
-  // A leaf has no branch and one key; below a branch keys agree above its bit.
+  // A leaf has branch 0 and one key. An inner node splits keys by the bit `branch`; above that bit
+  // all of its keys are equal.
   struct Node {
     Key key = 0;
-    Key branch = 0;  // one bit
+    Key branch = 0;  // a single bit
     Tree zero{};
     Tree one{};
   };

@@ -1,5 +1,5 @@
 #pragma once
-// What the checker knows about one call while it looks for the function that is meant.
+// The data of one call during overload resolution.
 
 #include <string_view>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace armlet::lang {
 
-// What a value is needed for: decides the message when its type does not fit.
+// The use of a value. It selects the message for a value of the wrong type.
 struct Target {
   enum class Role : std::uint8_t {
     kVariable,
@@ -25,27 +25,27 @@ struct Target {
   Span call{};                  // kArgument, kSetting
 };
 
-// string(x), which the language offers itself.
+// string(x), which is part of the language.
 inline constexpr std::string_view kToText = "string";
 
-// A value and the bracket that stands behind it on another line.
+// A value, and the bracket after it on another line.
 struct Joined {
   Span value;
   Span bracket;  // empty: on the same line
 };
 
-// One value handed to a call. Lambdas and names of functions wait for the type their parameter asks
-// for.
+// One argument of a call. Lambdas and names of functions are checked later, when the type of their
+// parameter is known.
 struct Argument {
   std::string_view name{};  // empty: by position
   Span name_span{};
   const ast::Expr* written = nullptr;
-  hir::Expr* value = nullptr;  // null: waits
+  hir::Expr* value = nullptr;  // null: checked later
   [[nodiscard]] Span span() const { return value != nullptr ? value->span : written->span; }
   [[nodiscard]] bool waits() const { return value == nullptr; }
 };
 
-// How the values of a call fall on the parameters of one function.
+// The assignment of the arguments of a call to the parameters of one function.
 struct Fit {
   enum class Problem : std::uint8_t {
     kNone,
@@ -57,30 +57,30 @@ struct Fit {
     kAfterNamed
   };
   Problem problem = Problem::kNone;
-  int argument = -1;  // the one with the problem
+  int argument = -1;  // the one that does not fit
   int parameter = -1;
-  int matched = 0;  // values that fitted, to find the closest function
+  int matched = 0;  // count of arguments that fit, to find the most similar function
   int cost = 0;
   int generic = 0;
   int zero_quantities = 0;     // literal zeros taken as quantities
   bool ambient = false;        // the first parameter is the ambient value of the program
-  bool asks_function = false;  // where a lambda with another number of values was given
-  std::vector<int> from;       // per parameter: which argument, -1 none
+  bool asks_function = false;  // for a lambda with another count of parameters
+  std::vector<int> from;       // by parameter: index of the argument, -1 none
   std::vector<int> rest;       // arguments of the variadic parameter
   Bindings bindings;
 };
 
-// The ambient values of the program that can be meant at one place.
+// The ambient values of the program that a call at one position may refer to.
 struct Ambient {
   Local* local = nullptr;  // the only one, if it is declared above
   FunctionContext* where = nullptr;
   std::vector<std::string_view> names;  // sorted
 };
 
-// Whether == compares values of this type by their contents.
+// Whether == compares the contents of values of this type.
 [[nodiscard]] bool has_deep_equality(const Type* type);
 
-// The literal 0 or 0.0, which is any quantity.
+// Whether the value is the literal 0 or 0.0, which fits any quantity.
 [[nodiscard]] bool is_zero(const hir::Expr& value);
 
 }  // namespace armlet::lang

@@ -1,8 +1,9 @@
 #pragma once
-// One pass over a file, from the syntax tree to the typed tree.
+// The checker of one file: a pass from the syntax tree to the typed tree.
 //
-// The state is in small classes, each of which keeps its own rules. The rules of the language are
-// functions over them in the folders beside; what they call of each other in circles is here.
+// The state is in small classes, each with its own rules. The rules of the language are functions
+// in the neighbouring folders that take a Checker. Functions that call each other across these
+// folders are declared here.
 
 #include <string>
 #include <utility>
@@ -41,7 +42,7 @@ struct Checker {
   hir::Expr* check_value(const ast::Expr& expr, const Type* expected = nullptr);  // not void
   hir::Expr* check_as(const ast::Expr& expr, const Target& target);
   hir::Expr* condition(const ast::Expr& expr);
-  // The value as `type`; null if none of the five conversions leads there.
+  // Converts the value to `type`; null if none of the five conversions applies.
   hir::Expr* convert(hir::Expr* value, const Type* type);
   hir::Expr* require(hir::Expr* value, const Target& target);
   const Type* resolve(const ast::TypeExpr& type);
@@ -51,7 +52,7 @@ struct Checker {
   hir::Block* check_block(ast::Seq<ast::Stmt*> body, Span span);
   void check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out);
 
-  // Names that this file does not declare stand for what they stand for there.
+  // Adds the names of an earlier entry: they apply where this file does not declare the same name.
   void follow(const KeptFile& kept) {
     names.follow(kept, shared.earlier);
     scopes.follow(names, shared.earlier);
@@ -60,7 +61,7 @@ struct Checker {
   // ---- messages
   void report(Diagnostic diagnostic) { messages.report(std::move(diagnostic)); }
   hir::Expr* failed(Span span);
-  // The same with the type that the value most likely has, where types are guessed; null: none.
+  // The same with the type that the value most likely has, if types are guessed; null: none.
   hir::Expr* guessed(Span span, const Type* type);
   [[nodiscard]] std::string text_of(Span span) const;
   [[nodiscard]] int line_of(Span span) const;
@@ -81,7 +82,7 @@ struct Checker {
   }
 
   const FileTree& file;
-  Shared& shared;  // with the other files
+  Shared& shared;  // shared with the other files
   CheckedProgram& into;
   const Registry& registry;
   const CompileOptions& options;
@@ -93,7 +94,7 @@ struct Checker {
   Messages messages;
   Surroundings surroundings{};
   PostponedStatements postponed{};
-  const KeptFile* kept_file = nullptr;  // what later entries know it by
+  const KeptFile* kept_file = nullptr;  // for later entries
 };
 
 }  // namespace armlet::lang

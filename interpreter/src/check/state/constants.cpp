@@ -53,7 +53,7 @@ bool is_number(const Constant& constant) {
   return constant.kind == Constant::Kind::kInt || constant.kind == Constant::Kind::kReal;
 }
 
-// How much there is to copy.
+// The cost of a copy of the constant.
 std::size_t size_of(const Constant& constant) {
   std::size_t size = 1 + constant.text.size();
   for (const Constant& item : constant.items) size += size_of(item);
@@ -168,7 +168,8 @@ hir::Expr* literal_of(Checker& checker, const Constant& constant, const Type* ty
   return checker.failed(span);
 }
 
-// Arithmetic on two literals is done here, so that -PI / 4 and 20 * 1mm are literals too.
+// Arithmetic with two literals is done at compile time, so that -PI / 4 and 20 * 1mm are literals
+// too.
 hir::Expr* folded(Checker& checker, hir::BinaryExpr* expr) {
   const auto is_literal = [](const hir::Expr& side) {
     return side.kind == ExprKind::kInt || side.kind == ExprKind::kReal;

@@ -1,6 +1,6 @@
 #pragma once
-// What is known about values from the text alone: constants, and facts that rules of the host have
-// left.
+// Facts about values that follow from the text: constants, and facts that rules of the host have
+// stored.
 
 #include <optional>
 #include <unordered_map>
@@ -12,13 +12,14 @@ namespace armlet::lang {
 
 struct Checker;
 
-// The constants that variables stand for.
+// The constants that are values of variables.
 class Constants {
  public:
-  // The value of an expression; empty if the text does not show it.
+  // The value of an expression; empty if it does not follow from the text.
   [[nodiscard]] std::optional<Constant> of(const hir::Expr& expr) const { return at(expr, 0); }
-  // Finds what a variable stands for, once, when it is declared: `let b = a + a; let c = b + b ...`
-  // would take twice as long with every line. What is large is not known through variables.
+  // Finds the constant value of a variable once, at its declaration: for `let b = a + a; let c = b
+  // + b ...` a later search would take twice as long with every line. Large values of variables are
+  // not stored.
   void note(const hir::Variable& variable);
 
  private:
@@ -27,14 +28,15 @@ class Constants {
   std::unordered_map<const hir::Variable*, std::optional<Constant>> known_;
 };
 
-// What rules of the host have found out about a value; null: nothing.
+// The fact that rules of the host have stored for a value; null if there is none.
 [[nodiscard]] const Fact* fact_of(const hir::Expr& expr);
-// The expression behind fixed variables.
+// The initialiser of a constant variable, followed through further ones; other expressions
+// unchanged.
 [[nodiscard]] const hir::Expr& origin_of(const hir::Expr& expr);
 
-// A constant written as a value of `type`.
+// The literal of `type` for a constant.
 hir::Expr* literal_of(Checker& checker, const Constant& constant, const Type* type, Span span);
-// Arithmetic on two literals as a literal; others as they are.
+// The literal for an operation on two literals; other expressions unchanged.
 hir::Expr* folded(Checker& checker, hir::BinaryExpr* expr);
 
 }  // namespace armlet::lang

@@ -1,5 +1,5 @@
 #pragma once
-// Default values of parameters and fields, each checked when it is first needed.
+// Default values of parameters and fields, each checked at its first use.
 
 #include <unordered_map>
 #include <utility>
@@ -11,20 +11,21 @@ namespace armlet::lang {
 
 struct Default {
   hir::Expr* value = nullptr;
-  hir::Function* function = nullptr;  // gives the value; null: it is so small that it is repeated
-  Use use{};                          // what the value mentions
-  bool is_open = false;               // being checked
+  // Returns the value; null: small values are repeated at each use.
+  hir::Function* function = nullptr;
+  Use use{};             // the names that the value uses
+  bool is_open = false;  // being checked
 };
 
 class Defaults {
  public:
-  // Stays where it is; and whether it is new.
+  // The entry for an expression, whose address does not change, and whether it is new.
   std::pair<Default*, bool> find(const ast::Expr& expr) {
     const auto [entry, is_new] = known_.try_emplace(&expr);
     return {&entry->second, is_new};
   }
 
-  // A call takes one; gives how many all calls have taken.
+  // Counts a use of a default value; returns the count of all uses.
   std::size_t take() { return ++taken_; }
 
  private:

@@ -4,7 +4,7 @@
 
 namespace armlet::lang {
 
-// An earlier file, with no statements left to be checked.
+// A file of an earlier entry, without statements to check.
 struct Earlier::File {
   File(const KeptFile& kept, Shared& shared, const Checker& main)
       : checker(tree, shared, main.into, main.registry, main.options, shared.sink) {

@@ -1,5 +1,5 @@
 #pragma once
-// The files of a program as the checker is given them.
+// The syntax trees of the files of a program, the input of the checker.
 
 #include <vector>
 
@@ -9,16 +9,16 @@ namespace armlet::lang {
 
 struct KeptFile;
 
-// One file of a program, as written.
+// The syntax tree of one file.
 struct FileTree {
-  // An import and the number of the file that it names; -1: there is none, which was told.
+  // An import and the index of its file; -1: the file was not found, which was reported.
   struct Import {
     const ast::ImportStmt* statement;
     int file;
-    const KeptFile* kept = nullptr;  // the file as an earlier entry has read it
+    const KeptFile* kept = nullptr;  // set: the file as an earlier entry has read it
   };
   ast::Block program{};
-  bool ok = true;  // false: statements with mistakes are missing
+  bool ok = true;  // false: statements with mistakes are missing from the tree
   std::vector<Import> imports{};
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// The functions of a program as they are made, and the forms of its named functions whose bodies
-// wait to be checked.
+// The functions of a program in the order of their creation, and the forms of named functions whose
+// bodies are not checked yet.
 
 #include <deque>
 #include <string_view>
@@ -17,19 +17,19 @@ class Instances {
  public:
   Instances(Arena& arena, const TypePool& types) : arena_(arena), types_(types) {}
 
-  // A function without a body, numbered in the order of making.
+  // Makes a function without a body; its number is the count of functions before.
   hir::Function* make_function(std::string_view name, Span span);
   [[nodiscard]] const std::vector<hir::Function*>& functions() const { return functions_; }
 
-  // The form of a function for the types of a call.
+  // Adds a form of the function for the types of a call.
   Instance& add(FunctionDecl& declaration, std::vector<const Type*> types, Span call);
 
-  // Its body is checked later, as its result is declared.
+  // Postpones the check of the body, which is possible because the result type is declared.
   void wait(Instance& instance) { waiting_.push_back(&instance); }
   [[nodiscard]] const std::vector<Instance*>& waiting() const { return waiting_; }
-  // The one that has waited longest comes next, and then the others as they began to wait.
+  // Reverses the order of the postponed forms, so that the oldest one comes next.
   void turn_round();
-  // Null if none waits.
+  // The next postponed form; null if there is none.
   [[nodiscard]] Instance* next();
 
  private:
@@ -37,7 +37,7 @@ class Instances {
   const TypePool& types_;
   std::vector<hir::Function*> functions_;
   std::deque<Instance> instances_;
-  std::vector<Instance*> waiting_;  // the next one last
+  std::vector<Instance*> waiting_;  // in reverse order
 };
 
 }  // namespace armlet::lang

@@ -1,6 +1,6 @@
 #pragma once
-// What the checker finds out about a text, noted while it checks: for editors. A check that
-// compiles has none of this (Shared::learnt is null), and pays one comparison for each note.
+// Results of a check for editors: types, uses of names, parameters. A check before compilation has
+// none of this (Shared::learnt is null); each note then costs one comparison.
 
 #include <optional>
 #include <unordered_map>
@@ -14,29 +14,29 @@ namespace armlet::lang {
 
 class Learnt {
  public:
-  // An expression and its type. One in a function that is generic by use is noted for each form of
-  // the function.
+  // An expression and its type. In a function without declared parameter types there is one for
+  // each form of the function.
   struct Value {
     const ast::Expr* written;
     const Type* type;
   };
-  // A name, and where the declaration stands that it refers to.
+  // A name, and the declaration that it refers to.
   struct Use {
     Span name;
     Span declaration;
   };
-  // A name of a function of the library, or of a setting: one of its parameters.
+  // A name of a library function, of one of its parameters, or of a setting.
   struct NativeUse {
     Span name;
     const NativeFunction* function;
     int parameter = -1;  // -1: the function itself
   };
 
-  // Guessing: what the text does not say yet counts as what it most likely becomes. Nobody may read
-  // the messages of such a check.
+  // A check with guesses assumes the most likely types for incomplete parts of the text. Its
+  // messages are not shown.
   explicit Learnt(bool guesses = false) : guesses_(guesses) {}
   [[nodiscard]] bool guesses() const { return guesses_; }
-  // A check that does not guess has left out something that one that guesses would teach.
+  // Notes that this check omitted results that a check with guesses would find.
   void leave_out() { leaves_out_ = true; }
   [[nodiscard]] bool leaves_out() const { return leaves_out_; }
 
@@ -44,20 +44,20 @@ class Learnt {
     values_.push_back({&written, checked.type});
     if (guesses_) met_.insert(&written);
   }
-  // While guessing: whether it has been noted.
+  // During guessing: whether the expression has been noted.
   [[nodiscard]] bool has_met(const ast::Expr& written) const { return met_.contains(&written); }
-  // A variable of the text; its type and the other properties are read when all is checked.
+  // Notes a variable of the program. Its type and its other properties are read after the check.
   void variable(const hir::Variable& variable) { variables_.push_back(&variable); }
   void constant(Span declaration, std::optional<Constant> value) {
     if (value) constants_.insert_or_assign(key(declaration), *std::move(value));
   }
-  // What a function of the text gives, for the types of the first call of which it is known.
+  // Notes the result type of a script function for the first call for which it is known.
   void result(Span declaration, const Type* type) {
     const Type*& known = results_[key(declaration)];
     if (known == nullptr || known->is(Kind::kAny)) known = type;
   }
-  // `name` may have a module in front of it, and may be empty or another text, where a call leaves
-  // out what it means.
+  // Notes a use. `name` may include a module; it may be empty or another text if a call omits the
+  // name.
   void use(Span name, Span declaration) { uses_.push_back({name, declaration}); }
   void native(NativeUse use) { natives_.push_back(use); }
   void enumeration(const EnumInfo& type, const ast::EnumStmt& node) { enums_[&type] = &node; }
@@ -66,7 +66,7 @@ class Learnt {
     const auto found = structs_.find(&node);
     return found == structs_.end() ? nullptr : found->second;
   }
-  // Where a value of an enum is declared; empty: in no text.
+  // The declaration of an enum value; empty if it is not in a text.
   [[nodiscard]] Span value_of(const EnumInfo& type, std::size_t index) const {
     const auto found = enums_.find(&type);
     return found == enums_.end() ? Span{} : found->second->values[index].span;

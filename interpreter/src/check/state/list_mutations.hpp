@@ -1,5 +1,5 @@
 #pragma once
-// The methods of lists that change them.
+// The methods that change a list.
 
 #include <string_view>
 

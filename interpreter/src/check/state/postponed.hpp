@@ -1,5 +1,5 @@
 #pragma once
-// What is looked at when the whole program is known, in the order of the text.
+// Checks that need the whole program, in the order of the text.
 
 #include <string_view>
 #include <utility>
@@ -11,29 +11,30 @@
 
 namespace armlet::lang {
 
-// Of all files.
+// The postponed checks of all files.
 class Postponed {
  public:
-  // A function that is called again and again while time stands still.
+  // A function that is called at each instant while time stands still.
   struct Condition {
     const hir::Function* function;
     Span span;
   };
-  // A function of the program handed to one of the library, which calls it.
+  // A script function that is an argument of a library function, which calls it.
   struct Callback {
     std::string_view called_by;
     const hir::Function* function;
     Span span;
-    bool is_read = false;  // by the host at any time (read_function): it may change nothing
+    // The host calls it at any time (read_function), so it must not change anything.
+    bool is_read = false;
   };
-  // A text that names the units of a value, and is empty until then.
+  // A text with the units of a value, which is empty until all functions are checked.
   struct Units {
     hir::TextExpr* text;
     const hir::Expr* value;
   };
   struct Path {
     const hir::Block* body;
-    Span head;  // where it begins
+    Span head;  // the start of the statement
   };
 
   void add(const Condition& condition) { conditions_.push_back(condition); }
@@ -53,7 +54,7 @@ class Postponed {
   std::vector<Path> paths_;
 };
 
-// Of one file: tests, and what the top level of an imported file must not do.
+// The postponed checks of one file: tests, and statements that an imported file must not have.
 class PostponedStatements {
  public:
   struct Active {
@@ -68,7 +69,7 @@ class PostponedStatements {
   void add_checked_test(hir::Test test) { tests_.push_back(test); }
   [[nodiscard]] const std::vector<hir::Test>& tests() const { return tests_; }
 
-  // A statement that is no declaration.
+  // Notes a statement that is not a declaration.
   void add_active(Span span, Use use) { active_.push_back({span, std::move(use)}); }
   [[nodiscard]] const std::vector<Active>& active() const { return active_; }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the files of one program have in common while they are checked.
+// The state of a check that all files of a program share.
 
 #include <vector>
 
@@ -21,13 +21,13 @@ namespace armlet::lang {
 struct Checker;
 class Learnt;
 
-// How deep checks are nested in each other. They nest as the text does, and as bodies of called
-// functions do. The parser limits the first; this bounds both.
+// The depth of nested checks, which follows the nesting of the text and of the bodies of called
+// functions. The parser limits the nesting of the text only; this class limits both.
 class Depth {
  public:
   static constexpr int kMost = 600;
 
-  // One level, while it lives.
+  // One level of depth, for its lifetime.
   class Level {
    public:
     explicit Level(Depth& depth) : depth_(depth) { ++depth_.levels_; }
@@ -46,7 +46,7 @@ class Depth {
 };
 
 struct Shared {
-  // kept  of the entry before this one; null: there is none.
+  // kept  the names of the entry before this one; null if there is none.
   Shared(const CheckedProgram& into, const Registry& registry, const KeptNames* kept,
          DiagnosticSink& messages)
       : sink(messages),
@@ -55,7 +55,7 @@ struct Shared {
         signatures(registry, *into.types),
         error_type(into.types->library_record("error")) {}
 
-  Learnt* learnt = nullptr;  // what editors ask for; null: nobody does
+  Learnt* learnt = nullptr;  // results for editors; null: not needed
   bool guesses = false;      // see Learnt::guesses
   DiagnosticSink& sink;
   std::vector<Checker*> files{};  // imported ones before those that import them

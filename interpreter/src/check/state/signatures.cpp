@@ -10,7 +10,7 @@ const Signature& Signatures::of(const NativeFunction& function) {
   if (known == nullptr) {
     std::string error;
     auto read = parse_signature(function.signature, types_, registry_.type_names(types_), error);
-    // Engine::check_signatures reports what cannot be read; such a function is never called.
+    // Engine::check_signatures reports invalid signatures; such a function is never called.
     known = std::make_unique<Signature>(read ? std::move(*read) : Signature{});
   }
   return *known;

@@ -1,5 +1,5 @@
 #pragma once
-// The signatures of library functions, each read when it is first needed.
+// The signatures of library functions, each parsed at its first use.
 
 #include <memory>
 #include <unordered_map>
@@ -13,7 +13,7 @@ class Signatures {
  public:
   Signatures(const Registry& registry, TypePool& types) : registry_(registry), types_(types) {}
 
-  // It stays where it is.
+  // The signature of a function. Its address does not change.
   [[nodiscard]] const Signature& of(const NativeFunction& function);
 
  private:

@@ -8,11 +8,11 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::size_t kManyNames = 16;  // names, from which on a table is worth its while
+constexpr std::size_t kManyNames = 16;  // with this many names a table is faster than a search
 
 using Places = std::unordered_map<std::string_view, int>;
 
-// A table for all names of what `key` is about; null where there are few.
+// The table of all names of a record or enum; null if there are few.
 Places* table_for(std::unordered_map<const void*, Places>& tables, const void* key,
                   std::size_t names) {
   return names < kManyNames ? nullptr : &tables[key];

@@ -18,25 +18,25 @@ class Structs {
   void add(const StructDecl& structure);
   explicit Structs(Earlier& earlier) : earlier_(earlier) {}
 
-  // Null if the type is no struct of the program.
+  // The declaration of a struct; null if the type is not a struct of the program.
   [[nodiscard]] const StructDecl* find(const Type* type);
 
-  // The file that declares a struct or an enum; null if it is another type.
+  // Sets the file that declares a struct or an enum; it is null for other types.
   void set_home(const Type* type, Checker& file) { homes_[type] = &file; }
   [[nodiscard]] Checker* home(const Type* type) const;
 
-  // Where a name stands among the fields of a struct or the values of an enum; -1: nowhere.
+  // The index of a name among the fields of a struct or the values of an enum; -1 if it is none.
   [[nodiscard]] int field_index(const RecordInfo& record, std::string_view name);
   [[nodiscard]] int value_index(const EnumInfo& enumeration, std::string_view name);
 
-  // The function that gives the name of a value, or all values, of an enum with many of them; null
+  // The function that returns the name of a value, or all values, of an enum with many values; null
   // until it is made.
   [[nodiscard]] hir::Function*& name_function(const EnumInfo& info) { return enum_names_[&info]; }
   [[nodiscard]] hir::Function*& values_function(const EnumInfo& info) {
     return enum_values_[&info];
   }
 
-  // Arrays are made of elements that begin without a value.
+  // Notes an element type of lists whose elements have no first value.
   void add_unset(const Type* element) { unset_.insert(element); }
   [[nodiscard]] std::vector<const Type*> unset() const { return {unset_.begin(), unset_.end()}; }
 

@@ -14,7 +14,8 @@ std::optional<Candidate> suggest(std::string_view name, std::span<const Candidat
     const std::string_view one[] = {candidate.name};
     if (candidate.name == name || !most_similar(name, one)) continue;
     const bool other_type = wanted != nullptr && candidate.type != wanted;
-    // One edit and a half for another type, so that a fitting type also wins a tie.
+    // Another type counts as one and a half edits, so that with equal distances a fitting type is
+    // preferred.
     const std::size_t score = 2 * edit_distance(name, candidate.name) + (other_type ? 3 : 0);
     if (best && score >= best_score) continue;
     best = candidate;

@@ -1,5 +1,5 @@
 #pragma once
-// "Did you mean ...?" (language reference, section 20.2, rule 6).
+// Proposals for mistyped names: "Did you mean ...?" (language reference, section 20.2, rule 6).
 
 #include <optional>
 #include <span>
@@ -9,14 +9,15 @@
 
 namespace armlet::lang {
 
-// A name that could have been meant; its type, if known, to prefer what fits.
+// A name that may have been meant. Its type is null if it is not known; fitting types are
+// preferred.
 struct Candidate {
   std::string_view name;
   const Type* type = nullptr;
 };
 
-// The candidate most like a mistyped name (core/similar.hpp says how near it must be). A type other
-// than `wanted` counts as one edit and a half further away; among equally close ones the first.
+// The candidate most similar to a mistyped name (core/similar.hpp defines the limit). A type other
+// than `wanted` counts as one and a half further edits; among equal ones the first is taken.
 [[nodiscard]] std::optional<Candidate> suggest(std::string_view name,
                                                std::span<const Candidate> candidates,
                                                const Type* wanted = nullptr);

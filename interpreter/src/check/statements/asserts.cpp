@@ -30,7 +30,7 @@ bool can_be_shown(const Type* type) {
   return !type->is(Kind::kFunction) && !type->is(Kind::kVoid) && !type->is(Kind::kAny);
 }
 
-// a && b && c: the conditions that have to hold, from left to right.
+// a && b && c: the conditions that all have to hold, from left to right.
 void take_apart(hir::Expr* test, std::vector<hir::Expr*>& out) {
   if (test->kind != hir::ExprKind::kAnd) {
     out.push_back(test);
@@ -42,7 +42,7 @@ void take_apart(hir::Expr* test, std::vector<hir::Expr*>& out) {
 
 }  // namespace
 
-// One assertion for each part of a && b, so that the message marks the part that does not hold.
+// One assertion for each operand of a && b, so that the message marks the one that does not hold.
 hir::Stmt* check_assert(Checker& checker, const ast::CallExpr& call) {
   checker.shared.mentions.add("assert");
   if (!takes(checker, call, "assert", 1, 2)) return nullptr;
@@ -71,8 +71,8 @@ hir::Stmt* check_assert(Checker& checker, const ast::CallExpr& call) {
 
 namespace {
 
-// The sides of a comparison, or the values of a call, are computed once into hidden variables, so
-// that a failure can show them.
+// The operands of a comparison, or the arguments of a call, are evaluated once into hidden
+// variables, so that a failure can show them.
 void split_condition(Checker& checker, hir::AssertStmt& stmt, hir::Expr* test) {
   while (test->kind == hir::ExprKind::kUnary) test = static_cast<hir::UnaryExpr*>(test)->operand;
   std::vector<hir::InitStmt*> inits;
@@ -149,7 +149,8 @@ hir::Stmt* check_assert_throws(Checker& checker, const ast::CallExpr& call) {
   }
   auto* out = checker.make<hir::AssertThrowsStmt>(hir::StmtKind::kAssertThrows, call.span, nullptr,
                                                   kind, body->span);
-  // fn() => f(x) is run in place: what it names are the variables here.
+  // The body of fn() => f(x) is checked without a lambda: its names refer to variables of this
+  // function.
   if (body->kind == ast::ExprKind::kLambda && body->as<ast::LambdaExpr>().params.empty() &&
       body->as<ast::LambdaExpr>().value != nullptr) {
     out->call = checker.check(*body->as<ast::LambdaExpr>().value);

@@ -1,5 +1,5 @@
 #pragma once
-// assert and assertThrows: statements that show what they looked at.
+// Checks assert and assertThrows, whose failures show the values of the condition.
 
 #include "check/state/checker.hpp"
 

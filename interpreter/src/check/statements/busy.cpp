@@ -1,5 +1,5 @@
-// Resources of the host that two branches of one `parallel` command at the same time, as far as the
-// text shows it.
+// Finds resources of the host that two branches of one `parallel` would command at the same time,
+// as far as the text shows it.
 
 #include <algorithm>
 #include <iterator>
@@ -21,10 +21,10 @@ bool commands_a_resource(const hir::CallNativeExpr& call) {
          (function.pauses || function.commands);
 }
 
-// What a branch begins with.
+// The first commands of a branch.
 struct Beginning {
   const hir::CallNativeExpr* command = nullptr;
-  bool is_known = true;  // false: something else takes time, or may, before the first command
+  bool is_known = true;  // false: the branch may take time before its first command
 };
 
 void look(const hir::Expr& whole, Beginning& out) {
@@ -58,8 +58,8 @@ void look(const hir::Stmt& stmt, Beginning& out) {
   }
 }
 
-// The variable that a resource was declared as, through the tasks that share it; null for the
-// host's.
+// The variable that declares a resource, found through the tasks that share it; null for the
+// resource of the host.
 const hir::Variable* declared_resource(const hir::Expr& resource) {
   if (resource.kind != ExprKind::kVariable) return nullptr;
   const hir::Variable* variable = resource.as<hir::VariableExpr>().variable;
@@ -67,14 +67,14 @@ const hir::Variable* declared_resource(const hir::Expr& resource) {
   return variable;
 }
 
-// `left.run`, without the arguments.
+// The span of `left.run`, without the arguments.
 Span command_span(const hir::CallNativeExpr& call) {
   const Span resource = call.arguments[0]->span;
   const bool is_method = !resource.empty() && resource.begin < call.site.callee.begin;
   return is_method ? cover(resource, call.site.callee) : call.site.callee;
 }
 
-// A command as the fix repeats it: several arguments are left out.
+// The text of a command for the fix; several arguments are omitted.
 std::string in_short(const Checker& checker, const hir::CallNativeExpr& call) {
   std::size_t written = 0;
   for (const Span argument : call.site.arguments) {
@@ -94,11 +94,12 @@ void refuse_busy_resources(Checker& checker, Span word,
     const hir::CallNativeExpr* call;
     const hir::Variable* resource;
     std::string branch;
-    std::size_t index;  // of the branch
+    std::size_t index;  // index of the branch
   };
   static constexpr const char* kOrdinals[] = {"first", "second", "third", "fourth", "fifth"};
   std::vector<Command> commands;
-  std::unordered_map<const hir::Variable*, std::size_t> places;  // of the commands, by resource
+  // Indices of the commands, by resource.
+  std::unordered_map<const hir::Variable*, std::size_t> places;
   for (std::size_t i = 0; i < branches.size(); ++i) {
     Beginning beginning;
     look(*branches[i]->body, beginning);
@@ -118,7 +119,7 @@ void refuse_busy_resources(Checker& checker, Span word,
     const std::string name(variable != nullptr ? variable->name : resource.type->host->name);
     Diagnostic diagnostic = make_diagnostic("E0501", command_span(*beginning.command), {name});
     diagnostic.mark.label = branch;
-    diagnostic.related.push_back({{word.begin, word.begin, word.source}, {}});  // shows its line
+    diagnostic.related.push_back({{word.begin, word.begin, word.source}, {}});  // to show its line
     diagnostic.related.push_back({command_span(*same->call), same->branch});
     diagnostic.why =
         "each statement directly inside `parallel` runs at the same time as the others";

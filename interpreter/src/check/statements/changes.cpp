@@ -9,12 +9,13 @@ namespace armlet::lang {
 
 namespace {
 
-// Lists, structs and maps are values, so only a variable that lives on can carry a change outside.
+// Whether a variable exists after the function. Lists, structs and maps are values, so only such a
+// variable can make a change visible outside.
 bool outlives(const hir::Variable& variable, const hir::Function& function) {
   return variable.owner != &function || variable.outer != nullptr;
 }
 
-// Looks through the text of one function.
+// Searches the text of one function.
 class Search {
  public:
   Search(const hir::Function& function, Changes of) : function_(function), of_(of) {}
@@ -72,7 +73,7 @@ void report_change(Checker& checker, Span condition, const Change& change) {
 
 std::optional<Change> ChangeFinder::find(const hir::Function* function) {
   if (const auto found = known_.find(function); found != known_.end()) return found->second;
-  // The functions on the way, each with the one that mentions it.
+  // The functions from the first one to the change, each with the one that uses it.
   struct Step {
     const hir::Function* function;
     std::size_t from;
@@ -88,7 +89,8 @@ std::optional<Change> ChangeFinder::find(const hir::Function* function) {
       change = known->second;
     }
     if (!change) continue;
-    // Of the others that were met only some had been looked through: they are asked anew.
+    // The search ended early, so the other functions were searched only in part and are searched
+    // again.
     for (const Step& step : steps) known_.erase(step.function);
     for (std::size_t at = i;; at = steps[at].from) {
       known_[steps[at].function] = change;

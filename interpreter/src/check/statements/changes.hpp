@@ -1,5 +1,5 @@
 #pragma once
-// What functions change besides their own variables: what conditions may not do.
+// Finds changes that functions make outside of their own variables, which conditions must not do.
 
 #include <optional>
 #include <string>
@@ -9,24 +9,24 @@
 
 namespace armlet::lang {
 
-// One change: where it is written, and what is changed: "`n`", or empty for a call of the library.
+// One change: its span, and the changed variable, such as "`n`"; empty for a call of the library.
 struct Change {
   Span span;
   std::string what{};
 };
 
-// Which changes are looked for: what a row of a laboratory assigns is undone after it is read, what
-// the library does is not.
+// The changes to find: all, or only calls of the library. Assignments by a row of a laboratory are
+// undone after it is read, but calls of the library are not.
 enum class Changes { kAll, kOfLibrary };
 
-// Looks for changes in functions and in those that they mention: a variable of the program is
-// assigned, a list or map of it is changed, or a call of the library acts. Each function is looked
-// through once, however many questions lead to it.
+// Finds changes in functions and in the functions that these use: assignments to global variables,
+// changes of their lists and maps, and calls of the library that act. Each function is searched
+// once, however often it is used.
 class ChangeFinder {
  public:
   ChangeFinder(Checker& checker, Changes of) : checker_(checker), of_(of) {}
 
-  // A change that `function` makes, or one that it mentions; nothing: none does.
+  // A change that `function` makes, directly or through another function; empty if there is none.
   [[nodiscard]] std::optional<Change> find(const hir::Function* function);
 
  private:
@@ -35,8 +35,8 @@ class ChangeFinder {
   std::unordered_map<const hir::Function*, std::optional<Change>> known_{};
 };
 
-// Refuses conditions of `until`, `wait until` and `when` that change something (E0533); after
-// everything is checked.
+// Reports E0533 for conditions of `until`, `wait until` and `when` that change something; called
+// after everything is checked.
 void check_condition_changes(Checker& checker);
 
 }  // namespace armlet::lang

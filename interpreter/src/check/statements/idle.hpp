@@ -1,18 +1,19 @@
 #pragma once
-// Statements that are nothing but a value.
+// Reports statements that only compute a value.
 
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {
 
-// Whether computing a value changes nothing, so that a statement made of it does nothing.
+// Whether the computation of a value has no effect, so that a statement with only this value does
+// nothing.
 [[nodiscard]] bool does_nothing(const hir::Expr& value);
-// E0332: a call without its parentheses, or the result of a function that other languages return by
-// itself.
+// Reports E0332: a call without its parentheses, or the result of a function as the last line,
+// which other languages return.
 void refuse_idle_statement(Checker& checker, const ast::ExprStmt& stmt, const hir::Expr& value);
-// W0746, if the statement is the call of a function that changes nothing: sort(xs). In a `try` and
-// in a function that is handed on, a call may be there to see whether it fails; a function that is
-// given may do something.
+// Reports W0746 if the statement is a call of a function without effects, such as sort(xs). Not in
+// a `try` and not in a function that is passed on, where the call may test whether it fails; nor if
+// an argument is a function, which may have effects.
 void advise_forgotten_value(Checker& checker, const ast::ExprStmt& stmt, const hir::Expr& value);
 
 }  // namespace armlet::lang

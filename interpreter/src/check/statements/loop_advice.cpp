@@ -5,7 +5,7 @@
 namespace armlet::lang {
 namespace {
 
-// for (var y = a; y < b; y += c): the parts that `range` takes.
+// The parts of for (var y = a; y < b; y += c) that are arguments of `range`.
 struct SteppedLoop {
   const ast::Name* name;
   const ast::Expr* first;
@@ -37,7 +37,7 @@ std::optional<SteppedLoop> stepped_loop(const ast::ForStmt& loop) {
   return SteppedLoop{&name, declared.declarators[0].init, &test, &step};
 }
 
-// 0.1, but not 2.0 and not a value that is computed.
+// Whether the text is a number with a fraction: 0.1, but not 2.0 and not a computed value.
 bool has_fraction(const std::string& text) {
   const char* const begin = text.c_str();
   char* end = nullptr;

@@ -35,7 +35,7 @@ hir::Variable* loop_variable(Checker& checker, const ast::Name& name, const Type
   return variable;
 }
 
-// for (i, x in xs), for (c in text): a loop over the places of the value as it is at the start.
+// for (i, x in xs), for (c in text): a loop over the indices of a copy of the value.
 hir::Stmt* loop_over_places(Checker& checker, const ast::ForInStmt& stmt, hir::Expr* items) {
   const Span span = items->span;
   const bool is_text = items->type->is(Kind::kText);
@@ -76,7 +76,7 @@ hir::Stmt* loop_over_places(Checker& checker, const ast::ForInStmt& stmt, hir::E
   return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(both));
 }
 
-// for (k, v in m): a loop over the entries of the map as it is at the start.
+// for (k, v in m): a loop over the entries of a copy of the map.
 hir::Stmt* loop_over_entries(Checker& checker, const ast::ForInStmt& stmt, hir::Expr* items) {
   const Span span = items->span;
   std::vector<hir::Stmt*> out;
@@ -128,8 +128,8 @@ hir::Stmt* check_loop(Checker& checker, const ast::Stmt& stmt) {
 
 namespace {
 
-// The body of a loop that may run not even once, and the state behind it. endless: only break
-// leaves.
+// The body of a loop that may run not even once, and the state after the loop. endless: only break
+// ends it.
 hir::Stmt* loop_body(Checker& checker, const hir::Stmt* loop, const ast::Stmt& body, bool endless) {
   const Flow before = checker.scopes.here().flow;
   checker.scopes.here().targets.push_back({JumpTarget::Kind::kLoop, loop});
@@ -169,7 +169,8 @@ hir::Stmt* check_while(Checker& checker, const ast::Expr* condition_expr, const 
 hir::Stmt* check_do(Checker& checker, const ast::DoStmt& stmt) {
   auto* loop = checker.make<hir::LoopStmt>(hir::StmtKind::kLoop, stmt.span, nullptr, nullptr,
                                            nullptr, false);
-  // The body runs at least once, so what it stores on every way to the condition is stored.
+  // The body runs at least once, so variables that it assigns on every path to the condition have
+  // values.
   checker.scopes.here().targets.push_back({JumpTarget::Kind::kLoop, loop});
   loop->body = checker.check_block(stmt.body->body, stmt.body->span);
   checker.scopes.here().flow.merge(merged(std::move(checker.scopes.here().targets.back().repeats)));
@@ -195,7 +196,7 @@ hir::Stmt* check_for(Checker& checker, const ast::ForStmt& stmt) {
   return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(body));
 }
 
-// range(0mm, 100mm, 10mm) is a list, which the library makes.
+// Whether a range has quantities: range(0mm, 100mm, 10mm) is a list from the library.
 bool counts_quantities(const std::vector<hir::Expr*>& bounds) {
   return bounds.size() == 3 && std::ranges::any_of(bounds, [](const hir::Expr* bound) {
            return bound->type->is(Kind::kReal);
@@ -227,7 +228,7 @@ hir::Stmt* check_range(Checker& checker, const ast::ForInStmt& stmt, const ast::
   return loop;
 }
 
-// A loop over range(...) of whole numbers, which makes no list; null: it is none.
+// A loop over range(...) of ints, which needs no list; null if it is another loop.
 hir::Stmt* check_counting(Checker& checker, const ast::ForInStmt& stmt) {
   if (stmt.items->kind != ast::ExprKind::kCall) return nullptr;
   const auto& call = stmt.items->as<ast::CallExpr>();

@@ -1,5 +1,5 @@
 #pragma once
-// while, do, for.
+// Checks while, do and for.
 
 #include "check/state/checker.hpp"
 

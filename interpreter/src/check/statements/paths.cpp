@@ -1,5 +1,5 @@
-// path (name: value, ...) { }: the host collects the moves of the block and makes them as one
-// motion when its end is reached; an error on the way leaves everything where it was.
+// path (name: value, ...) { }: the host collects the moves of the block and executes them as one
+// motion at its end. After an error before the end nothing has moved.
 
 #include "check/statements/paths.hpp"
 
@@ -27,7 +27,7 @@ const hir::Function* written_function(const hir::Expr& value) {
   return value.kind == ExprKind::kClosure ? value.as<hir::ClosureExpr>().function : nullptr;
 }
 
-// Every function of the program that is a value somewhere, with its type.
+// A script function that is used as a value, with its type.
 struct FunctionOfType {
   const Type* type;
   const hir::Function* function;
@@ -53,19 +53,20 @@ std::vector<FunctionOfType> function_values(const std::vector<hir::Function*>& f
   return out;
 }
 
-// The resource that a motion commands, if the text tells; null: the host's own, or none.
+// The variable of the resource that a motion commands, if the text shows it; null for the resource
+// of the host, or for none.
 const hir::Variable* resource_variable(const hir::CallNativeExpr& call) {
   const bool known = !call.arguments.empty() && call.arguments[0]->kind == ExprKind::kVariable;
   return known ? call.arguments[0]->as<hir::VariableExpr>().variable : nullptr;
 }
 
-// What the host says of the resource that a call commands; null: it commands none.
+// The host's words for the resource that a call commands; null if it commands none.
 const ResourceWords* words_of(const hir::CallNativeExpr& call) {
   const bool has_host = !call.arguments.empty() && call.arguments[0]->type->is(Kind::kHost);
   return has_host ? call.arguments[0]->type->host->resource : nullptr;
 }
 
-// One path, with the functions that it calls.
+// Checks one path with the functions that it calls.
 class PathRules {
  public:
   PathRules(Checker& checker, const Postponed::Path& path) : checker_(checker), path_(path) {}
@@ -85,7 +86,7 @@ class PathRules {
     told_ = outer_;
     Diagnostic diagnostic = make_diagnostic("E0502", outer_ != nullptr ? outer_->span : span);
     if (!words.message.empty()) diagnostic.message = words.message;
-    diagnostic.related.push_back({path_.head, {}});  // shows its line
+    diagnostic.related.push_back({path_.head, {}});  // to show its line
     if (outer_ != nullptr) diagnostic.related.push_back({span, "called for by this path"});
     diagnostic.why = words.why;
     diagnostic.fix = Fix{.text = std::string(words.fix)};
@@ -129,14 +130,14 @@ class PathRules {
     }
   }
 
-  // A call whose result is a move that has not been made.
+  // Whether the expression is a call whose result is a planned move that is not executed yet.
   [[nodiscard]] bool is_move(const hir::Expr& e) const {
     if (e.kind == ExprKind::kCallNative)
       return e.as<hir::CallNativeExpr>().function->in_path && !e.type->is(Kind::kVoid);
     return e.kind == ExprKind::kCall && gives_move_.contains(e.as<hir::CallExpr>().function);
   }
 
-  // What stands alone or is given back: a move may.
+  // Checks an expression statement or a returned value, which may be a move.
   void statement(const hir::Expr& e) {
     one(e);
     if (e.kind == ExprKind::kGuarded) return;
@@ -155,7 +156,7 @@ class PathRules {
     });
   }
 
-  // One expression without its operands.
+  // Checks one expression without its operands.
   void one(const hir::Expr& e) {
     if (e.kind == ExprKind::kGuarded)
       return refuse(e.span, {"a move inside a `path` cannot have a condition",
@@ -190,8 +191,8 @@ class PathRules {
     for (const hir::Expr* argument : call.arguments) handed(*argument, call);
   }
 
-  // A function value that is called, or handed to a function that calls it: every function of the
-  // program that it can be.
+  // Checks a function value that is called, or passed to a function that calls it: every script
+  // function that it can be.
   void handed(const hir::Expr& value, const hir::Expr& call) {
     if (!value.type->is(Kind::kFunction)) return;
     if (const hir::Function* function = written_function(value)) return enter(*function, call);
@@ -212,7 +213,8 @@ class PathRules {
     function_ = around;
   }
 
-  // Only what the text of the path itself shows: a function may be called with any resource.
+  // Checks that all moves command one resource, only in the text of the path itself: a function may
+  // be called with any resource.
   void same_resource(const hir::CallNativeExpr& call) {
     const hir::Variable* resource = resource_variable(call);
     const ResourceWords* words = words_of(call);
@@ -224,9 +226,9 @@ class PathRules {
 
   Checker& checker_;
   const Postponed::Path& path_;
-  const hir::Expr* outer_ = nullptr;  // the call in the path that leads here
+  const hir::Expr* outer_ = nullptr;  // the call in the path that leads to the current function
   const hir::Expr* told_ = nullptr;
-  const hir::Function* function_ = nullptr;  // whose body it is; null: the path's own
+  const hir::Function* function_ = nullptr;  // the current function; null: the path itself
   const hir::Variable* resource_ = nullptr;
   std::unordered_set<const hir::Function*> entered_;
   std::unordered_set<const hir::Function*> gives_move_;

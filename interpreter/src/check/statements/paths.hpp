@@ -1,5 +1,5 @@
 #pragma once
-// path (name: value, ...) { }: moves that are planned and made as one motion (reference, 13.3).
+// path (name: value, ...) { }: moves that are planned and executed as one motion (reference, 13.3).
 
 #include <string>
 
@@ -9,11 +9,11 @@ namespace armlet::lang {
 
 [[nodiscard]] hir::Stmt* check_path(Checker& checker, const ast::PathStmt& stmt);
 
-// `word`, such as return, would leave a path before it has been made: E0502.
+// E0502 for a `word`, such as return, that would leave a path before its motion.
 [[nodiscard]] Diagnostic leaves_path(const std::string& word, Span span);
 
-// When all functions are known: a path holds nothing that takes time or acts, but moves of one
-// resource, also in the functions that it calls: E0502.
+// Reports E0502 for statements in a path that take time or act, other than moves of one resource,
+// also in the functions that it calls. Called when all functions are known.
 void check_paths(Checker& checker);
 
 }  // namespace armlet::lang

@@ -1,8 +1,8 @@
 // record run every (10ms) { q: ... }: a table whose columns are sampled until the enclosing block
 // ends.
 //
-// What is sampled becomes a function that gives one row. The rest of the block is put into a try
-// whose finally takes the last sample.
+// The sampled values become a function that returns one row. The rest of the block becomes a try
+// whose finally block takes the last sample.
 
 #include "check/statements/recordings.hpp"
 
@@ -30,7 +30,7 @@ hir::Expr* builtin(Checker& checker, const NativeFunction& function, const Type*
                                            hir::CallSite{span, span, checker.seq(spans)});
 }
 
-// The function that gives one row; null after a message.
+// The function that returns one row; null after a message.
 hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
   FunctionContext context;
   context.kind = FunctionContext::Kind::kCondition;

@@ -1,5 +1,5 @@
 #pragma once
-// record run every (10ms) { q: ... }, and the tables it makes.
+// record run every (10ms) { q: ... }, and the tables of recordings.
 
 #include <vector>
 
@@ -7,22 +7,22 @@
 
 namespace armlet::lang {
 
-// rest  the statements behind it in its block; they are checked here, because the recording ends
+// rest  the statements after it in its block; they are checked here, because the recording ends
 //       with them.
 void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::Stmt*> rest,
                   std::vector<hir::Stmt*>& out);
-// A recording alone where a block could stand.
+// A recording as the only statement of a body without braces.
 hir::Stmt* check_lone_record(Checker& checker, const ast::RecordStmt& stmt);
 
-// run.t, run.length
+// A column of a table: run.t, run.length.
 hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& member);
-// What `for (row in run)` visits.
+// The list that `for (row in run)` visits.
 hir::Expr* rows_of(Checker& checker, hir::Expr* table);
 
 // Whether the function takes the samples of a recording.
 [[nodiscard]] bool is_sample(const hir::Function& function);
 
-// E0505, for a condition or for what is recorded.
+// Reports E0505 for a pause in a condition or in sampled values.
 void report_pause(Checker& checker, const hir::Function& condition, Span span);
 
 }  // namespace armlet::lang

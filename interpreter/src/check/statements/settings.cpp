@@ -1,8 +1,8 @@
-// with (name: value, ...) { }: defaults for library settings inside the block.
+// with (name: value, ...) { }: settings of the library inside the block.
 //
-// A setting whose name is an ambient type, such as motor, is known from the text alone: calls
-// inside the block that leave it out mean this value. The others are functions of the host, called
-// on the way in; what was set before comes back on every way out.
+// A setting whose name is an ambient type, such as motor, has an effect at compile time: calls
+// inside the block that omit the argument use this value. Other settings are functions of the host,
+// which run at the start of the block; every exit from the block restores the previous values.
 
 #include "check/statements/settings.hpp"
 

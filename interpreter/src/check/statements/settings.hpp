@@ -1,5 +1,5 @@
 #pragma once
-// with (name: value, ...) { }, and the settings of blocks like it.
+// with (name: value, ...) { }, and the settings of similar blocks.
 
 #include <string_view>
 #include <vector>
@@ -8,19 +8,19 @@
 
 namespace armlet::lang {
 
-// before: what is computed outside of the block; inside: the settings.
+// before: statements that run before the block; inside: the settings.
 struct CheckedSettings {
   std::vector<hir::Stmt*> before{};
   std::vector<hir::Stmt*> inside{};
 };
 
-// The settings behind `word`, "with" or "path": each is a function of the host, such as
+// The settings after `word`, "with" or "path": each is a function of the host, such as
 // "with.speed".
 [[nodiscard]] CheckedSettings check_settings(Checker& checker, std::string_view word,
                                              ast::Seq<ast::Arg> settings);
 
-// A call of a function of the host without arguments, as a statement of `span`; `mark` is what
-// failures of it mark.
+// A call of a host function without arguments, as a statement with the span `span`; messages of its
+// failures mark `mark`.
 [[nodiscard]] hir::Stmt* host_call(Checker& checker, std::string_view name, Span mark, Span span);
 
 hir::Stmt* check_with(Checker& checker, const ast::WithStmt& stmt);

@@ -45,8 +45,8 @@ hir::Stmt* check_try(Checker& checker, const ast::TryStmt& stmt);
 
 constexpr std::string_view kFn = "fn";
 
-// What is done finally is done on every way out, so it cannot choose another one: an error or a
-// cancellation would be lost. A path is made when its end is reached.
+// A finally block runs on every exit, so it must not exit to another target: an error or a
+// cancellation would be lost. The motion of a path starts at the end of its block.
 Diagnostic cannot_leave(JumpTarget::Kind kind, const std::string& word, Span span) {
   if (kind == JumpTarget::Kind::kPath) return leaves_path(word, span);
   Diagnostic diagnostic = make_diagnostic("E0121", span, {word, "what it leaves"});
@@ -101,8 +101,8 @@ void Checker::check_into(ast::Seq<ast::Stmt*> body, std::vector<hir::Stmt*>& out
   }
 }
 
-// int a = 1, b = 2, or an object with rows that have names: several statements, but no block of
-// their own; the variables live on.
+// int a = 1, b = 2, or an object with named rows: several statements without a block of their own;
+// the variables stay visible.
 void append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& out) {
   const bool declares = stmt.kind == ast::StmtKind::kVar || stmt.kind == ast::StmtKind::kObject;
   if (!declares || checked->kind != hir::StmtKind::kBlock) {
@@ -142,7 +142,7 @@ hir::Stmt* check_any_statement(Checker& checker, const ast::Stmt& stmt) {
     case StmtKind::kStruct:
     case StmtKind::kEnum:
     case StmtKind::kImport:
-      return nullptr;  // collected before; refused elsewhere while the tree was built
+      return nullptr;  // collected before; in other positions refused while the tree was built
     case StmtKind::kTest:
       return check_test(checker, stmt.as<ast::TestStmt>());
     case StmtKind::kIf:
@@ -377,7 +377,7 @@ hir::Stmt* check_throw(Checker& checker, const ast::ThrowStmt& stmt) {
 
 hir::Expr* seconds(Checker& checker, const ast::Expr& written, std::string_view what) {
   hir::Expr* value = checker.check_value(written);
-  // Classic programs count seconds in plain numbers.
+  // Programs with classic declarations give times as plain numbers of seconds.
   if (hir::Expr* plain = checker.convert(value, checker.types.real())) return plain;
   const bool setting = what == "timeout";
   return checker.require(value, {.role = setting ? Target::Role::kSetting : Target::Role::kVariable,
@@ -440,7 +440,7 @@ hir::Stmt* check_try(Checker& checker, const ast::TryStmt& stmt) {
       break;
     }
     advise_catch_of_a_type(checker, clause);
-    // The body may have stopped anywhere, so nothing it stored is certain.
+    // The body may have stopped at any point, so none of its assignments is certain.
     checker.scopes.here().flow = before;
     checker.scopes.open_block();
     if (!clause.name.text.empty() && is_free(checker, clause.name)) {
@@ -461,7 +461,7 @@ hir::Stmt* check_try(Checker& checker, const ast::TryStmt& stmt) {
     checker.scopes.here().targets.push_back({JumpTarget::Kind::kFinally, out});
     out->finally = checker.check_block(stmt.finally->body, stmt.finally->span);
     checker.scopes.here().targets.pop_back();
-    // What finally stores is stored on every way on.
+    // The finally block has run on every path after it.
     after.add_values_of(checker.scopes.here().flow);
     after.reachable = after.reachable && checker.scopes.here().flow.reachable;
     checker.scopes.here().flow = std::move(after);

@@ -1,5 +1,5 @@
 #pragma once
-// Statements that are no loops, no switches and no declarations.
+// Checks statements other than loops, switches and declarations.
 
 #include <string_view>
 #include <vector>
@@ -9,8 +9,8 @@
 namespace armlet::lang {
 
 void append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& out);
-// Whether a statement that consists of an expression is there for its value or its effect: `assert`
-// and others look like calls, and are statements.
+// Whether an expression statement has a value. `assert` and some others have the form of calls, but
+// are statements.
 [[nodiscard]] bool is_value_statement(Checker& checker, const ast::ExprStmt& stmt);
 hir::Stmt* return_value(Checker& checker, hir::Expr* value, Span span);
 hir::Expr* seconds(Checker& checker, const ast::Expr& written, std::string_view what);

@@ -14,7 +14,7 @@ void missing_cases(Checker& checker, const ast::SwitchStmt& stmt, const Type* ty
                    const std::set<std::string>& seen);
 void advise_missing_break(Checker& checker, const ast::SwitchStmt& stmt);
 
-// The last statement that is not just a `;`.
+// The last statement that is not an empty `;`.
 const ast::Stmt* last_statement(ast::Seq<ast::Stmt*> body) {
   for (std::size_t i = body.size(); i-- > 0;) {
     if (body[i]->kind != ast::StmtKind::kEmpty) return body[i];
@@ -24,8 +24,7 @@ const ast::Stmt* last_statement(ast::Seq<ast::Stmt*> body) {
 
 }  // namespace
 
-// subject == value, with `value` written in the text. Notes what was compared with, to find what is
-// missing or double.
+// The test subject == value. Collects the values, to find missing and repeated ones.
 namespace {
 
 hir::Expr* case_test(Checker& checker, hir::Variable* subject, const ast::Expr& value,
@@ -70,7 +69,7 @@ hir::Stmt* check_switch(Checker& checker, const ast::SwitchStmt& stmt) {
   }
   out->subject = hidden(checker, type, stmt.value->span);
   const Flow before = checker.scopes.here().flow;
-  std::vector<Flow> ways;  // out of each case
+  std::vector<Flow> ways;  // at the end of each case
   bool has_default = false;
   std::set<std::string> seen;
   std::vector<hir::SwitchCase> cases;
@@ -83,7 +82,7 @@ hir::Stmt* check_switch(Checker& checker, const ast::SwitchStmt& stmt) {
     for (const ast::Expr* value : at.values)
       tests.push_back(case_test(checker, out->subject, *value, seen));
     is_default = is_default || at.is_default;
-    // Cases without statements share the next body.
+    // Cases without statements share the body of the next one.
     if (last_statement(at.body) == nullptr && i + 1 < stmt.cases.size()) continue;
     checker.scopes.here().flow = before;
     hir::Block* body = checker.check_block(at.body, at.span);
@@ -133,7 +132,8 @@ void missing_cases(Checker& checker, const ast::SwitchStmt& stmt, const Type* ty
   checker.report(std::move(diagnostic));
 }
 
-// In Java a case without break runs on; a program that writes break elsewhere may have meant that.
+// In Java a case without break continues with the next one. A program with breaks in other cases
+// may rely on it.
 void advise_missing_break(Checker& checker, const ast::SwitchStmt& stmt) {
   const auto ends_with_break = [](const ast::SwitchCase& at) {
     const ast::Stmt* last = last_statement(at.body);

@@ -1,5 +1,5 @@
 #pragma once
-// switch: each case is a list of tests and a block of its own.
+// Checks switch: each case is a list of tests and a block.
 
 #include "check/state/checker.hpp"
 

@@ -12,7 +12,7 @@ namespace armlet::lang {
 
 namespace {
 
-// One block as a function of its own that shares the variables around it.
+// A block as a function that shares the variables around it.
 hir::Function* task_function(Checker& checker, const std::string& name, ast::Seq<ast::Stmt*> body,
                              Span span, FunctionContext& context) {
   context.kind = FunctionContext::Kind::kTask;
@@ -43,12 +43,12 @@ std::string on_line(const Checker& checker, Span span) {
   return " on line " + std::to_string(checker.line_of(span));
 }
 
-// The first letters of a statement: the word that names it.
+// The first `length` letters of a statement: its keyword.
 Span first_word(Span statement, std::size_t length) {
   return {statement.begin, statement.begin + static_cast<std::uint32_t>(length), statement.source};
 }
 
-// `when (c)`, without the block.
+// The span of `when (c)`, without the block.
 Span head_of(Span statement, const ast::Block& body, const Checker& checker) {
   const std::string text = checker.text_of({statement.begin, body.span.begin, statement.source});
   const std::size_t end = text.find_last_not_of(" \t\r\n");
@@ -61,7 +61,7 @@ bool is_declaration(const ast::Stmt& stmt) {
          stmt.kind == StmtKind::kRecord;
 }
 
-// The declaration is checked all the same, so that its names are known further down.
+// The declaration is checked nevertheless, so that later statements know its names.
 void refuse_declaration(Checker& checker, const ast::Stmt& stmt, Span parallel) {
   Diagnostic diagnostic = make_diagnostic("E0507", stmt.span);
   diagnostic.why =
@@ -72,7 +72,7 @@ void refuse_declaration(Checker& checker, const ast::Stmt& stmt, Span parallel) 
   (void)checker.check_statement(stmt);
 }
 
-// A `when` or `every` directly inside watches the whole `parallel`: it begins no branch.
+// A `when` or `every` directly inside is active during the whole `parallel`; it is not a branch.
 hir::Stmt* check_parallel(Checker& checker, const ast::ParallelStmt& stmt) {
   const Span word = first_word(stmt.span, std::string_view("parallel").size());
   const std::string behind = " of parallel" + on_line(checker, stmt.span);
@@ -100,7 +100,7 @@ hir::Stmt* check_parallel(Checker& checker, const ast::ParallelStmt& stmt) {
         checker, "branch " + std::to_string(functions.size() + 1) + behind,
         is_block ? one.as<ast::Block>().body : statements.subspan(i, 1), one.span, context));
     branches.push_back(task_value(checker, context));
-    // What one branch has given a value has one when all have ended.
+    // After the end of all branches, the assignments of each branch are known.
     after.add_values_of(context.flow);
   }
   close_block(checker);

@@ -1,5 +1,5 @@
 #pragma once
-// Blocks that run as tasks: parallel, when, every (reference, section 12).
+// Checks blocks that run as tasks: parallel, when, every (reference, section 12).
 
 #include <vector>
 
@@ -7,16 +7,16 @@
 
 namespace armlet::lang {
 
-// One of the three.
+// Checks one of these statements.
 [[nodiscard]] hir::Stmt* check_tasks(Checker& checker, const ast::Stmt& stmt);
 
-// The state of variables of `where` as it is here: tasks keep their own.
+// The current state of the variables of `where`: tasks have a state of their own.
 [[nodiscard]] const Flow& flow_for(const Checker& checker, const FunctionContext& where);
-// The variable has a value from here on, by whatever name `here` knows it.
+// Notes that the variable has a value from here on, also under its names in inner functions.
 void note_assigned(FunctionContext& here, const hir::Variable* variable);
 
-// Two branches of one `parallel` that begin by commanding the same resource: E0501. `word` is where
-// the statement begins.
+// Reports E0501 for two branches of one `parallel` that begin with commands to the same resource.
+// `word` is the start of the statement.
 void refuse_busy_resources(Checker& checker, Span word,
                            const std::vector<const hir::Function*>& branches);
 

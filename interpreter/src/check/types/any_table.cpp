@@ -35,7 +35,7 @@ bool settle(Checker& checker, const hir::Expr& table) {
     check_body(*waiting.declaration->file, waiting);
   }
   if (!table.type->is_open_table()) return true;
-  // What puts a table there may have failed.
+  // The assignment of the table may have failed.
   if (checker.messages.has_errors()) return false;
   Diagnostic diagnostic = make_diagnostic("E0323", table.span, {"the columns of this table"});
   diagnostic.message = "the columns of this table are not known here";

@@ -1,9 +1,10 @@
 #pragma once
-// `table` as a written type stands for tables with any columns.
+// `table` as a declared type means tables with any columns.
 //
-// Parameters and results take their type from what is given, as if none were written. Everywhere
-// else (variables, fields, elements of lists) the first table that is put there, from the top of
-// the text to its end, says which columns all tables there have: TypePool::join_tables.
+// Parameters and results take their type from the argument or the value, as if no type were
+// declared. Everywhere else (variables, fields, elements of lists) the first table that is
+// assigned, in the order of the text, determines the columns of all tables there:
+// TypePool::join_tables.
 
 #include "check/state/checker.hpp"
 
@@ -11,17 +12,17 @@ namespace armlet::lang {
 
 // `table`, `table[]`, `table[][]` ...
 [[nodiscard]] bool is_any_table(const Checker& checker, const ast::TypeExpr* type);
-// Null where the type comes from what is given: none is written, or `table`.
+// The declared type; null if none is declared, or `table`, so that it follows from the value.
 const Type* resolve_open(Checker& checker, const ast::TypeExpr* type);
-// Whether a value of type `given` may stand where `table`, `table[]` ... is written.
+// Whether a value of type `given` fits a declared `table`, `table[]` ...
 [[nodiscard]] bool fits_any_table(const ast::TypeExpr* type, const Type* given);
-// "a table", "a table[]".
+// The name for messages: "a table", "a table[]".
 [[nodiscard]] std::string any_table_phrase(const ast::TypeExpr* type);
 
-// Looks for the columns of an open table in functions that are still to be checked. False after a
-// message, when nothing has been put there.
+// Searches the columns of a table with unknown columns in functions that are not checked yet.
+// Returns false, after a message, if no table is ever assigned.
 bool settle(Checker& checker, const hir::Expr& table);
-// Tables with different columns, in words: "a table of t and q"; empty for other types.
+// The description of a table's columns: "a table of t and q"; empty for other types.
 [[nodiscard]] std::string table_phrase(const Type* type);
 
 }  // namespace armlet::lang

@@ -1,4 +1,4 @@
-// The five conversions that happen by themselves (language reference, section 5), and casts.
+// The five implicit conversions (language reference, section 5), and casts.
 
 #include "check/explain/mismatch.hpp"
 #include "check/explain/mismatch_units.hpp"
@@ -50,7 +50,7 @@ hir::Expr* Checker::convert(hir::Expr* value, const Type* type) {
                                   hir::Conversion::kSame, value);
   if (!from->is(Kind::kList) || !type->is(Kind::kList)) return nullptr;
   if (value->kind == hir::ExprKind::kList) {
-    // A literal takes the element type that is asked for.
+    // A list literal takes the expected element type.
     std::vector<hir::Expr*> items;
     for (hir::Expr* item : value->as<hir::ListExpr>().items) {
       items.push_back(convert(item, type->element));
@@ -70,7 +70,7 @@ hir::Expr* Checker::convert(hir::Expr* value, const Type* type) {
 hir::Expr* Checker::require(hir::Expr* value, const Target& target) {
   if (hir::Expr* converted = convert(value, target.type)) return converted;
   if (value->kind == hir::ExprKind::kList && target.type->is(Kind::kList)) {
-    // Point at the element at fault.
+    // The message marks the element that does not fit.
     for (hir::Expr* item : value->as<hir::ListExpr>().items) {
       if (convert(item, target.type->element) != nullptr) continue;
       Target element{.role = Target::Role::kElement, .type = target.type->element};

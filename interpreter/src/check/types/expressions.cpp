@@ -46,18 +46,18 @@ void learn_part(Checker& checker, const ast::Expr& part) {
     checker.check(part);
     return;
   }
-  // Nobody says what it is called with.
+  // The types of its arguments are unknown.
   const std::vector<const Type*> types(part.as<ast::LambdaExpr>().params.size(),
                                        checker.types.any());
   checker.check(part, checker.types.function(types, checker.types.any()));
 }
 
-// What stands in an expression that failed, as far as it was not looked at.
+// For editors: checks the parts of a failed expression that were not checked.
 void learn_rest(Checker& checker, const ast::Expr& expr) {
   if (expr.kind == ast::ExprKind::kLambda) return;
   const ast::Expr* callee =
       expr.kind == ast::ExprKind::kCall ? expr.as<ast::CallExpr>().callee : nullptr;
-  // What is called is no value by itself.
+  // The name of a called function is not a value.
   if (callee != nullptr && callee->kind == ast::ExprKind::kMember)
     learn_part(checker, *callee->as<ast::MemberExpr>().object);
   ast::for_each_part(
@@ -286,7 +286,7 @@ hir::Expr* check_list(Checker& checker, const ast::Expr& expr, ast::Seq<ast::Exp
   for (const ast::Expr* item : items) {
     hir::Expr* value = checker.check_value(*item, wanted);
     if (value->type->is(Kind::kAny) && !checker.shared.guesses) return checker.failed(expr.span);
-    if (value->type->is(Kind::kAny)) continue;  // the others say what it most likely is
+    if (value->type->is(Kind::kAny)) continue;  // its type follows from the other elements
     values.push_back(value);
     if (wanted != nullptr) continue;
     element = widest == nullptr ? values[0]->type : common_type(checker, *widest, *values.back());
@@ -301,7 +301,7 @@ hir::Expr* check_list(Checker& checker, const ast::Expr& expr, ast::Seq<ast::Exp
     if (widest == nullptr || element != widest->type) widest = values.back();
   }
   if (wanted != nullptr) {
-    // The whole list keeps its own types when the target wants others, so that the message is about
+    // The whole list keeps its own types if the target needs others, so that the message is about
     // the target.
     for (hir::Expr*& value : values) {
       value = checker.require(value, {.role = Target::Role::kElement, .type = wanted});
@@ -344,7 +344,7 @@ hir::Expr* check_until(Checker& checker, const ast::UntilExpr& until) {
   const bool is_motion = motion->kind == hir::ExprKind::kCallNative &&
                          motion->as<hir::CallNativeExpr>().function->pauses;
   if (!is_motion && !motion->type->is(Kind::kAny)) {
-    // What is no call at all has been told of when it was read.
+    // An expression that is not a call was reported by the parser.
     if (until.motion->kind == ast::ExprKind::kCall)
       checker.report(make_diagnostic("E0315", motion->span,
                                      {"a motion before `until`", type_phrase(motion->type)}));

@@ -1,5 +1,5 @@
 #pragma once
-// Names, literals, lists, `? :` and what else is no operator and no call.
+// Checks names, literals, lists, `? :` and other expressions without operators and calls.
 
 #include "check/state/checker.hpp"
 
@@ -7,7 +7,7 @@ namespace armlet::lang {
 
 hir::Expr* read(Checker& checker, Local& local, FunctionContext& where, Span span);
 
-// For editors: the parts of an assignment that were not looked at, since it failed.
+// For editors: checks the parts of a failed assignment that were not checked.
 void learn_targets(Checker& checker, const ast::Stmt& stmt);
 
 hir::Expr* check_formatted(Checker& checker, const ast::FormattedExpr& text);

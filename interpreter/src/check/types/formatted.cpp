@@ -1,4 +1,4 @@
-// Formatted text: f"value {j + 1} at {q[j]:.1f deg}".
+// Checks formatted texts: f"value {j + 1} at {q[j]:.1f deg}".
 
 #include "check/calls/native_calls.hpp"
 #include "check/state/checker.hpp"
@@ -6,7 +6,7 @@
 
 namespace armlet::lang {
 
-// f"{n:x}", f"{n:d}": there are no such letters here, and px is another thing.
+// f"{n:x}", f"{n:d}": the language has no such format letters. px is no such letter but a unit.
 static bool is_kind_of_python(std::string_view unit) {
   return unit.size() == 1 && std::string_view("bcdnosxX").find(unit[0]) != std::string_view::npos;
 }
@@ -36,7 +36,7 @@ hir::Expr* check_formatted(Checker& checker, const ast::FormattedExpr& text) {
 
 namespace {
 
-// The unit of a format; nothing after a message.
+// The unit of a format; empty after a message.
 std::optional<CombinedUnit> unit_of(Checker& checker, const ast::FormatSpec& format) {
   if (const auto unit = parse_unit(format.unit)) return unit;
   std::vector<std::string_view> names;
@@ -55,7 +55,7 @@ std::optional<CombinedUnit> unit_of(Checker& checker, const ast::FormatSpec& for
   return std::nullopt;
 }
 
-// E0402: a value of one dimension in a unit of another.
+// Reports E0402: a value of one dimension with a unit of another.
 hir::Expr* refuse_unit(Checker& checker, const hir::Expr& value, const ast::FormatSpec& format,
                        const std::string& phrase, const std::string& have, Dim unit) {
   Diagnostic diagnostic =
@@ -66,7 +66,7 @@ hir::Expr* refuse_unit(Checker& checker, const hir::Expr& value, const ast::Form
   return checker.failed(value.span);
 }
 
-// How a number is written, as fmt says it: "+8.2f".
+// The format of a number in the syntax of fmt: "+8.2f".
 std::string style_text(const TextStyle& style) {
   std::string out;
   if (style.align != 0) out += style.align;
@@ -79,8 +79,8 @@ std::string style_text(const TextStyle& style) {
   return out;
 }
 
-// A value of the host whose type has a function "NAME{:}": (value, style, unit) -> string. Its
-// lengths and angles are each written in the format. Null: there is no such function.
+// A host value whose type has a function "NAME{:}": (value, style, unit) -> string, which writes
+// each length and angle in the format. Null if there is no such function.
 hir::Expr* host_in_format(Checker& checker, hir::Expr* value, const ast::FormatSpec& format) {
   if (!value->type->is(Kind::kHost)) return nullptr;
   const std::string name = type_name(value->type) + "{:}";
@@ -122,7 +122,7 @@ hir::Expr* in_format(Checker& checker, hir::Expr* value, const ast::FormatSpec& 
   if (!format.unit.empty()) {
     const std::optional<CombinedUnit> unit = unit_of(checker, format);
     if (!unit) return checker.failed(value->span);
-    // An angle may already have become a plain number in radians.
+    // An angle may have been converted to a plain number in radians already.
     if (unit->dim != number->dim && unit->dim.without_angle() != number->dim)
       return refuse_unit(checker, *value, format, dimension_phrase(number->dim),
                          dimension_name(number->dim), unit->dim);

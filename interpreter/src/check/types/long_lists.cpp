@@ -1,5 +1,5 @@
-// Names are found in a table, and what would be long in the code of every use becomes a function
-// that is called.
+// Large structs and enums: names are found in a table, and code that would be long at every use
+// becomes a function.
 
 #include "check/types/long_lists.hpp"
 
@@ -10,7 +10,7 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::size_t kMany = 16;  // names, from which on a function is worth its while
+constexpr std::size_t kMany = 16;  // with this many names a function is better
 
 hir::Expr* list_of_names(Checker& checker, const EnumInfo& info, Span span) {
   std::vector<hir::Expr*> names;
@@ -59,7 +59,7 @@ hir::Expr* call_of(Checker& checker, hir::Function* function, const std::vector<
 
 }  // namespace
 
-// The names in a list, picked by number.
+// The name of an enum value, from a list of the names.
 hir::Expr* enum_name(Checker& checker, hir::Expr* value, Span span) {
   const EnumInfo& info = *value->type->enumeration;
   if (info.values.size() < kMany)
@@ -93,7 +93,7 @@ hir::Expr* enum_values(Checker& checker, const Type* type, Span span) {
 
 namespace {
 
-constexpr int kFewParts = 24;  // of a default value that every call repeats
+constexpr int kFewParts = 24;  // parts of a default value that each call may repeat
 constexpr std::size_t kShortText = 64;
 constexpr std::size_t kMostDefaults = 1'000'000;
 
@@ -104,8 +104,8 @@ struct Parts {
 
 bool all_fixed(const auto& items, Parts& parts);
 
-// A value that is the same at every call: written in the text, or a value of the host or a new list
-// made from such values. Counts its parts.
+// Whether a value is the same at every call: a literal, or a host value or a new list made from
+// such values. Counts its parts.
 bool is_fixed_value(const hir::Expr& value, Parts& parts) {
   const bool is_text = value.kind == hir::ExprKind::kText;
   parts.count += is_text && value.as<hir::TextExpr>().value.size() > kShortText ? 1 + kFewParts : 1;
@@ -140,7 +140,7 @@ bool is_fixed_value(const hir::Expr& value, Parts& parts) {
       return (value.type->is(Kind::kHost) ||
               value.as<hir::CallNativeExpr>().function == parts.filled) &&
              all_fixed(value.as<hir::CallNativeExpr>().arguments, parts);
-    case hir::ExprKind::kCall:  // of a function that gives a default value
+    case hir::ExprKind::kCall:  // of a function that returns a default value
       return value.as<hir::CallExpr>().function->gives_fixed_value;
     case hir::ExprKind::kVariable:
     case hir::ExprKind::kAnd:
@@ -172,12 +172,12 @@ bool all_fixed(const auto& items, Parts& parts) {
       items, [&parts](const hir::Expr* item) { return is_fixed_value(*item, parts); });
 }
 
-// Checked when it is first needed. A struct whose fields have defaults that have defaults would
-// grow without end if every use repeated them, so large ones become functions.
+// Checks a default value at its first use. If every use repeated the defaults of nested structs,
+// the code would grow without limit, so large defaults become functions.
 Default& known_default(Checker& checker, const ast::Expr& expr, const Target& target) {
   const auto [entry, is_new] = checker.shared.defaults.find(expr);
   Default& known = *entry;
-  if (known.is_open) {  // a struct whose default holds itself
+  if (known.is_open) {  // a struct whose default contains itself
     checker.report(make_diagnostic("E0125", expr.span, {"600 levels"}));
     known.value = checker.failed(expr.span);
   }

@@ -1,15 +1,15 @@
 #pragma once
-// Structs and enums of any size, and default values of any depth: the work and the code for a use
-// do not grow with them.
+// Structs and enums of any size, and default values of any depth: the time and the code for a use
+// do not depend on their size.
 
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {
 
-// State.values
+// The list State.values of an enum.
 [[nodiscard]] hir::Expr* enum_values(Checker& checker, const Type* type, Span span);
 
-// The value that a call leaves out; `file` is where it is written.
+// The default value of an absent argument; `file` is the file that declares it.
 [[nodiscard]] hir::Expr* default_value(Checker& checker, Checker& file, const ast::Expr& expr,
                                        const Target& target);
 

@@ -1,4 +1,4 @@
-// Types and literals of maps, and their entries.
+// Checks types, literals and entries of maps.
 
 #include "check/types/maps.hpp"
 
@@ -13,7 +13,7 @@ bool can_be_key(const Type* type) {
   return type->is(Kind::kText) || type->is(Kind::kInt) || type->is(Kind::kEnum);
 }
 
-// int[n] xs: the size of a list belongs behind `new`.
+// Reports int[n] xs: the size of a list belongs after `new`.
 bool refuse_size(Checker& checker, const ast::TypeExpr& written) {
   const ast::TypeExpr& key = *written.key;
   FunctionContext* where = nullptr;
@@ -28,7 +28,7 @@ bool refuse_size(Checker& checker, const ast::TypeExpr& written) {
   return true;
 }
 
-// A key as it can be told from others before the program runs; empty if it cannot.
+// The text of a constant key, to find repeated keys; empty if it is not constant.
 std::string known_key(const Checker& checker, const hir::Expr& key) {
   if (key.kind == hir::ExprKind::kEnum) return std::to_string(key.as<hir::IntExpr>().value);
   const auto constant = checker.shared.constants.of(key);
@@ -55,7 +55,7 @@ bool refuse_key_twice(Checker& checker, const std::vector<hir::Expr*>& keys) {
   return false;
 }
 
-// {bolt: 3}: a key that is a text without its quotes.
+// Reports {bolt: 3}: a text as a key needs quotes.
 bool refuse_bare_name(Checker& checker, const ast::Expr& written) {
   if (written.kind != ast::ExprKind::kName) return false;
   const std::string_view name = written.as<ast::NameExpr>().name;
@@ -72,8 +72,8 @@ bool refuse_bare_name(Checker& checker, const ast::Expr& written) {
   return true;
 }
 
-// The keys of a literal, which all have the type of the first one or the one that is wanted; that
-// type is null after a message.
+// The keys of a literal, which all have the expected type or that of the first key; `type` is null
+// after a message.
 std::vector<hir::Expr*> keys_of(Checker& checker, const ast::MapExpr& map, const Type*& type) {
   std::vector<hir::Expr*> keys;
   for (const ast::Expr* written : map.keys) {
@@ -99,7 +99,7 @@ std::vector<hir::Expr*> keys_of(Checker& checker, const ast::MapExpr& map, const
   return keys;
 }
 
-// The values of a literal without a type that is wanted get the one that fits all of them; null
+// The type of the values of a literal without an expected type: the one that fits all of them; null
 // after a message.
 const Type* type_of_values(Checker& checker, std::vector<hir::Expr*>& values) {
   hir::Expr* widest = values.front();

@@ -24,7 +24,7 @@ void set_size(Checker& checker, hir::Expr& expr, SizeFact size) {
   checker.into.facts.push_back(std::move(fact));
 }
 
-// What the text shows about the size of a list or matrix.
+// The size of a list or matrix, if it follows from the text.
 std::optional<SizeFact> size_of(const hir::Expr& expr) {
   if (const auto* size = dynamic_cast<const SizeFact*>(fact_of(expr))) return *size;
   const hir::Expr& origin = origin_of(expr);
@@ -32,8 +32,8 @@ std::optional<SizeFact> size_of(const hir::Expr& expr) {
   return SizeFact(static_cast<std::int64_t>(origin.as<hir::ListExpr>().items.size()));
 }
 
-// How many rows or columns a place between brackets picks of `all`; empty if the text does not
-// tell.
+// The count of rows or columns that an index position selects of `all`; empty if it does not follow
+// from the text.
 std::optional<std::int64_t> count_of(const Constants& constants, const hir::PartEnds& ends,
                                      std::optional<std::int64_t> all) {
   if (!ends.is_range) return 1;
@@ -48,7 +48,7 @@ std::optional<std::int64_t> count_of(const Constants& constants, const hir::Part
   return *last - *first;
 }
 
-// The size of a part of something whose own size is known or not.
+// The size of a part of a list or matrix.
 std::optional<SizeFact> size_of_part(const Constants& constants, const hir::PartEnds& rows,
                                      const hir::PartEnds& cols,
                                      const std::optional<SizeFact>& whole, bool list) {
@@ -74,7 +74,7 @@ hir::PartEnds check_ends(Checker& checker, const ast::IndexItem& item, const Ind
   return {first, item.is_range ? end(item.last) : nullptr, item.is_range};
 }
 
-// E0336 unless there are two places between the brackets.
+// Reports E0336 unless the brackets contain two index positions.
 bool has_two_places(Checker& checker, const ast::IndexExpr& index) {
   if (index.items.size() == 2) return true;
   Diagnostic diagnostic =
@@ -100,7 +100,7 @@ const Type* part_type(Checker& checker, const hir::PartEnds& rows, const hir::Pa
                                         : checker.types.list(checker.types.real());
 }
 
-// E0305 when the text shows that value and part differ in size.
+// Reports E0305 if the text shows that value and part have different sizes.
 bool part_fits(Checker& checker, const hir::StorePartStmt& store, Span target) {
   const bool list = store.place.type->is(Kind::kList);
   const auto* init = store.place.variable->init;
@@ -218,7 +218,7 @@ void evaluate_once(Checker& checker, hir::Expr*& index, std::vector<hir::Stmt*>&
 
 namespace {
 
-// What the part holds now.
+// The current value of the part.
 hir::Expr* read_part(Checker& checker, const hir::StorePartStmt& store, const Type* type,
                      Span span) {
   hir::Expr* whole = read_place(checker, store.place);
@@ -229,7 +229,7 @@ hir::Expr* read_part(Checker& checker, const hir::StorePartStmt& store, const Ty
   return checker.make<hir::PartExpr>(ExprKind::kPart, type, span, whole, store.rows, store.cols);
 }
 
-// part op= value is part = part op value, with every index evaluated once.
+// part op= value becomes part = part op value, with every index evaluated once.
 hir::Expr* compound_value(Checker& checker, hir::StorePartStmt& store, const Type* type,
                           const ast::IndexExpr& target, const ast::AssignStmt& assign,
                           std::vector<hir::Stmt*>& before) {

@@ -1,6 +1,5 @@
 #pragma once
-// Matrices while a program is checked: literals, indexing, assignment to parts, and the sizes that
-// the text shows.
+// Checks matrices: literals, indices, assignments to parts, and sizes that follow from the text.
 
 #include <optional>
 
@@ -8,37 +7,37 @@
 
 namespace armlet::lang {
 
-// [1, 2; 3, 4]: E0335 when the rows differ in length.
+// A literal such as [1, 2; 3, 4]; reports E0335 if the rows have different lengths.
 hir::Expr* check_matrix(Checker& checker, const ast::MatrixExpr& matrix);
-// A[i, j], A[i, :], A[0:3, 0:3].
+// The elements and parts A[i, j], A[i, :], A[0:3, 0:3].
 hir::Expr* check_matrix_index(Checker& checker, const ast::IndexExpr& index, hir::Expr* matrix);
-// A[i, j] as the place that an assignment changes; empty after a message.
+// A[i, j] as an assignment target; empty after a message.
 std::optional<hir::Step> matrix_step(Checker& checker, const ast::IndexExpr& index);
 
-// Whether a range stands between the last brackets of what is assigned to.
+// Whether the last brackets of an assignment target contain a range.
 [[nodiscard]] bool is_part(const ast::Expr& target);
-// E0328: xs[0:2][1] = v would store in a copy.
+// Reports E0328: xs[0:2][1] = v would change a copy.
 void refuse_element_of_part(Checker& checker, const ast::IndexExpr& part);
 
-// A part that gets a value: the statement, which has none yet, and what it takes.
+// A part that gets a value: the statement without the value, and the expected type.
 struct PartStore {
   hir::StorePartStmt* store;
   Target wanted;
 };
 std::optional<PartStore> check_part(Checker& checker, const ast::IndexExpr& target, Span statement);
-// The statement with its value; null with E0305 if the text shows that they differ in size.
+// The statement with its value; null, with E0305, if the text shows that their sizes differ.
 hir::Stmt* fill_part(Checker& checker, const PartStore& part, hir::Expr* value, Span target);
-// xs[1:4] = ..., A[i, :] = ..., A[0:3, 0:3] += ...
+// Assigns to a part: xs[1:4] = ..., A[i, :] = ..., A[0:3, 0:3] += ...
 hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
                        const ast::AssignStmt& assign);
 
-// Where an index stands twice in what an assignment becomes, it is kept in a hidden variable.
+// Stores an index in a hidden variable if the result of the assignment contains it twice.
 void evaluate_once(Checker& checker, hir::Expr*& index, std::vector<hir::Stmt*>& before);
 
-// A list where a matrix is needed: how a matrix with these rows is written.
+// The fix for a list where a matrix is needed: a matrix with these rows.
 [[nodiscard]] std::optional<Fix> matrix_from_list_fix(const Checker& checker,
                                                       const hir::Expr& list);
-// v * A, A / B and their like: what to write instead.
+// The fix for v * A, A / B and similar operations that do not exist.
 [[nodiscard]] std::optional<Fix> matrix_operator_fix(const Checker& checker,
                                                      const ast::BinaryExpr& node,
                                                      const hir::Expr& left, const hir::Expr& right);

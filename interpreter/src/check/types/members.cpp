@@ -27,7 +27,7 @@ hir::Expr* check_type_member(Checker& checker, const ast::MemberExpr& member,
                              std::string_view name);
 hir::Expr* last_of(Checker& checker, hir::Expr* list, Span span);
 
-// Evaluating it twice gives the same value and costs little.
+// Whether an expression can be evaluated twice: it has the same value and costs little.
 bool is_path(const hir::Expr& expr) {
   using hir::ExprKind;
   if (expr.kind == ExprKind::kField) return is_path(*expr.as<hir::FieldExpr>().object);
@@ -37,7 +37,7 @@ bool is_path(const hir::Expr& expr) {
   return expr.kind == ExprKind::kVariable || expr.kind == ExprKind::kInt;
 }
 
-// a[i, j] of lists: a[i][j]
+// The fix for a[i, j] of lists: a[i][j]
 Fix bracket_for_each(const Checker& checker, const ast::IndexExpr& index) {
   Fix fix{.text = "write one pair of brackets for each index: a[i][j]"};
   std::string brackets;
@@ -84,7 +84,7 @@ hir::Expr* check_member(Checker& checker, const ast::MemberExpr& member, const T
 
 namespace {
 
-// State.Idle, State.values, Math.PI, motors.something; null if `name` is none of these.
+// State.Idle, State.values, Math.PI, motors.something; null if `name` has no such members.
 hir::Expr* check_type_member(Checker& checker, const ast::MemberExpr& member,
                              std::string_view name) {
   const std::string_view field = member.member.text;
@@ -171,7 +171,8 @@ hir::Expr* last_of(Checker& checker, hir::Expr* list, Span span) {
   return checker.make<hir::ElementExpr>(hir::ExprKind::kElement, element, span, list, index);
 }
 
-// Neither a row of a block, whose name has another point, nor a method with values.
+// Whether a library function is a field: neither a row of a block, whose name has another point,
+// nor a method with arguments.
 bool is_field(Checker& checker, std::string_view name) {
   return std::ranges::count(name, '.') == 1 &&
          std::ranges::any_of(checker.registry.functions(name), [&](const NativeFunction* function) {
@@ -182,11 +183,11 @@ bool is_field(Checker& checker, std::string_view name) {
 }  // namespace
 
 hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::Name& field) {
-  // A call may be about to be written.
+  // A call may be incomplete.
   if (const FunctionDecl* function = checker.names.find_function(field.text);
       checker.shared.guesses && function != nullptr)
     checker.shared.learnt->use(field.span, function->node->name.span);
-  // A field may have this name in a struct whose text failed.
+  // A struct with mistakes may have a field with this name.
   if (checker.messages.syntax_failed() || checker.messages.was_told(field.text))
     return checker.failed(field.span);
   std::vector<std::string> names;
@@ -231,15 +232,15 @@ hir::Expr* unknown_field(Checker& checker, const hir::Expr& object, const ast::N
 
 namespace {
 
-// A name, or names behind points: written twice it is asked twice for the same.
+// Whether the text is a name, or names joined by points, which can be evaluated twice.
 bool is_written_path(std::string_view text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) {
     return c == '.' || c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
   });
 }
 
-// Numbers as written, and what is computed of them. What a variable holds may be tested before:
-// `let best = -1; if (best >= 0) print(xs[best])`.
+// Whether an index is a number in the text or computed from such numbers. The value of a variable
+// may be tested before: `let best = -1; if (best >= 0) print(xs[best])`.
 bool is_literal(const hir::Expr& expr) {
   if (expr.kind == hir::ExprKind::kUnary) return is_literal(*expr.as<hir::UnaryExpr>().operand);
   if (expr.kind == hir::ExprKind::kBinary) {

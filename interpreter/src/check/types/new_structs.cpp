@@ -1,4 +1,4 @@
-// new Bin[3]: a list of structs whose fields all have defaults.
+// new Bin[3]: lists of structs whose fields all have defaults.
 
 #include "check/types/new_structs.hpp"
 

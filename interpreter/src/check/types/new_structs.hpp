@@ -4,8 +4,8 @@
 
 namespace armlet::lang {
 
-// new Bin[3] and new Bin[2][3], where the struct has defaults for all of its fields; null: `type`
-// is no such struct.
+// new Bin[3] and new Bin[2][3] of a struct whose fields all have defaults; null if `type` is no
+// such struct.
 [[nodiscard]] hir::Expr* new_structs(Checker& checker, const ast::NewArrayExpr& expr,
                                      const Type* type);
 

@@ -67,7 +67,7 @@ constexpr std::array<std::pair<BinaryOp, Comparison>, 6> kComparisons = {
      {BinaryOp::kEq, {Op::kEqI, Op::kEqR, Op::kEqText}},
      {BinaryOp::kNe, {Op::kNeI, Op::kNeR, Op::kNeText}}}};
 
-// What a table has for an operator; null if nothing.
+// The row of a table for an operator; null if there is none.
 const auto* row_of(const auto& table, BinaryOp op) {
   const auto found = std::ranges::find(table, op, [](const auto& row) { return row.first; });
   return found == table.end() ? nullptr : &found->second;
@@ -142,14 +142,14 @@ hir::Expr* check_unary(Checker& checker, const ast::UnaryExpr& unary, const Type
   return checker.failed(unary.span);
 }
 
-// Chains such as a + b + c ... lean to the left and may be thousands long, so they are walked in a
-// loop. Texts that are joined become one node.
+// Chains such as a + b + c ... are trees that grow to the left and may have thousands of levels, so
+// they are checked by a loop. Joined texts become one node.
 hir::Expr* check_binary(Checker& checker, const ast::BinaryExpr& binary, const Type* expected) {
   std::vector<const ast::BinaryExpr*> chain = {&binary};
   while (chain.back()->left->kind == ast::ExprKind::kBinary) {
     chain.push_back(&chain.back()->left->as<ast::BinaryExpr>());
   }
-  // The sides of a sum are what the sum is; those of a product need not be.
+  // The operands of a sum have the type of the sum; those of a product may have other types.
   const bool is_alone = chain.size() == 1 && is_sum(binary.op);
   const ast::Expr* nothing = nothing_in(checker, *chain.back());
   auto node = chain.rbegin();
@@ -196,7 +196,8 @@ hir::Expr* check_binary(Checker& checker, const ast::BinaryExpr& binary, const T
 
 namespace {
 
-// What an operator gives if one side is not known: a sum what the other side is. Null: anything.
+// The likely type of an operation with one unknown operand: for a sum that of the other operand.
+// Null: any.
 const Type* likely_type(const Checker& checker, BinaryOp op, const hir::Expr& left,
                         const hir::Expr& right) {
   if (row_of(kComparisons, op)) return checker.types.boolean();
@@ -233,7 +234,7 @@ hir::Expr* combine(Checker& checker, const ast::BinaryExpr& node, hir::Expr* lef
   return result != nullptr ? result : no_operator(checker, node, *left, *right);
 }
 
-// A quotient of whole numbers, where a fraction was perhaps meant.
+// Advice about the quotient of two ints, which may have been meant as a fraction.
 void advise_whole_quotient(Checker& checker, Span whole, Span left, Span right,
                            const std::string& value) {
   if (!checker.messages.takes_advice()) return;
@@ -276,7 +277,7 @@ hir::Expr* arithmetic(Checker& checker, const ast::BinaryExpr& node, hir::Expr* 
     checker.report(make_diagnostic("E0409", node.span));
     return checker.failed(node.span);
   }
-  // A whole number of pitches, (i / columns) * pitch, is meant as it is written.
+  // The int (i / columns) in (i / columns) * pitch is intended.
   const auto as_real = [&](hir::Expr* side, const hir::Expr& other) {
     if (!side->type->is(Kind::kInt)) return side;
     const bool counts = other.type->is_quantity() && side->kind == hir::ExprKind::kBinary;
@@ -317,7 +318,7 @@ hir::Expr* raise(Checker& checker, const ast::BinaryExpr& node, hir::Expr* left,
   return type == nullptr ? checker.failed(node.span) : binary(type, Op::kPowR, left, exponent);
 }
 
-// A quantity to a power that the text tells; null after a message.
+// The type of a quantity with a constant exponent; null after a message.
 const Type* power_of(Checker& checker, const Type* quantity, const hir::Expr& exponent,
                      Span whole) {
   const auto constant = checker.shared.constants.of(exponent);
@@ -334,7 +335,8 @@ const Type* power_of(Checker& checker, const Type* quantity, const hir::Expr& ex
   return checker.types.quantity(*dim);
 }
 
-// lengths .^ 2: computed on plain numbers, because no signature can say what the exponent does.
+// lengths .^ 2: computed on plain numbers, because no signature can express the effect of the
+// exponent on the unit.
 hir::Expr* raise_elements(Checker& checker, const ast::BinaryExpr& node, hir::Expr* left,
                           hir::Expr* right) {
   const Type* element = power_of(checker, left->type->element, *right, node.span);
@@ -375,7 +377,7 @@ hir::Expr* compare(Checker& checker, const ast::BinaryExpr& node, hir::Expr* lef
                 checker.convert(right, type));
 }
 
-// An operator that the library declares for these types; null if there is none.
+// A call of the operator that the library declares for these types; null if there is none.
 hir::Expr* operator_native(Checker& checker, std::string_view op, Span op_span, Span span,
                            std::vector<hir::Expr*> operands) {
   const std::string name = "operator" + std::string(op);

@@ -1,6 +1,6 @@
 #pragma once
-// Operators: numbers and quantities with the angle rule of section 6, text, truth, and what the
-// library adds.
+// Checks operators: numbers and quantities with the angle rule of section 6, texts, bools, and the
+// operators of the library.
 
 #include "check/state/checker.hpp"
 

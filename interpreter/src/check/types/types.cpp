@@ -29,7 +29,7 @@ void note_type_use(Checker& checker, const Type& type, Span name) {
 
 namespace {
 
-// Of Java and C.
+// Whether a word is the type of characters in Java or C.
 bool is_type_of_one_character(std::string_view word) {
   return word == "char" || word == "Character";
 }

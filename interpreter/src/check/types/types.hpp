@@ -1,5 +1,5 @@
 #pragma once
-// Types as written, turned into types.
+// Converts declared types to types of the checker.
 
 #include <string_view>
 
@@ -9,7 +9,7 @@ namespace armlet::lang {
 
 const Type* type_called(Checker& checker, std::string_view name);
 
-// For editors: the name of a struct or enum of the text stands at the end of `name`.
+// For editors: notes that the end of `name` refers to a struct or enum of the program.
 void note_type_use(Checker& checker, const Type& type, Span name);
 
 hir::Expr* cast(Checker& checker, hir::Expr* value, const Type* type, Span span);
