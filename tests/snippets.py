@@ -3,16 +3,25 @@
 
 usage: snippets.py COMMAND ROOT
 
-A block after a line `<!-- fails: CODE -->` must fail with that message. All others must run. Blocks of C++ in
+A block after a line `<!-- fails: CODE -->` must fail with that message. All others must run. A block marked text after a line
+`<!-- prints -->` is all that the program before it prints, moves and messages included; after `<!-- prints a part -->` its lines are
+among these, in this order. One after `<!-- prompt -->` is a dialogue with the prompt of the command, which is repeated. Blocks of C++ in
 docs/embedding.md must stand in the hosts that they are taken from, which are built and run by tests of their own.
 """
+import difflib
+import os
 import pathlib
+import pty
 import re
+import select
 import subprocess
 import sys
 import tempfile
 
 BLOCK = re.compile(r"(?:<!-- fails: (\w+) -->\n)?```rbt\n(.*?)```", re.DOTALL)
+SHOWN = re.compile(r"<!-- (prints|prints a part|prompt) -->\n```text\n(.*?)```", re.DOTALL)
+FILE = re.compile(r"(?<= --> )\S+\.rbt(?=:)")
+PROMPT = "rbt> "
 CPP = re.compile(r"```cpp\n(.*?)```", re.DOTALL)
 HOSTS = ("tests/embed", "tests/unit/host", "tests/unit/stdlib", "examples/embed")
 ERROR = re.compile(r"^error (\w+):", re.MULTILINE)
@@ -32,6 +41,59 @@ def check(command, folder, document, number, text, code):
     return 1
 
 
+def printed(command, folder, text):
+    """All that a program prints, in the order of a terminal."""
+    path = pathlib.Path(folder) / "shown.rbt"
+    path.write_text(text)
+    run = subprocess.run([command, "run", path.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, cwd=folder)
+    return run.stdout
+
+
+def dialogue(command, folder, lines):
+    """What a terminal without colours shows when these lines are typed at the prompt."""
+    pid, terminal = pty.fork()
+    if pid == 0:
+        os.chdir(folder)
+        os.environ.update({"TERM": "dumb", "HOME": folder, "XDG_STATE_HOME": folder})
+        os.execv(command, [command])
+    shown = ""
+    for line in [None, *lines, None]:
+        if line is not None:
+            os.write(terminal, (line + "\n").encode())
+        elif shown:
+            os.write(terminal, b"\x04")
+            break
+        while not shown.endswith(PROMPT) and select.select([terminal], [], [], 60)[0]:
+            shown += os.read(terminal, 65536).decode()
+        shown = shown[:-len(PROMPT)] + "\0"  # where an entry begins
+    os.waitpid(pid, 0)
+    os.close(terminal)
+    return shown.replace("\r\n", "\n").replace("\0", PROMPT).removesuffix(PROMPT)
+
+
+def is_part(lines, whole):
+    rest = iter(whole)
+    return all(line in rest for line in lines)
+
+
+def check_shown(command, folder, document):
+    """How many blocks of a document are not what its programs, or the prompt, show."""
+    text, failed = document.read_text(), 0
+    for match in SHOWN.finditer(text):
+        kind, wanted = match[1], FILE.sub("FILE", match[2]).splitlines()
+        if kind == "prompt":
+            found = dialogue(command, folder, [line[len(PROMPT):] for line in wanted if line.startswith(PROMPT)])
+        else:
+            programs = list(BLOCK.finditer(text, 0, match.start()))
+            found = printed(command, folder, programs[-1][2])
+        found = FILE.sub("FILE", found).splitlines()
+        if not (is_part(wanted, found) if kind == "prints a part" else wanted == found):
+            line = text.count("\n", 0, match.start()) + 1
+            print("\n".join(difflib.unified_diff(wanted, found, f"{document}:{line}", "shown now", lineterm="")))
+            failed += 1
+    return failed
+
+
 def unindented(text):
     return "\n".join(line.strip() for line in text.strip().splitlines())
 
@@ -49,13 +111,14 @@ def check_hosts(root):
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    command, root = sys.argv[1], pathlib.Path(sys.argv[2])
+    command, root = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2])
     failed, blocks = check_hosts(root), 0
     with tempfile.TemporaryDirectory() as folder:
         for document in sorted([*root.glob("*.md"), *root.glob("docs/**/*.md")]):
             for number, match in enumerate(BLOCK.finditer(document.read_text()), 1):
                 blocks += 1
                 failed += check(command, folder, document, number, match[2], match[1])
+            failed += check_shown(command, folder, document)
     print(f"{blocks} programs, {failed} failed")
     sys.exit(1 if failed or not blocks else 0)
 

@@ -3,10 +3,12 @@
 
 usage: check_pictures.py COMMAND [--write]
 
-Each program runs with one line more, which saves the picture, or with --storyboard. --write puts them into docs/images.
+Each program runs with one line more, which saves the picture, or with --storyboard. A number after the file name, as in #3, means a program of a document.
+--write puts the pictures into docs/images.
 """
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -14,6 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs" / "images"
 FIGURES, STORYBOARD = "savePlot(FILE)", None  # the line that saves the picture
+SCENE = "snapshot(FILE, width: 640, height: 480)"
 PICTURES = {
     "laboratories/laboratory_13.svg": ("examples/figures/fig10_inverse_dynamics_payload.rbt", FIGURES),
     "laboratories/laboratory_14.svg": ("examples/figures/fig11_M_C_G_live.rbt", FIGURES),
@@ -24,17 +27,26 @@ PICTURES = {
     "laboratories/laboratory_19.svg": ("examples/labs/19_visual_servoing.rbt", FIGURES),
     "cameras/sorting.png": ("examples/cameras/sort_by_sight.rbt", "snapshot(FILE)"),
     "../../examples/cameras/photograph.jpg": ("tests/cameras/photograph.rbt", "photo.save(FILE)"),
+    "tutorial/move_an_arm.jpg": ("docs/tutorial/01-move-an-arm.md#1", SCENE),
+    "tutorial/positions.jpg": ("docs/tutorial/02-positions.md#5", SCENE),
     "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
 }
+
+
+def text_of(program):
+    """The text of a program in a file, or in a document."""
+    file, _, number = program.partition("#")
+    text = (ROOT / file).read_text(encoding="utf-8")
+    return re.findall(r"```rbt\n(.*?)```", text, re.DOTALL)[int(number) - 1] if number else text
 
 
 def drawn(command, picture, program, line):
     """The picture as its program draws it now."""
     with tempfile.TemporaryDirectory() as folder:
-        copy = pathlib.Path(folder) / pathlib.Path(program).name
+        copy = pathlib.Path(folder) / pathlib.Path(program.partition("#")[0]).with_suffix(".rbt").name
         saved = copy.parent / pathlib.Path(picture).name
         more = f'\n{line.replace("FILE", chr(34) + saved.name + chr(34))}\n' if line else ""
-        copy.write_text((ROOT / program).read_text(encoding="utf-8") + more, encoding="utf-8")
+        copy.write_text(text_of(program) + more, encoding="utf-8")
         words = [] if line else ["--storyboard", str(saved)]
         run = subprocess.run([command, "run", str(copy), *words], capture_output=True, text=True)
         if run.returncode != 0 or not saved.exists():
