@@ -14,9 +14,9 @@ std::string no_name(std::string_view text) {
   return '`' + std::string(text) + "` cannot be a name";
 }
 
-// "Math.sin": names with points between them.
+// Whether the text consists of names joined by points, such as "Math.sin".
 bool is_path_of_names(std::string_view text) {
-  constexpr std::string_view kSetting = "with.";  // of the statement
+  constexpr std::string_view kSetting = "with.";  // of the statement `with`
   if (text.starts_with(kSetting)) text.remove_prefix(kSetting.size());
   for (;;) {
     const std::size_t point = text.find('.');
@@ -41,7 +41,8 @@ std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
   return all;
 }
 
-// What a function of the type `type` is called, without what the checker looks it up by.
+// The name of a function of the type `type`, without the parts that are only for the lookup by the
+// checker.
 std::string_view written_name(std::string_view name, std::string_view type) {
   if (name.starts_with(type) && name.substr(type.size()).starts_with('.')) {
     name.remove_prefix(type.size() + 1);

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with the functions and types that a host or the library defines.
+// Mistakes in the functions and types that a host or the library defines.
 
 #include <string>
 #include <vector>
@@ -12,11 +12,11 @@ class TypeDefinition;
 
 namespace armlet::lang {
 
-// Why a function cannot be defined, as clauses: its signature cannot be read, differs from the
-// function in C++, or has what cannot be a name.
+// The reasons why a function cannot be defined, as clauses: its signature is invalid or differs
+// from the C++ function, or a name in it is not a valid name.
 [[nodiscard]] std::vector<std::string> faults_of(const Registry& registry,
                                                  const NativeFunction& function);
-// The same of all functions and records of a registry.
+// The same for all functions and records of a registry.
 [[nodiscard]] std::vector<std::string> check_signatures(const Registry& registry);
 // Adds a type and its functions, and keeps them as long as the registry.
 //

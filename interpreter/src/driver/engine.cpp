@@ -36,7 +36,7 @@ namespace {
                       "` is known to this engine already.");
 }
 
-// `what` cannot be defined, for these reasons.
+// Throws the error that `what` cannot be defined, with the reasons.
 [[noreturn]] void refuse(std::string_view what, std::string_view name,
                          const std::vector<std::string>& faults) {
   std::string all = "The " + std::string(what) + " `" + std::string(name) + "` cannot be defined: ";

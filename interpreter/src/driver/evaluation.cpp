@@ -1,7 +1,7 @@
-// The value of an expression of the program where a run has paused.
+// Evaluates an expression of the program at the position where a run is paused.
 //
-// The expression becomes a function of its own, whose parameters are the local variables in it; it
-// is lowered and called like any other.
+// The expression becomes a function whose parameters are its local variables; the function is
+// compiled and called like others.
 
 #include <algorithm>
 #include <set>
@@ -34,13 +34,14 @@ bool has(Span span, Span byte) {
 
 // ---- where ----------------------------------------------------------------------------------
 
-// A function of the program, and its frame if it is under way.
+// A function of the program, with its frame if it is running.
 struct Scene {
   const Function* function = nullptr;
   std::optional<Frame> frame{};
 };
 
-// The innermost functions whose text has the byte: several where one has a form for each use.
+// The innermost functions whose text contains the byte. There are several if a function was checked
+// for several argument types.
 std::vector<const Function*> functions_at(const VmState& state, Span byte) {
   std::vector<const Function*> found;
   const auto length = [](const Function& f) { return f.span.end - f.span.begin; };
@@ -79,7 +80,7 @@ Scene scene_of(const Vm& vm, const VmState& state, Span byte) {
   return scene;
 }
 
-// The innermost expression around a byte; null: there is none.
+// Finds the innermost expression around a byte; null if there is none.
 class Innermost {
  public:
   Innermost(const Function& function, Span byte) : byte_(byte) { look(*function.body); }
@@ -92,7 +93,7 @@ class Innermost {
   }
   void look(const Expr& root) {
     any_part(root, [this](const Expr& each) {
-      // Arguments that are not written have the place of the name.
+      // Absent arguments have the span of the function's name.
       if (is_name_) return false;
       const CallSite* site = site_of(each);
       is_name_ = site != nullptr && has(site->callee, byte_);
@@ -106,7 +107,8 @@ class Innermost {
     if (expr.kind == ExprKind::kCallNative) return &expr.as<CallNativeExpr>().site;
     return expr.kind == ExprKind::kOverList ? &expr.as<OverListExpr>().site : nullptr;
   }
-  // Of two with one text the outer one is what was written, but for conversions of it.
+  // Of two expressions with the same text the outer one is taken, unless it is only a conversion of
+  // the inner one.
   [[nodiscard]] bool is_inner(const Expr& expr) const {
     const auto length = [](const Expr& e) { return e.span.end - e.span.begin; };
     if (found_ == nullptr || length(expr) < length(*found_)) return true;
@@ -115,15 +117,16 @@ class Innermost {
 
   Span byte_;
   const Expr* found_ = nullptr;
-  bool is_name_ = false;  // the byte is in the name of a function that is called
+  bool is_name_ = false;  // the byte is in the name of a called function
 };
 
 // ---- whether ----------------------------------------------------------------------------------
 
-// Looks for what computing an expression would change, also in the functions that it calls.
+// Finds a change that the evaluation of an expression would make, also in the functions that it
+// calls.
 class Changes {
  public:
-  // Empty: nothing.
+  // Empty if there is none.
   std::string of(const Expr& root) {
     look(root, nullptr);
     return std::move(why_);
@@ -206,8 +209,8 @@ class Changes {
   std::string why_;
 };
 
-// The variables of an expression that are not of the top level, each once; those that a function in
-// it captures are among them.
+// The local variables of an expression, each once, including those that a function inside of it
+// captures.
 std::vector<Variable*> locals_of(const Expr& root) {
   std::vector<Variable*> found;
   const auto add = [&found](Variable* variable) {
@@ -223,7 +226,8 @@ std::vector<Variable*> locals_of(const Expr& root) {
   return found;
 }
 
-// A variable of the top level without a value, also in functions that are called; null: none.
+// A global variable without a value that the expression uses, also in called functions; null if
+// there is none.
 const Variable* unset_global(const VmState& state, const Expr& root) {
   const Variable* unset = nullptr;
   any_part(root, [&](const Expr& each) {
@@ -243,7 +247,7 @@ std::string without_value(std::string_view name) {
 
 // ---- computing --------------------------------------------------------------------------------
 
-// fn(locals) => expression
+// A program with one function, fn(locals) => expression.
 CheckedProgram make_probe(const CompiledProgram& program, Expr& expr,
                           const std::vector<Variable*>& locals) {
   CheckedProgram probe;
@@ -273,7 +277,7 @@ CheckedProgram make_probe(const CompiledProgram& program, Expr& expr,
   return probe;
 }
 
-// Objects of the texts of a program, while they are needed.
+// Creates the text objects of a program for its lifetime.
 class Texts {
  public:
   Texts(VmState& state, const CompiledProgram& program) : state_(state) {
@@ -306,7 +310,7 @@ Result<SeenValue> compute(VmState& state, const Expr& expr, const CompiledProgra
     VmState& state;
     const std::optional<Diagnostic>& error;
     ~Finally() {
-      state.heap.drain();  // what the expression made knows the layouts of the probe
+      state.heap.drain();  // objects of the expression refer to layouts of the probe
       state.host.error = error;
     }
   };

@@ -9,7 +9,7 @@
 namespace armlet::lang {
 namespace {
 
-// What is found in the texts, each text read when a message is about it.
+// The explanations for the texts of a program. Each text is searched at the first message about it.
 class Explanations {
  public:
   explicit Explanations(const SourceSet& sources) : sources_(sources) {}
@@ -31,7 +31,7 @@ class Explanations {
   std::map<std::uint32_t, ForeignBlocks> blocks_;
 };
 
-// Whether `message` stands on the lines from the first to the last place of a fix.
+// Whether `message` is on a line between the first and the last edit of a fix.
 bool is_inside(const Diagnostic& message, const Fix& fix, const SourceSet& sources) {
   const Source& source = sources[message.mark.span.source];
   const auto [first, last] =
@@ -42,7 +42,7 @@ bool is_inside(const Diagnostic& message, const Fix& fix, const SourceSet& sourc
          line <= source.position(last->span.end).line;
 }
 
-// Whether a message has a fix that leaves no error on its line.
+// Whether the fix of a message leaves no error on its line.
 bool repairs_its_line(const Diagnostic& message, const SourceSet& sources, Trials& trials) {
   if (!message.fix || message.fix->edits.empty()) return false;
   const Source& source = sources[message.mark.span.source];
@@ -53,8 +53,8 @@ bool repairs_its_line(const Diagnostic& message, const SourceSet& sources, Trial
   return trial && !trial->fails_inside({begin, end, source.id()});
 }
 
-// Whether all that is left at the places of a fix are names that nothing has and that stand in the
-// line as it was written.
+// Whether the only errors at the edits of a fix are undeclared names that were in the old line
+// already.
 bool lacks_only_names(const Trial& trial, const Diagnostic& explanation, const SourceSet& sources) {
   const std::vector<Span> places = trial.places(explanation);
   const std::string_view written = sources.slice(explanation.mark.span);
@@ -72,8 +72,8 @@ bool lacks_only_names(const Trial& trial, const Diagnostic& explanation, const S
   return lacks;
 }
 
-// Replaces message `at` and drops those behind it that have the same cause; false if the
-// explanation is not the cause.
+// Replaces message `at` by the explanation, and removes later messages with the same cause; returns
+// false if the explanation is not the cause.
 bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic explanation,
              const SourceSet& sources, Trials& trials) {
   if (!explanation.fix) {
@@ -99,7 +99,8 @@ bool explain(std::vector<Diagnostic>& messages, std::size_t at, Diagnostic expla
 
 }  // namespace
 
-// A message may be shown as an explanation whose mark is larger than its own.
+// Messages are considered in the form in which they are shown: an explanation may have a larger
+// mark than the message that it replaces.
 bool fails_as_shown(const Trial& trial, const Diagnostic& repaired, const Trials& trials) {
   if (trial.fails_at_its_places(repaired)) return true;
   if (trials.is_behind_another()) return false;
@@ -127,9 +128,9 @@ void explain_habits(std::vector<Diagnostic>& diagnostics, const SourceSet& sourc
     std::vector<Explanation> given = explanations.of(diagnostics[i]);
     const std::optional<Fix>& fix = diagnostics[i].fix;
     const bool is_sure = fix && fix->confidence == Confidence::kSure;
-    // A fix that repairs its line is not exchanged for that of a part; a sure one not for none, and
-    // that of a name that the program or the library has for no other. A name of another language
-    // is no misspelt one.
+    // A fix for the whole line is not replaced by a fix for a part of it, nor a certain fix by an
+    // explanation without one, nor a fix with a name of the program or the library by another one.
+    // A name of another language is not treated as misspelt.
     const bool is_unknown = diagnostics[i].code == "E0201";
     const bool is_named = is_sure && is_unknown;
     const auto is_less = [&](const Explanation& one) {

@@ -15,17 +15,17 @@
 namespace armlet::lang {
 namespace {
 
-// Files import each other in a chain at most this long, and a program has at most so many.
+// The limit of files in a program, and of files that import each other in a chain.
 constexpr std::size_t kMostFiles = 200;
 
-// Messages about files of a text that is mended, behind which nothing more of a file is read.
+// The limit of messages about files of a text that is repaired; after it no file is read.
 constexpr int kMostUntold = 100;
 
 std::string without_folders(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
 
-// What programs of other languages import and what needs no import here.
+// The reason why an import that is usual in another language is not needed here.
 std::string_view always_there(std::string_view path) {
   const std::string_view first = path.substr(0, path.find('.'));
   if (first == "math" || first == "Math" || first == "cmath" || first == "numpy")
@@ -76,13 +76,13 @@ class Loader {
     const ast::ImportStmt* import;
   };
 
-  // Returns the number of the file.
+  // Parses a file and returns its number.
   int read(const Source& source) {
     const Parsed parsed = parsed_of(source);
     FileTree file{.program = {}, .ok = parsed.ok};
     file.program.span = {0, static_cast<std::uint32_t>(source.text().size()), source.id()};
     file.program.body = tree_.copy(parsed.statements);
-    // What a text imports that cannot be read is known to editors, but not told about.
+    // Failed imports of imported files are known to editors but not reported.
     DiagnosticSink* const before = sink_;
     const bool is_mended =
         main_file_ != nullptr && source.id() == sources_.first() && !main_file_->is_readable;
@@ -115,7 +115,8 @@ class Loader {
     return main_file_->exact;
   }
 
-  // The file as an earlier entry has read it; null: none did, or something has changed since.
+  // The file as an earlier entry has read it; null if none did, or if the file or one of its
+  // imports has changed.
   const KeptFile* unchanged(const ast::ImportStmt& import, const Source& from) {
     if (kept_ == nullptr || !options_.load) return nullptr;
     const ImportedText found = options_.load(path_of(import), from.name());
@@ -134,11 +135,11 @@ class Loader {
     });
   }
 
-  // The number of the imported file; -1 after a message.
+  // Loads an imported file and returns its number; -1 after a message.
   int follow(const Source& from, const ast::ImportStmt& import) {
     const std::string path = path_of(import);
     const auto followed = followed_.find({from.id(), path});
-    if (followed != followed_.end()) return followed->second;  // the host need not read it again
+    if (followed != followed_.end()) return followed->second;  // the host need not load it again
     if (sink_->full() && sink_ != &quiet_) return -1;
     const int file = look_up(from, import, path);
     if (file >= 0) followed_.emplace(std::pair(from.id(), path), file);
@@ -147,7 +148,7 @@ class Loader {
 
   int look_up(const Source& from, const ast::ImportStmt& import, const std::string& path) {
     ImportedText found;
-    // Tables are read by loadTable; as programs they are refused as other endings are.
+    // Files with tables are read by loadTable; as programs they are refused like other endings.
     if (options_.load && !path.ends_with(kTableEnding)) found = options_.load(path, from.name());
     const auto known = numbers_.find(found.name);
     if (found.text && known != numbers_.end()) {
@@ -215,13 +216,13 @@ class Loader {
   const CompileOptions& options_;
   DiagnosticSink* sink_;
   DiagnosticSink quiet_{kMostUntold};
-  const KeptNames* kept_;  // what the entry before this one has left; null: there is none
+  const KeptNames* kept_;  // of the entry before this one; null: none
   Mended* main_file_;
   const ReadBefore* before_;
   std::vector<FileTree> files_;
   std::map<std::string, int> numbers_;                             // of files by name
-  std::map<std::pair<std::uint32_t, std::string>, int> followed_;  // by file and what it says
-  std::vector<Step> path_;  // from the main file to the one being read
+  std::map<std::pair<std::uint32_t, std::string>, int> followed_;  // by file and text of the import
+  std::vector<Step> path_;  // from the main file to the current one
   std::size_t bytes_ = 0;
 };
 

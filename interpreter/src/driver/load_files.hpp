@@ -1,5 +1,5 @@
 #pragma once
-// The files of a program: the main one and all that it imports.
+// Loads the files of a program: the main file and all that it imports.
 
 #include <vector>
 
@@ -10,13 +10,13 @@
 
 namespace armlet::lang {
 
-// Reads and parses what the main file, which is sources[sources.first()], imports directly or
-// through others. Each file is read once, however often it is imported. A file that cannot be had
-// and files that import each other are told of in `sink`. A file that an earlier entry imported is
-// not read again if nothing has changed in it and in what it imports.
+// Loads and parses the files that the main file, sources[sources.first()], imports directly or
+// through others. Each file is loaded once, even if several files import it. Files that cannot be
+// loaded, and files that import each other, are reported to `sink`. A file that an earlier entry
+// imported is not parsed again if the file and its imports are unchanged.
 //
-// main_file  given: filled with what parse_and_mend says of the main file, with `before`.
-// returns  the trees in `tree`, imported files before those that import them, the main file last.
+// main_file  if set: gets the result of parse_and_mend for the main file, with `before`.
+// returns    the trees in `tree`, imported files before those that import them, the main file last.
 [[nodiscard]] std::vector<FileTree> load_files(SourceSet& sources, Arena& tree,
                                                const CompileOptions& options, DiagnosticSink& sink,
                                                Mended* main_file = nullptr,

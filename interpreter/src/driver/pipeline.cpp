@@ -19,7 +19,7 @@ namespace armlet::lang {
 
 namespace {
 
-// Most entries make no type.
+// Drops the type pool of an entry that has made no types, as most entries.
 void close_types(CompiledProgram& entry) {
   if (entry.after != nullptr && entry.types->adds_nothing()) {
     entry.types = entry.after->compiled().types;
@@ -28,13 +28,13 @@ void close_types(CompiledProgram& entry) {
   }
 }
 
-// A program that passed all checks; null if there were errors.
+// Compiles a program that passed all checks; null if there were errors.
 std::shared_ptr<const Program> build(const Registry& registry, CheckedProgram checked,
                                      const CompileOptions& options, LowerOptions lowering,
                                      DiagnosticSink& sink) {
   auto tree = std::make_unique<Arena>();
   const std::vector<FileTree> files = load_files(*checked.sources, *tree, options, sink);
-  // Checked even after mistakes of syntax: other mistakes are worth telling too.
+  // The program is checked even after mistakes of syntax, to report its other mistakes too.
   if (!check_program(files, checked, registry, options, sink) || !files.back().ok) return nullptr;
   lowering.cancelled = options.cancelled;
   Lowered lowered = lower(std::move(checked), lowering, options.after);
@@ -48,7 +48,7 @@ std::shared_ptr<const Program> build(const Registry& registry, CheckedProgram ch
   return std::make_shared<const Program>(std::move(compiled));
 }
 
-// What the host answers; what it throws is why there is no text.
+// Calls the host's loader. The text of an exception becomes the reason why there is no text.
 ImportedText asked(const ModuleLoader& load, const std::string& path, const std::string& from) {
   try {
     return load(path, from);
@@ -61,7 +61,7 @@ ImportedText asked(const ModuleLoader& load, const std::string& path, const std:
   }
 }
 
-// Asks the host for each file once.
+// A loader that calls the host's loader once for each file.
 ModuleLoader remembered(const ModuleLoader& load) {
   if (!load) return load;
   using Question = std::pair<std::string, std::string>;

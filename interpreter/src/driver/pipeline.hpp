@@ -1,5 +1,5 @@
 #pragma once
-// From text to program: parse, check, lower.
+// Compiles a text to a program: parse, check, lower.
 
 #include <string>
 
@@ -9,11 +9,11 @@
 
 namespace armlet::lang {
 
-// Everything that is wrong with the text comes back as diagnostics.
+// All mistakes in the text are returned as diagnostics.
 [[nodiscard]] Compilation compile_text(const Registry& registry, std::string text, std::string name,
                                        const CompileOptions& options, LowerOptions lowering = {});
 
-// Reached only through a mistake of ours, or when the machine has no memory left.
+// The diagnostic for an exception that only a defect of Armlet, or a lack of memory, can cause.
 [[nodiscard]] Diagnostic defect(const char* what);
 
 }  // namespace armlet::lang

@@ -13,7 +13,7 @@
 namespace armlet {
 namespace {
 
-// Everything called by one name.
+// All functions with one name.
 struct Page {
   std::string name;
   std::vector<std::string> calls;
@@ -25,7 +25,7 @@ struct Section {
   std::vector<Page> pages;
 };
 
-// The heading of an entry: "motor NAME { ... }" is found under motor, operators under their sign.
+// The heading of an entry: "motor NAME { ... }" is found under motor, an operator under its sign.
 std::string heading(std::string_view name) {
   if (!name.starts_with("operator") && name.ends_with('=')) name.remove_suffix(1);
   if (name.ends_with("[]") || name.ends_with("[:]")) return std::string(lang::indexed(name));
@@ -76,7 +76,7 @@ std::vector<Section> sections(const Engine& engine) {
   return all;
 }
 
-// A long call on several lines, broken after commas.
+// A long call, broken into several lines after commas.
 std::string wrapped(std::string_view call) {
   constexpr std::size_t kWidth = 100;
   std::string text;

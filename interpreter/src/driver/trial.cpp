@@ -11,7 +11,7 @@
 namespace armlet::lang {
 namespace {
 
-// Whether edits in the order of the text are of one file and do not overlap.
+// Whether the edits, in the order of the text, belong to one file and do not overlap.
 bool fit_together(const std::vector<Edit>& edits) {
   for (std::size_t i = 1; i < edits.size(); ++i) {
     const bool overlap = edits[i].span.begin < edits[i - 1].span.end;
@@ -37,7 +37,7 @@ struct Outcome {
   std::vector<Diagnostic> all;
 };
 
-// What is wrong in one file of a program.
+// The messages about one file of a program.
 Outcome messages_about(const Source& file, const Registry& registry, const Source& main,
                        const CompileOptions& options) {
   DiagnosticSink sink(2 * options.limits.errors);
@@ -131,7 +131,8 @@ Trials Trials::behind(const Trial& first) const {
 std::optional<Trial> Trials::with(std::vector<Edit> edits) {
   std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
   if (exhausted() || !fit_together(edits)) return std::nullopt;
-  if (edits[0].span.source < sources_.first()) return std::nullopt;  // what has run stays
+  // The text of an earlier entry has run already.
+  if (edits[0].span.source < sources_.first()) return std::nullopt;
   *read_ += all_;
   const Source& source = sources_[edits[0].span.source];
   const Source file(source.name(), with_edits(source.text(), edits), source.id());

@@ -1,5 +1,5 @@
 #pragma once
-// A program with other text in some places, checked again: what its messages would be.
+// Trials: checks a program after some edits, to find the messages that it would have.
 
 #include <cstddef>
 #include <memory>
@@ -11,19 +11,20 @@
 
 namespace armlet::lang {
 
-// A file after some edits: what is wrong in it, and where places of the old text are now.
+// The result of a trial: the messages about the file after the edits, and the new positions of its
+// old text.
 class Trial {
  public:
-  // sources  the program after the edits, in which the messages that are left have their marks.
+  // sources  the program after the edits, which the marks of the remaining messages refer to.
   Trial(std::vector<Edit> in_order, std::shared_ptr<const SourceSet> sources,
         std::vector<Diagnostic> left)
       : edits_(std::move(in_order)), sources_(std::move(sources)), left_(std::move(left)) {}
 
-  // The mark of `repaired` and what the edits wrote, as they lie now.
+  // The new positions of the mark of `repaired` and of the edited text.
   [[nodiscard]] std::vector<Span> places(const Diagnostic& repaired) const;
-  // Whether an error, or a message with the code of `repaired`, touches one of these places.
+  // Whether an error, or a message with the code of `repaired`, touches one of these positions.
   [[nodiscard]] bool fails_at_its_places(const Diagnostic& repaired) const;
-  // Whether an error stands in a part of the old text.
+  // Whether an error is in a part of the old text.
   [[nodiscard]] bool fails_inside(Span part) const;
   [[nodiscard]] const SourceSet& sources() const { return *sources_; }
   [[nodiscard]] const std::vector<Diagnostic>& left() const { return left_; }
@@ -31,7 +32,8 @@ class Trial {
   [[nodiscard]] bool still_says(const Diagnostic& message) const;
 
  private:
-  // Where a place of the old text is; a position inside of what is replaced: at its end.
+  // The new position of a span of the old text. A position inside of replaced text moves to its
+  // end.
   [[nodiscard]] Span moved(Span place) const;
 
   std::vector<Edit> edits_;
@@ -41,21 +43,21 @@ class Trial {
 
 [[nodiscard]] inline bool touch(Span a, Span b) { return a.begin <= b.end && b.begin <= a.end; }
 
-// Checks a program again and again. The work is bounded: nothing is tried when more than 256 KB of
-// text have been read again.
+// Checks a program with different edits. The work is limited: after 256 KB of text no further trial
+// is made.
 class Trials {
  public:
   // sources  the texts of the program, which must outlive this.
-  // options  `load` is asked again for the files that the program imports.
+  // options  `load` is called again for the files that the program imports.
   Trials(const Registry& registry, const SourceSet& sources, const CompileOptions& options);
 
-  // Further edits of what a trial has changed. They count against the same bound.
+  // Trials with further edits of a text that a trial has changed. They count for the same limit.
   [[nodiscard]] Trials behind(const Trial& first) const;
   [[nodiscard]] bool is_behind_another() const { return behind_another_; }
 
   [[nodiscard]] bool exhausted() const { return *read_ + all_ > kMostBytes; }
-  // The program with edits of one file. Nothing if they overlap or belong to several files, or if
-  // the bound is reached.
+  // Checks the program with edits of one file. Empty if they overlap or belong to several files, or
+  // if the limit is reached.
   [[nodiscard]] std::optional<Trial> with(std::vector<Edit> edits);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// A fix is given only if it works: the text is checked again with its edits.
+// Removes fixes that do not work: the program is checked again with the edits of each fix.
 
 #include <vector>
 
@@ -7,10 +7,9 @@
 
 namespace armlet::lang {
 
-// Checks the program again with the edits of each fix, one fix at a time, and drops every fix that
-// leaves an error, as it would be shown, at a place that it changes or at the place of its message.
-// When nothing more can be tried, the fixes that are left stay as they are, with
-// Confidence::kMaybe.
+// Checks the program with the edits of each fix, one fix at a time, and drops a fix if an error
+// would be shown at an edited position or at the position of its message. When the limit of trials
+// is reached, the remaining fixes stay, with Confidence::kMaybe.
 void drop_useless_fixes(std::vector<Diagnostic>& diagnostics, Trials& trials);
 
 }  // namespace armlet::lang

@@ -1,5 +1,5 @@
 #pragma once
-// What an Engine keeps.
+// The data of an Engine.
 
 #include "armlet/interpreter/engine.hpp"
 #include "vm/host/language_functions.hpp"

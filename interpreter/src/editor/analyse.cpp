@@ -1,4 +1,4 @@
-// From a text to its analysis: parse, mend, check, put in order.
+// Makes the analysis of a text: parse, repair, check, index.
 
 #include "editor/analyse.hpp"
 
@@ -18,7 +18,7 @@
 namespace armlet::lang {
 namespace {
 
-// A fix that was not tried out is a guess.
+// Fixes that were not tried out are marked as guesses.
 std::vector<Diagnostic> as_guesses(std::vector<Diagnostic> all) {
   for (Diagnostic& diagnostic : all) {
     if (diagnostic.fix) diagnostic.fix->confidence = Confidence::kMaybe;
@@ -26,8 +26,8 @@ std::vector<Diagnostic> as_guesses(std::vector<Diagnostic> all) {
   return all;
 }
 
-// The messages are about the statements without a mistake; what is learnt is about all of them, and
-// guessed where the text does not say it yet.
+// The messages are about the statements without a mistake. Types and names are collected from all
+// statements, with guesses where the text is incomplete.
 void check_facts(Facts& facts, const Mended& read, DiagnosticSink& sink) {
   FileTree& main = facts.files.back();
   facts.is_whole = main.ok;

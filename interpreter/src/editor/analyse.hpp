@@ -1,5 +1,5 @@
 #pragma once
-// From a text to what an analysis keeps.
+// Makes the data of an analysis from a text.
 
 #include <memory>
 #include <string>
@@ -12,8 +12,9 @@ namespace armlet::lang {
 struct Facts;
 class Registry;
 
-// before  of a text that is much alike; null: none.
-// Everything that is wrong with the text comes back as diagnostics.
+// Analyses a text. All mistakes in it are returned as diagnostics.
+//
+// before  the analysis of a similar text, whose results are reused; null: none.
 [[nodiscard]] std::unique_ptr<const Analysis::Facts> analyse_text(
     std::shared_ptr<const Registry> registry, std::string text, std::string name,
     const CompileOptions& options, const Facts* before);

@@ -1,4 +1,4 @@
-// What can be written at a position.
+// Completions at a position: the texts that may be written there.
 
 #include <algorithm>
 #include <unordered_set>
@@ -18,7 +18,7 @@ namespace armlet {
 namespace lang {
 namespace {
 
-// A name that stands alone: no operator, field or group.
+// Whether a name is written alone: no operator, field or group.
 bool is_plain(std::string_view name) {
   return !name.empty() && std::ranges::all_of(name, is_word_character) &&
          !name.starts_with("operator");
@@ -53,7 +53,7 @@ class Completer {
     items_.push_back({std::move(text), kind, std::move(detail)});
   }
 
-  // In a block declaration, where only its fields and rows can begin.
+  // Whether the position is in a block declaration, where only its fields and rows can begin.
   [[nodiscard]] bool in_rows() const {
     return cursor_.call && cursor_.call->kind == OpenCall::Kind::kBlock &&
            cursor_.call->setting.empty();
@@ -88,7 +88,7 @@ class Completer {
     });
   }
 
-  // What the parameter takes that is written; none where anything can stand.
+  // The types of the parameter at the position; empty if any expression may be there.
   std::vector<TypePattern> expected_types() {
     std::vector<TypePattern> out;
     if (!cursor_.call || cursor_.call->setting.empty()) return out;
@@ -109,7 +109,7 @@ class Completer {
     return out;
   }
 
-  // The functions of the library that have the settings of the call.
+  // The library functions whose parameters include the settings of the call.
   std::vector<const NativeFunction*> functions_of(const OpenCall& call) const {
     if (call.kind == OpenCall::Kind::kCall || call.kind == OpenCall::Kind::kBlock)
       return candidates(facts_, call);
@@ -123,7 +123,7 @@ class Completer {
     return {};
   }
 
-  // true and false, State.Idle ...
+  // Adds true and false, State.Idle ...
   void add_values_of(const std::vector<TypePattern>& patterns) {
     for (const TypePattern& pattern : patterns) {
       if (pattern.form != TypePattern::Form::kType || pattern.type == nullptr) continue;
@@ -178,7 +178,7 @@ class Completer {
     }
   }
 
-  // phase wound(...): both words are part of the names of their makers.
+  // Adds rows such as phase wound(...), whose two words are part of the names of their functions.
   void add_rows(const std::string& prefix) {
     for (std::string_view name : facts_.registry->public_names()) {
       if (!name.starts_with(prefix)) continue;
@@ -217,7 +217,7 @@ class Completer {
     }
   }
 
-  // What no value can be made of.
+  // Adds types and keywords that cannot begin an expression.
   void add_types_and_words() {
     for (const auto& [name, type] : facts_.registry->types()) add(name, NameKind::kType);
     for (const auto& [name, fields] : facts_.registry->records())
@@ -271,7 +271,7 @@ class Completer {
     }
   }
 
-  // Of a block whose rows the program names.
+  // Adds the rows of a block whose rows have names.
   void add_rows_of(const std::string& block) {
     for (const ast::Stmt* stmt : facts_.files.back().program.body) {
       if (stmt->kind != ast::StmtKind::kObject) continue;
@@ -287,13 +287,13 @@ class Completer {
     return facts_.main().text().substr(span.begin, span.end - span.begin);
   }
 
-  // "Math" of Math.|; empty if it is no name.
+  // The name before the point: "Math" for Math.|; empty if it is not a name.
   [[nodiscard]] std::string group_before_point() const {
     std::string out;
     std::size_t behind = facts_.token_behind(cursor_.point->begin);
     const std::string_view text = facts_.main().text();
     if (behind < facts_.tokens.size() && facts_.tokens[behind].end != cursor_.point->begin) {
-      std::uint32_t first = cursor_.point->begin;  // in a formatted text
+      std::uint32_t first = cursor_.point->begin;  // inside a formatted text
       while (first > 0 && is_word_character(text[first - 1])) --first;
       return std::string(text.substr(first, cursor_.point->begin - first));
     }
@@ -354,7 +354,7 @@ class Completer {
     add_functions_of(type);
   }
 
-  // x.f() is f(x).
+  // Adds functions with this type as the first parameter: x.f() is f(x).
   void add_functions_of(const Type& type) {
     for (const Symbol& symbol : facts_.names.symbols) {
       if (symbol.function == nullptr || symbol.function->params.empty()) continue;

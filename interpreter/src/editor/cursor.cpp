@@ -16,7 +16,8 @@ bool is_text(std::uint16_t type) {
 
 bool is_word(std::uint16_t type) { return is_name(type) || !word_of(type).text.empty(); }
 
-// Where the braces open that the end of a part of a formatted text is in; npos: it is in none.
+// The position of the opening brace, if the text is the beginning of a formatted text that ends
+// inside of braces; npos otherwise.
 std::size_t braces_of(std::string_view text) {
   const std::size_t open = text.rfind('{');
   const bool is_open =
@@ -24,7 +25,7 @@ std::size_t braces_of(std::string_view text) {
   return is_open ? open : std::string_view::npos;
 }
 
-// Where the format begins in what stands between braces: its colon; npos: there is none.
+// The colon that begins the format inside of braces; npos if there is none.
 std::size_t colon_of(std::string_view piece) {
   int depth = 0;
   for (std::size_t i = 0; i < piece.size(); ++i) {
@@ -55,7 +56,7 @@ class Around {
   }
 
  private:
-  // Sets `word`, `quoted`, and how many tokens stand in front of the word.
+  // Sets `word`, `quoted` and the count of tokens before the word.
   void find_word() {
     before_ = facts_.token_behind(out_.at);
     if (before_ >= tokens_.size()) return;
@@ -69,13 +70,13 @@ class Around {
     } else if (token.end <= out_.at && token.type != kEndOfText) {
       ++before_;
     }
-    // A word that begins here is the one that is written.
+    // A word that begins at the position is the one being written.
     const bool begins = before_ < tokens_.size() && tokens_[before_].begin == out_.at &&
                         tokens_[before_].type != kEndOfText && is_word(tokens_[before_].type);
     if (begins) out_.word = {tokens_[before_].begin, tokens_[before_].end, 0};
   }
 
-  // 100mm/s|: what is written of the last unit.
+  // 100mm/s|: finds the last unit of a product, up to the position.
   void find_unit(const Token& token) {
     const std::string_view text = facts_.text_of(token);
     const std::size_t at = out_.at - token.begin;
@@ -106,7 +107,7 @@ class Around {
     out_.word = {begin, end, 0};
   }
 
-  // f"{left.na|}": bytes, as the text is one token.
+  // f"{left.na|}": searches bytes, because the formatted text is a single token.
   void find_word_in_braces(const Token& token, std::string_view text, std::size_t begin) {
     const auto at = static_cast<std::size_t>(out_.at - token.begin);
     std::size_t first = at;
@@ -150,7 +151,8 @@ class Around {
   bool open_call(std::size_t opener) {
     if (opener == 0) return false;
     const Token& before = tokens_[opener - 1];
-    if (opener > 1 && word_of(tokens_[opener - 2].type).text == "fn") return false;  // a header
+    // The header of a lambda.
+    if (opener > 1 && word_of(tokens_[opener - 2].type).text == "fn") return false;
     OpenCall call;
     call.callee = {before.begin, before.end, 0};
     if (before.type == sign::kWith || before.type == sign::kPath) {
@@ -166,7 +168,7 @@ class Around {
         call.name = std::string(facts_.text_of(tokens_[i - 2])) + '.' + call.name;
       }
       if (opener >= 2 && is_name(tokens_[opener - 2].type)) call.name = row_maker(opener);
-      // A group of the library is part of the name; other things in front of a point are values.
+      // A group of the library is part of a function's name; other names before a point are values.
       if (facts_.registry->functions(call.name).empty()) {
         call.name = facts_.text_of(before);
       } else {
@@ -177,13 +179,13 @@ class Around {
     return true;
   }
 
-  // phase wound(: "motor.phase.wound", which makes a row of a block declaration.
+  // phase wound(: the function "motor.phase.wound", which makes a row of a block declaration.
   std::string row_maker(std::size_t opener) const {
     const std::string name(facts_.text_of(tokens_[opener - 1]));
     const std::string row = '.' + std::string(facts_.text_of(tokens_[opener - 2])) + '.' + name;
     for (const auto& [type, unused] : facts_.registry->types()) {
       if (!facts_.registry->functions(type + row).empty()) return type + row;
-      // The row has a name of its own.
+      // The row has a name.
       std::string named = type + '.' + std::string(facts_.text_of(tokens_[opener - 2]));
       named += kNamedRow;
       if (!facts_.registry->functions(named).empty()) return named;
@@ -201,7 +203,7 @@ class Around {
     return true;
   }
 
-  // The values in front of the position, and names of settings on both sides of it.
+  // The arguments before the position, and the names of settings on both sides of it.
   void read_values(std::size_t opener) {
     OpenCall& call = *out_.call;
     std::size_t depth = 0;
@@ -295,7 +297,7 @@ const Symbol* callee_symbol(const Facts& facts, const OpenCall& call, std::uint3
   if (known != nullptr && known->name == call.callee) return &facts.names.symbols[known->symbol];
   if (const Symbol* visible = facts.visible_at(at, call.name)) return visible;
   if (!call.behind_point) return nullptr;
-  // A function of an imported file can be called with a value of its types in front.
+  // A function of an imported file may be called on a value of a type of that file.
   const auto is_it = [&](const Symbol& symbol) {
     return symbol.function != nullptr && symbol.of_file && symbol.name == call.name;
   };
@@ -309,7 +311,7 @@ int parameter_of(const Facts& facts, const OpenCall& call, const NativeFunction&
   if (signature.parameters.empty()) return -1;
   std::size_t first = call.behind_point ? 1 : 0;
   if (first == 0 && is_ambient(signature.parameters[0])) {
-    // The first value may be the ambient one, written out.
+    // The first argument may be the ambient value.
     first = 1;
     const Type* given = nullptr;
     if (!call.earlier.empty()) {

@@ -41,7 +41,8 @@ std::uint32_t Facts::place(std::uint32_t at) const {
 
 namespace {
 
-// Of names in the order of the main text the one that holds the byte, else one that ends there.
+// Finds the name with the byte in names sorted by their position in the main text; if there is
+// none, the name that ends there.
 template <class Named>
 const Named* name_at(const std::vector<Named>& names, std::uint32_t source, std::uint32_t at) {
   auto behind = std::ranges::upper_bound(names, std::tuple(source, at), {}, [](const Named& one) {
@@ -89,7 +90,7 @@ std::vector<const Symbol*> Facts::visible_at(std::uint32_t at) const {
     if (symbol.visible.source != main_source() || symbol.visible.empty()) continue;
     if (here || (symbol.of_file && in_function)) out.push_back(&symbol);
   }
-  // Of one scope the last declared comes first: it is the nearest.
+  // In one scope the last declaration comes first, because it hides the others.
   std::ranges::stable_sort(out, [](const Symbol* a, const Symbol* b) {
     return std::tuple(a->scope, b->declared.begin) < std::tuple(b->scope, a->declared.begin);
   });

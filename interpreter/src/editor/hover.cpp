@@ -1,4 +1,4 @@
-// What stands at a position, where it is declared, where else it is used.
+// Information about the name or value at a position: description, declaration, uses.
 
 #include <fmt/format.h>
 
@@ -75,7 +75,7 @@ std::string word_help(const Facts& facts, std::string_view name, std::string& he
   return {};
 }
 
-// A name of the library, by what is written.
+// The description of a name of the library, found by its text.
 std::optional<Hover> library_hover(const Facts& facts, const Token& token) {
   const std::string name(facts.text_of(token));
   Hover out{.span = {token.begin, token.end, 0}};
@@ -98,7 +98,7 @@ std::optional<Hover> library_hover(const Facts& facts, const Token& token) {
   return out.text.empty() ? std::nullopt : std::optional(out);
 }
 
-// A name where a type is written.
+// The description of a name in the position of a type.
 std::optional<Hover> type_hover(const Facts& facts, const Token& token, std::size_t index) {
   if (!is_type_place(facts, index)) return std::nullopt;
   const std::string name(facts.text_of(token));
@@ -112,7 +112,7 @@ std::optional<Hover> type_hover(const Facts& facts, const Token& token, std::siz
   return out.text.empty() ? std::nullopt : std::optional(out);
 }
 
-// What the file behind an `import` declares.
+// The declarations of an imported file, for its `import`.
 std::optional<Hover> import_hover(const Facts& facts, std::uint32_t at) {
   for (const FileTree::Import& import : facts.files.back().imports) {
     const Span path = import.statement->path_span;
@@ -130,7 +130,7 @@ std::optional<Hover> import_hover(const Facts& facts, std::uint32_t at) {
   return std::nullopt;
 }
 
-// A text that names something: a kind of error, or a choice of a setting.
+// The description of a text with a meaning: a kind of error, or a choice of a setting.
 std::optional<Hover> text_hover(const Facts& facts, const Token& token, std::size_t index,
                                 std::uint32_t at) {
   const std::string_view text = facts.text_of(token);
@@ -153,7 +153,7 @@ std::optional<Hover> text_hover(const Facts& facts, const Token& token, std::siz
   return out.text.empty() ? std::nullopt : std::optional(out);
 }
 
-// A number with a unit: what it measures, and how much that is in SI units.
+// The description of a number with a unit: its dimension, and its value in SI units.
 std::optional<Hover> quantity_hover(const Facts& facts, const Token& token) {
   const std::string_view text = facts.text_of(token);
   const auto quantity = is_number(token.type) ? parse_quantity(text) : std::nullopt;
@@ -164,11 +164,11 @@ std::optional<Hover> quantity_hover(const Facts& facts, const Token& token) {
                                    si_unit(quantity->dim))};
 }
 
-// The key of a map that is read or set: what is kept under it.
+// The description of a map entry, at its key.
 std::optional<Hover> key_hover(const Facts& facts, const Token& token, std::size_t index) {
   if (token.type != sign::kText || index < 2 || facts.text_of(facts.tokens[index - 1]) != "[")
     return std::nullopt;
-  const auto& spans = facts.values.spans;  // outer ones first
+  const auto& spans = facts.values.spans;  // the outer ones first
   const auto found = std::find_if(spans.rbegin(), spans.rend(), [&](const TypedSpan& each) {
     return each.span.begin < token.begin && token.end < each.span.end &&
            each.span.end == facts.tokens[index + 1].end;
@@ -211,7 +211,7 @@ std::optional<Hover> symbol_hover(const Facts& facts, Span at, const Symbol& sym
   return out;
 }
 
-// A name that no use was noted for, such as one in a statement that failed.
+// The symbol of a name for which no use was noted, such as one in a statement that failed.
 const Symbol* symbol_called(const Facts& facts, const Token& token, std::size_t index) {
   if (!is_name(token.type) || (index > 0 && facts.tokens[index - 1].type == sign::kPoint))
     return nullptr;
@@ -247,7 +247,7 @@ std::optional<Hover> name_hover(const Facts& facts, std::uint32_t at) {
 
 }  // namespace
 
-// The symbol that the name at a byte means.
+// The symbol that the name at a byte refers to.
 const Symbol* symbol_at(const Facts& facts, std::uint32_t at) {
   if (facts.in_comment(at)) return nullptr;
   if (const Reference* reference = facts.reference_at(at))

@@ -1,4 +1,4 @@
-// Names, scopes and values of the trees, put in the order of the text.
+// Sorts the names, scopes and values of the trees in the order of the text.
 
 #include <algorithm>
 #include <tuple>
@@ -11,18 +11,19 @@
 namespace armlet::lang {
 namespace {
 
-constexpr std::size_t kLongestHeader = 160;  // bytes of a struct or enum that is shown whole
+constexpr std::size_t kLongestHeader = 160;  // bytes of a struct or enum that is shown in full
 
 auto position(Span span) { return std::tuple(span.source, span.begin); }
 
-// Of equal neighbours the first stays. (clang 14 cannot read std::ranges::unique of g++ 12.)
+// Removes equal neighbours, except the first. (clang 14 cannot compile std::ranges::unique of g++
+// 12.)
 template <typename T, typename Part>
 void keep_first(std::vector<T>& list, Part T::*part) {
   const auto same = [part](const T& a, const T& b) { return a.*part == b.*part; };
   list.erase(std::unique(list.begin(), list.end(), same), list.end());
 }
 
-// `text` without what stands between it and a body: blanks, `=>`, opening parentheses.
+// `text` without the characters before a body: blanks, `=>`, opening parentheses.
 std::string_view without_tail(std::string_view text) {
   const auto trim = [&](std::string_view what) {
     text = text.substr(0, text.find_last_not_of(what) + 1);
@@ -129,7 +130,8 @@ class Indexer {
     }
   }
 
-  // What is written behind a blank at the end of a value belongs to the value.
+  // The span of a value with the blanks after it, so that a word after a blank at its end finds the
+  // value.
   [[nodiscard]] Span with_blanks(Span span) const {
     if (!main_) return span;
     const std::string_view text = facts_.main().text();
@@ -146,7 +148,7 @@ class Indexer {
     declared_.push_back({name.span, from, doc, has_hint});
   }
 
-  // Of names that the whole file sees.
+  // The symbol of a name that is visible in the whole file.
   Symbol of_file(NameKind kind, const ast::Name& name, std::string_view doc) const {
     Symbol out{.kind = kind, .name = name.text, .declared = name.span, .of_file = true};
     out.doc = doc;
@@ -261,7 +263,8 @@ class Indexer {
     });
   }
 
-  // It can be seen everywhere, behind all that the text itself declares.
+  // Adds a name of an earlier entry. It is visible everywhere, but hidden by declarations of the
+  // text itself.
   void add_earlier(const KeptName& kept) {
     const Span text = facts_.files.back().program.span;
     Symbol out{.name = kept.name, .declared = kept.declared, .is_typed = true, .of_file = true};
@@ -309,7 +312,7 @@ class Indexer {
   }
 
   // ---- names
-  // The last bytes of a span, if they are the name; otherwise it was not written there.
+  // The last bytes of a span if they are the name; otherwise the name is not in the text there.
   [[nodiscard]] std::optional<Span> written(Span span, std::string_view name) const {
     const std::string_view text = facts_.compiled.sources->slice(span);
     if (name.empty() || !text.ends_with(name)) return std::nullopt;
@@ -383,7 +386,7 @@ class Indexer {
     Span name;
     std::uint32_t from;
     std::string_view doc;
-    bool has_hint;  // a hint of its type is worth showing
+    bool has_hint;  // a hint with its type is useful
   };
 
   Facts& facts_;

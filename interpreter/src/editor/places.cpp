@@ -14,7 +14,7 @@
 namespace armlet::lang {
 namespace {
 
-// Units of several parts that people write.
+// Products of units that are in common use.
 constexpr std::string_view kCombined[] = {"mm/s",   "m/s",    "cm/s",    "mm/s^2",  "m/s^2",
                                           "deg/s",  "rad/s",  "deg/s^2", "rad/s^2", "N/m",
                                           "Nm/rad", "kg*m^2", "kg/m^3"};
@@ -73,7 +73,7 @@ class PlaceItems {
     }
   }
 
-  // f"{x:.1f |}": only units that can show the value.
+  // f"{x:.1f |}": adds only units with the dimension of the value.
   void add_format() {
     const std::string_view whole = facts_.main().text();
     const std::string_view before =
@@ -94,7 +94,7 @@ class PlaceItems {
   }
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-  // The dimension of the numbers of a value in the text; nothing if the type is not known.
+  // The dimension of the numbers of a value in the text; empty if the type is not known.
   [[nodiscard]] std::optional<Dim> dim_of(Span value) const {
     const Type* type = type_of(value);
     while (type != nullptr && (type->is(Kind::kList) || type->is(Kind::kMap))) type = type->element;
@@ -139,7 +139,7 @@ class PlaceItems {
   }
 
   // ---- cases
-  // The token `case` that the position is behind, in its list of values.
+  // The token `case` whose list of values contains the position.
   [[nodiscard]] std::optional<std::size_t> case_word() const {
     std::size_t depth = 0;
     for (std::size_t i = cursor_.before; i-- > 0;) {
@@ -156,7 +156,8 @@ class PlaceItems {
     return std::nullopt;
   }
 
-  // What a `switch` is about, from the token of one of its cases: between the parentheses.
+  // The first and the last token of the value of a `switch`, found from the token of one of its
+  // cases.
   [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> subject(std::size_t word) const {
     std::size_t depth = 0;
     std::size_t i = word;
@@ -198,7 +199,7 @@ class PlaceItems {
   }
 
   // ---- texts
-  // Those of the language and the library, and those that the program raises.
+  // The kinds of errors of the language and the library, and those that the program raises.
   [[nodiscard]] std::vector<std::string> kinds() const {
     std::vector<std::string> out;
     std::set<std::string, std::less<>> met;
@@ -222,12 +223,12 @@ class PlaceItems {
   [[nodiscard]] const Token* quoted_token() const {
     return cursor_.quoted && cursor_.before < tokens_.size() ? &tokens_[cursor_.before] : nullptr;
   }
-  // A text without its quotes.
+  // The text of a literal without its quotes.
   [[nodiscard]] std::string_view inside(std::size_t token) const {
     return inside_quotes(text(token));
   }
 
-  // Keys that the program writes for the map of that name.
+  // Adds the keys that the program uses with the map of that name.
   void add_keys(std::string_view map) {
     for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
       if (text(i) != map || !is_name(tokens_[i].type)) continue;
@@ -251,7 +252,7 @@ class PlaceItems {
     }
   }
 
-  // Programs that can be imported, as the host names them for a file that is not there.
+  // Adds files that can be imported: the host lists them for a file that does not exist.
   void add_files() {
     if (!facts_.options.load) return;
     const std::string_view written =
@@ -262,7 +263,7 @@ class PlaceItems {
            facts_.options.load(folder + ".rbt", facts_.main().name()).others)
         if (other != facts_.main().name()) add(other, NameKind::kText, "a program");
     } catch (const std::exception&) {
-      return;  // the host cannot say
+      return;  // the host has no list of files
     }
   }
 
@@ -273,7 +274,8 @@ class PlaceItems {
   std::set<std::string, std::less<>> met_;
 };
 
-// Whether a name in front of a colon, the token of that number, is one of a header or a struct.
+// Whether a name before a colon, token `name`, is in a header or a struct, where the colon begins a
+// type.
 bool is_declared_in(const Facts& facts, std::size_t name) {
   const Tokens& tokens = facts.tokens;
   std::size_t depth = 0;
@@ -326,7 +328,7 @@ std::vector<std::string_view> units_of(std::optional<Dim> dim) {
 bool is_type_place(const Facts& facts, std::size_t token) {
   const Tokens& tokens = facts.tokens;
   const auto text = [&](std::size_t i) { return facts.text_of(tokens[i]); };
-  // force/|
+  // A product of units or dimensions: force/|
   while (token >= 2 && (text(token - 1) == "/" || text(token - 1) == "*") &&
          is_name(tokens[token - 2].type))
     token -= 2;
@@ -364,7 +366,7 @@ bool is_kind_place(const Facts& facts, std::size_t token) {
   if (before == "==" || before == "!=")
     return token >= 4 && text(token - 2) == "kind" && text(token - 3) == ".";
   if (before != "case" && before != ",") return false;
-  // switch (e.kind) { case |
+  // A case of a switch: switch (e.kind) { case |
   std::size_t depth = 0;
   for (std::size_t i = token; i-- > 0;) {
     if (is_closer(tokens[i].type)) ++depth;

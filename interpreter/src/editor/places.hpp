@@ -1,6 +1,6 @@
 #pragma once
-// Positions where only a few things can stand: units behind numbers and in formats, types, cases,
-// and texts that name something.
+// Completions for positions where few texts are possible: units after numbers and in formats,
+// types, cases, and texts with a meaning.
 
 #include <optional>
 #include <string>
@@ -11,22 +11,22 @@
 
 namespace armlet::lang {
 
-// What can be written at the position; nothing where any value or statement can.
+// The completions at the position; empty if any value or statement is possible.
 [[nodiscard]] std::optional<std::vector<Completion>> items_of_place(const Facts& facts,
                                                                     const Cursor& cursor);
-// The texts that fit between the quotes which the position is in, apart from those that a parameter
-// of a library function takes.
+// The texts that fit between the quotes around the position, apart from those of parameters of
+// library functions.
 [[nodiscard]] std::vector<Completion> texts_of_place(const Facts& facts, const Cursor& cursor);
 
-// Where the unit of a number begins in its text.
+// The position in the text of a number where its unit begins.
 [[nodiscard]] std::size_t unit_begin(std::string_view number);
-// Units that measure a quantity, common ones first; of all quantities if there is none.
+// The units of a dimension, common ones first; all units if `dim` is empty.
 [[nodiscard]] std::vector<std::string_view> units_of(std::optional<Dim> dim);
-// Whether a type is written in front of the token of this number, or as the token of this number.
+// Whether a type is expected at the token with this index, or ends before it.
 [[nodiscard]] bool is_type_place(const Facts& facts, std::size_t token);
-// Whether a value has to stand there: behind an operator, in a call, as a setting.
+// Whether a value is expected: after an operator, in a call, as a setting.
 [[nodiscard]] bool is_value_place(const Facts& facts, const Cursor& cursor);
-// Whether the text at a token is compared with the kind of an error, and so is the name of one.
+// Whether the text at a token is compared with the kind of an error, so that it names a kind.
 [[nodiscard]] bool is_kind_place(const Facts& facts, std::size_t token);
 
 }  // namespace armlet::lang

@@ -1,4 +1,4 @@
-// Another name for a thing, wherever it is named.
+// Renames a symbol and all references to it.
 
 #include <algorithm>
 
@@ -21,11 +21,11 @@ bool is_in_library(const Registry& registry, std::string_view name) {
          registry.records().contains(name) || dimension_named(name).has_value();
 }
 
-// Fields and values of enums have names of their own, behind a point.
+// Fields and values of enums are named after a point, so other names do not conflict with them.
 bool is_member(NameKind kind) { return kind == NameKind::kField || kind == NameKind::kEnumValue; }
 
-// Another declaration of the new name that could be meant where the old one is, or the other way
-// round.
+// A symbol with the new name that would hide the renamed symbol at one of its uses, or be hidden by
+// it; null if there is none.
 const Symbol* in_the_way(const Facts& facts, const Symbol& symbol, std::string_view name) {
   for (const Symbol& other : facts.names.symbols) {
     if (other.name != name || is_member(other.kind) != is_member(symbol.kind)) continue;

@@ -1,4 +1,4 @@
-// The call that a position is in: its overloads and the parameter that is written.
+// Help for the call around a position: its overloads and the current parameter.
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Overload = SignatureHelp::Overload;
 
-// Where parameters stand in "name(a: T, b: U) -> V".
+// Finds the parameters in "name(a: T, b: U) -> V".
 void find_parameters(Overload& out) {
   int depth = 0;
   std::uint32_t begin = 0;
@@ -62,7 +62,7 @@ std::optional<SignatureHelp> signature_help(const Facts& facts, std::uint32_t at
   const OpenCall& call = *cursor.call;
   const Symbol* symbol = callee_symbol(facts, call, at);
   if (symbol != nullptr && symbol->declared == in_main(facts, call.callee))
-    return std::nullopt;  // its own header
+    return std::nullopt;  // the header of the function itself
   if (symbol != nullptr && (symbol->function != nullptr || symbol->structure != nullptr))
     return help_of_symbol(facts, call, *symbol);
   SignatureHelp out;
@@ -77,7 +77,7 @@ std::optional<SignatureHelp> signature_help(const Facts& facts, std::uint32_t at
     out.overloads.push_back(std::move(one));
   }
   if (out.overloads.empty()) return std::nullopt;
-  // What is chosen for a call that is not whole may lack the parameter that is written next.
+  // The function that fits an incomplete call may have no parameter at the position.
   if (parameter_of(facts, call, *all[out.active]) < 0) {
     const auto takes = [&](const NativeFunction* one) {
       return parameter_of(facts, call, *one) >= 0;

@@ -1,4 +1,4 @@
-// Blocks of other languages: a line that opens them, lines between, a word or an indentation that
+// Blocks of other languages: a first line, lines in the middle, and a word or an indentation that
 // ends them.
 
 #include <array>

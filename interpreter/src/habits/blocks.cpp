@@ -19,7 +19,7 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
-// The words of which one ends a block.
+// The words that may end a block.
 std::vector<std::string> end_words(const BlockHabit& row) {
   if (row.end == ":") return {"end"};
   const std::size_t bar = row.end.find('|');
@@ -27,7 +27,7 @@ std::vector<std::string> end_words(const BlockHabit& row) {
   return {lower_case(row.end.substr(0, bar)), lower_case(row.end.substr(bar + 1))};
 }
 
-// A line with its number; `last` is behind its pieces, without `;` at its end.
+// A line with its number; `last` is the index after its last piece, without a `;` at its end.
 struct Numbered {
   int number;
   Line line;
@@ -53,7 +53,7 @@ std::optional<std::string> written_here(const Numbered& line, std::span<const Ha
   return std::nullopt;
 }
 
-// A block whose end was not read yet.
+// A block whose end has not been found yet.
 struct Open {
   const BlockHabit* row;
   std::size_t indent;
@@ -63,11 +63,11 @@ struct Open {
 
 bool is_indented(const Open& open) { return open.row->end == ":"; }
 
-// Blocks that are open, the innermost last.
+// The open blocks, the innermost last.
 class OpenBlocks {
  public:
   [[nodiscard]] bool empty() const { return open_.empty(); }
-  // The innermost block that ends with its indentation; null if there is none.
+  // The innermost block whose end is shown by indentation; null if there is none.
   [[nodiscard]] Open* innermost_indented() {
     const auto found = std::find_if(open_.rbegin(), open_.rend(), is_indented);
     return found != open_.rend() ? &*found : nullptr;
@@ -76,7 +76,7 @@ class OpenBlocks {
 
   void push(Open open) {
     for (const std::string& word : end_words(*open.row)) {
-      // A brace, and the `end` of an indented block, stand below the first letter of the block.
+      // A brace, and the `end` of an indented block, are in the column of the block's first letter.
       if (word != "}" && !is_indented(open)) by_word_[word].push_back(open_.size());
       alike_[{word, open.indent}].push_back(open_.size());
     }
@@ -92,8 +92,8 @@ class OpenBlocks {
     open_.pop_back();
   }
 
-  // Drops the blocks inside of the nearest one that a word ends, first of those that are indented
-  // like the word; false if there is none.
+  // Removes the blocks inside of the nearest one that a word ends, preferring one with the same
+  // indentation as the word; returns false if there is none.
   bool drop_to(std::string_view word, std::size_t indent) {
     const std::string name = lower_case(word);
     const auto alike = alike_.find({name, indent});
@@ -136,7 +136,7 @@ class Reader {
   }
 
  private:
-  // Replaces the statement of a line, or empties the line.
+  // Replaces the statement of a line, or deletes it.
   void change(ForeignBlock& block, const Numbered& line, const std::string& here) {
     const std::uint32_t base = source_.line_start(line.number);
     if (here.empty()) {
@@ -170,8 +170,8 @@ class Reader {
     }
   }
 
-  // else: and the like belong to the innermost block; of one that ends with its indentation, at the
-  // same indentation.
+  // Whether a line such as else: belongs to the innermost block. If that ends by indentation, the
+  // line must have the block's indentation.
   bool is_between(const Numbered& line) {
     if (open_.empty()) return false;
     Open& open = open_.innermost();
@@ -190,7 +190,7 @@ class Reader {
     return true;
   }
 
-  // The variable that a function gives is declared with its first value.
+  // The result variable of a function is declared at its first assignment.
   void first_value(Open& open, const Numbered& line) {
     const std::string& name = open.parts[0];
     if (name.empty()) return;
@@ -204,7 +204,7 @@ class Reader {
     while (Open* const indented = open_.innermost_indented()) {
       Open& open = *indented;
       if (line.indent() > open.indent) return;
-      // What its word should end inside of it was no block.
+      // Blocks inside whose end words are missing were no blocks.
       while (&open_.innermost() != &open) open_.pop();
       const bool is_end =
           line.indent() == open.indent && line.last == 1 && lower_case(line.line.piece(0)) == "end";
@@ -216,7 +216,7 @@ class Reader {
     }
   }
 
-  // Behind the last line that was read.
+  // Ends a block after the last line that was read.
   void end_behind(Open& open) {
     if (!open.block.here.empty()) {
       const auto end =
@@ -254,7 +254,7 @@ class Reader {
   int last_ = 0;
 };
 
-// Edits in the order of the text; insertions at one place are joined.
+// Sorts edits in the order of the text; insertions at the same position are joined.
 std::vector<Edit> joined(std::vector<Edit> edits) {
   std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
   std::vector<Edit> out;

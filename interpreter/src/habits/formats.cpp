@@ -19,7 +19,8 @@ bool is_quoted(std::string_view text) {
          text.back() == text.front();
 }
 
-// The part of a conversion between its % and its letter, as a format has it: -8.2 is <8.2.
+// The style of a conversion, between % and its letter, as a format of this language: -8.2 becomes
+// <8.2.
 std::string style_of(std::string_view written, char letter) {
   std::string style;
   if (written.starts_with('-')) {
@@ -33,7 +34,7 @@ std::string style_of(std::string_view written, char letter) {
   return style;
 }
 
-// A value inside a formatted text.
+// A value in the braces of a formatted text.
 std::string in_braces(std::string value, const std::string& style) {
   if (value.find('?') != std::string::npos) value = '(' + value + ')';
   for (char& c : value) {

@@ -1,8 +1,8 @@
 #pragma once
-// Lines of other languages, explained: what each is called here, or that there is no such thing.
+// Explains lines of other languages: the form of each in this one, or that it has no counterpart.
 //
-// An explanation is a guess from the look of a line. It is given only where a message of the parser
-// or the checker marks the line, and only if its edits make that message go away
+// An explanation is a guess from the form of a line. It is used only if a message of the parser or
+// the checker marks the line, and only if its edits remove that message
 // (driver/explained_habits.hpp).
 
 #include <string>
@@ -12,18 +12,18 @@
 
 namespace armlet::lang {
 
-// Without edits: there is no such thing here.
+// Without edits if there is no counterpart.
 struct Explanation {
   Diagnostic message;
   bool of_value = false;  // of a part of a statement
-  bool names_it = false;  // the marked word stands in the row of the habit
+  bool names_it = false;  // the marked word is part of the habit's row
 };
 
-// Explanations of the line that a message marks, the best first: of its whole statement, then of
+// Explanations of the line with a message's mark, the best first: of its whole statement, then of
 // values in it.
 [[nodiscard]] std::vector<Explanation> explain_line(const Source& source, Span mark);
 
-// The blocks of other languages in a text.
+// The blocks in a text that are written as in other languages.
 class ForeignBlocks {
  public:
   explicit ForeignBlocks(const Source& source);
@@ -34,8 +34,8 @@ class ForeignBlocks {
   struct Block {
     int first = 0;  // lines, from 1
     int last = 0;
-    std::string found;  // the first line as it is written
-    std::string here;   // as it is written here; empty: not needed
+    std::string found;  // the first line in the text
+    std::string here;   // its form in this language; empty: not needed
     bool by_indentation = false;
     std::vector<Edit> edits{};
   };
@@ -44,12 +44,12 @@ class ForeignBlocks {
   [[nodiscard]] Diagnostic explanation(const Block& outer) const;
 
   const Source& source_;
-  std::vector<Block> blocks_;  // inner ones before those around them
+  std::vector<Block> blocks_;  // inner ones before the outer ones
 };
 
-// The text of a statement with all values as they are written here.
+// A statement with all of its values in the form of this language.
 [[nodiscard]] std::string with_values_here(std::string text);
-// A text for the headline of a message.
+// A text, shortened for the headline of a message.
 [[nodiscard]] std::string shortened(const std::string& text);
 
 }  // namespace armlet::lang

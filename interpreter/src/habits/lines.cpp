@@ -10,9 +10,9 @@ namespace armlet::lang {
 namespace {
 
 constexpr int kMostRewritings = 20;
-constexpr std::size_t kMostOfOneLine = 3;  // explanations of one kind, each tried
+constexpr std::size_t kMostOfOneLine = 3;  // explanations of one kind that are tried
 
-// A row that fits, where it fits in a text, and what is written there instead.
+// A row that matches, its position in the text, and the replacement.
 struct Fitting {
   const Habit* habit = nullptr;
   std::uint32_t begin = 0;
@@ -37,7 +37,8 @@ std::optional<Fitting> fitting(const Line& line, const Habit& habit, const Found
   return out;
 }
 
-// Whether what stands beside a value could take a part of it: 2 * mod(a, b), pose_add(a, b).x
+// Whether the value is beside an operator that would apply to a part of its replacement: 2 * mod(a,
+// b), pose_add(a, b).x
 bool is_in_a_term(const Line& line, const Found& found) {
   constexpr std::string_view kApart = "( [ { ) ] } , ; : = := => -> ? <<";
   const auto joins = [&](std::size_t at) {
@@ -49,7 +50,7 @@ bool is_in_a_term(const Line& line, const Found& found) {
          (found.last < line.pieces.size() && joins(found.last));
 }
 
-// The first rows that fit.
+// The first rows that match the whole statement.
 std::vector<Fitting> whole_statement(const Line& line, std::size_t first, std::size_t last) {
   std::vector<Fitting> out;
   Patience patience = kPatience;
@@ -66,8 +67,8 @@ std::vector<Fitting> whole_statement(const Line& line, std::size_t first, std::s
   return out;
 }
 
-// Of the row from number `row` on; `row` is then the next one. Those of toolboxes come behind those
-// of languages.
+// The first match of a value in the line, from row `row` on; `row` is then the next one. Rows of
+// toolboxes come after those of languages.
 std::optional<Fitting> first_value(const Line& line, Patience& patience, std::size_t& row) {
   const std::size_t languages = value_habits().size();
   const std::size_t all = languages + toolbox_habits().size();
@@ -84,7 +85,7 @@ std::optional<Fitting> first_value(const Line& line, Patience& patience, std::si
   return std::nullopt;
 }
 
-// Statements of a line: between braces and semicolons that stand outside of other brackets.
+// A statement of a line: the pieces between braces and semicolons outside of other brackets.
 struct Segment {
   std::size_t first;
   std::size_t last;
@@ -105,7 +106,7 @@ std::vector<Segment> segments_of(const Line& line) {
   return out;
 }
 
-// Whether a shape has a word as an element of its own.
+// Whether a word is an element of a shape.
 bool shape_has_word(std::string_view shape, std::string_view word) {
   while (!shape.empty()) {
     const std::size_t blank = std::min(shape.find(' '), shape.size());
@@ -118,7 +119,7 @@ bool shape_has_word(std::string_view shape, std::string_view word) {
   return false;
 }
 
-// An explanation is made from what fits in a line that begins at byte `base` of a source.
+// Makes an explanation from a match in a line that begins at byte `base` of a source.
 class Explainer {
  public:
   Explainer(const Source& source, int number)
@@ -152,7 +153,7 @@ class Explainer {
     return {base_ + begin, base_ + end, source_.id()};
   }
 
-  // The first value that fits is what a message shows; its edits change all that fit.
+  // A message shows the first value that matches; its edits change all that match.
   void values(std::vector<Explanation>& out, std::size_t last) const {
     const std::uint32_t end = line_.pieces[last - 1].end;
     const Line line(line_.text.substr(0, end));
@@ -165,15 +166,16 @@ class Explainer {
       here.replace(found->begin, found->end - found->begin, found->here);
       const Fitting changed{found->habit, 0, end, std::move(here), found->is_sample};
       add(out, *found, changed, true);
-      // p->x is p.x, which is no position to be written otherwise.
+      // p->x is p.x, but p is not a position that has to be converted.
       const bool goes_on = with_values_here(changed.here) != changed.here;
       if (goes_on && !changed.is_sample && found->habit->here != kNoSuchThing)
         add(out, *found, changed, false);
     }
   }
 
-  // shown    what the message says is written otherwise here.
-  // changed  what the edits change; with `all`, `here` is rewritten until nothing fits any more.
+  // shown    the match that the message is about.
+  // changed  the match that the edits replace; with `all`, its `here` is converted until no row
+  //          matches.
   void add(std::vector<Explanation>& out, const Fitting& shown, const Fitting& changed,
            bool all) const {
     const Habit& habit = *shown.habit;
@@ -217,8 +219,8 @@ class Explainer {
     return out;
   }
 
-  // With the `;` behind it, if nothing else stands on the line. The line stays: an error in the
-  // next one has nothing to do with it.
+  // The span of a deleted statement, with the `;` after it if the rest of the line is empty. The
+  // line itself stays, because an error in the next line is independent of it.
   [[nodiscard]] Span deleted(const Fitting& changed) const {
     const std::string_view before = line_.text.substr(0, changed.begin);
     const std::string_view behind = line_.text.substr(changed.end);
@@ -231,7 +233,7 @@ class Explainer {
   const Source& source_;
   std::uint32_t base_;
   Line line_;
-  mutable std::vector<const Habit*> habits_of_;  // of the explanations
+  mutable std::vector<const Habit*> habits_of_;  // the habits of the explanations
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// Whether the first piece opens the bracket that the last one closes.
+// Whether the first piece is a bracket that the last piece closes.
 bool is_in_parentheses(const Line& line) {
   if (line.pieces.empty() || line.piece(0) != "(") return false;
   int depth = 0;
@@ -74,7 +74,7 @@ Answer type(const std::string& part) {
   return found == kTypes.end() ? std::nullopt : Answer(found->here);
 }
 
-// num x, x:IN, int n, x = 2
+// Parameters: num x, x:IN, int n, x = 2
 Answer parameters(const std::string& part) {
   std::string out;
   for (const std::string& value : values_of(part)) {
@@ -98,7 +98,7 @@ Answer parameters(const std::string& part) {
   return out;
 }
 
-// v100, vmax
+// A speed of RAPID: v100, vmax
 Answer speed(const std::string& part) {
   if (part.size() < 2 || (part[0] != 'v' && part[0] != 'V')) return std::nullopt;
   const std::string digits = part.substr(1);
@@ -109,7 +109,7 @@ Answer speed(const std::string& part) {
 
 struct Setting {
   std::string_view there;
-  std::string_view here;  // empty: there is none that means the same
+  std::string_view here;  // empty: it has no counterpart
   std::string_view unit;
 };
 
@@ -117,7 +117,8 @@ constexpr auto kMoveJ = std::to_array<Setting>({{"t", "time", "s"}, {"r", "", ""
 constexpr auto kMoveL = std::to_array<Setting>(
     {{"a", "accel", "m/s^2"}, {"v", "speed", "m/s"}, {"t", "time", "s"}, {"r", "", ""}});
 
-// a=1.4, v=1.05. A time is kept alone: it makes the others useless.
+// Settings of URScript: a=1.4, v=1.05. If a time is given, only that is used, because the others
+// then have no effect.
 Answer settings(const std::string& part, std::span<const Setting> known) {
   std::string out, time;
   bool is_known = true;
@@ -137,7 +138,7 @@ Answer settings(const std::string& part, std::span<const Setting> known) {
   return is_known ? Answer(out) : std::nullopt;
 }
 
-// The number behind a name in `A1 0, A2 -90`; nothing if it is not there.
+// The number after a name in `A1 0, A2 -90`; empty if the name is missing.
 Answer coordinate(const std::vector<std::string>& values, std::string_view name) {
   for (const std::string& value : values) {
     const Line line(value);
@@ -160,7 +161,7 @@ Answer axes(const std::string& part) {
   return out.empty() ? std::nullopt : Answer(out);
 }
 
-// 0, -90, 90
+// Angles in degrees without units: 0, -90, 90
 Answer degrees(const std::string& part) {
   std::string out;
   for (const std::string& value : values_of(part))
@@ -168,7 +169,7 @@ Answer degrees(const std::string& part) {
   return out;
 }
 
-// A, B and C turn about z, y and x.
+// KRL: A, B and C are rotations about z, y and x.
 Answer frame(const std::string& part) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kTurns = {
       {{"A", "yaw"}, {"B", "pitch"}, {"C", "roll"}}};
@@ -182,7 +183,7 @@ Answer frame(const std::string& part) {
   bool turns = false;
   for (const auto& [name, setting] : kTurns) {
     const Answer given = coordinate(values, name);
-    if (!given) return std::nullopt;  // the hand keeps its rotation
+    if (!given) return std::nullopt;  // the tool keeps its orientation
     const std::string& value = *given;
     turns = turns || value.find_first_not_of("0.-") != std::string::npos;
     turn += ", " + std::string(setting) + ": " + with_unit(value, "deg");
@@ -190,7 +191,7 @@ Answer frame(const std::string& part) {
   return (turns ? "pose(" : "xyz(") + place + (turns ? turn : "") + ')';
 }
 
-// X 0, Z 50: a translation; what is left out is 0.
+// KRL: X 0, Z 50 is a translation; coordinates that are absent are 0.
 Answer shift(const std::string& part) {
   const std::vector<std::string> values = values_of(part);
   std::string out;
@@ -202,7 +203,7 @@ Answer shift(const std::string& part) {
   return "xyz(" + out + ')';
 }
 
-// 0, 3.14, 0: a vector along the axis, as long as the angle.
+// URScript's rotation vector, such as 0, 3.14, 0: its direction is the axis, its length the angle.
 Answer turn(const std::string& part) {
   const std::vector<std::string> values = values_of(part);
   const bool is_zero = std::ranges::all_of(values, [](const std::string& value) {
@@ -212,7 +213,7 @@ Answer turn(const std::string& part) {
   return is_zero ? "" : " * expPose([0.0, 0.0, 0.0, " + part + "])";
 }
 
-// 0.5, 0.1, 0.2 in metres; 500, 100, 200 in millimetres, as no arm reaches 10 m.
+// 0.5, 0.1, 0.2 is in metres; 500, 100, 200 in millimetres, since no arm reaches 10 m.
 Answer place(const std::string& part) {
   constexpr double kFarthest = 10.0;
   const std::vector<std::string> values = values_of(part);
@@ -225,7 +226,7 @@ Answer place(const std::string& part) {
   return out;
 }
 
-// The value that a variable of a type has before it is given one.
+// The first value of a variable of a type, before any assignment.
 Answer zero(const std::string& part) {
   const Answer known = type(part);
   if (!known || (*known != "int" && *known != "double" && *known != "bool" && *known != "string"))
@@ -233,7 +234,7 @@ Answer zero(const std::string& part) {
   return *known == "int" ? "0" : *known == "double" ? "0.0" : *known == "bool" ? "false" : "\"\"";
 }
 
-// The kind of an error here.
+// The kind of an error in this language.
 Answer kind(const std::string& part) {
   if (part == "KeyError") return "IndexError";
   return part == "ZeroDivisionError" ? "DivideByZero" : part;

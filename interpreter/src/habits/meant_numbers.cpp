@@ -20,7 +20,7 @@ bool is_whole(std::string_view text) {
 
 double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
-// Without blanks behind a sign: "- 2" is -2.
+// Removes blanks after a sign: "- 2" becomes -2.
 std::string joined_sign(std::string text) {
   if (text.starts_with("- ")) text.erase(1, 1);
   return text;

@@ -1,5 +1,5 @@
 #pragma once
-// Indexes, ranges, angles and shares of other languages, as they are written here.
+// Converts indices, ranges, angles and percentages of other languages.
 
 #include <optional>
 #include <string>
@@ -7,23 +7,24 @@
 
 namespace armlet::lang {
 
-// 12, -0.5, 1.
+// Whether the text is a number without a unit: 12, -0.5, 1.
 [[nodiscard]] bool is_plain_number(std::string_view text);
-// Numbers get the unit, other values are multiplied with it: 5mm, a * 1mm.
+// Adds a unit to numbers, and multiplies other values by it: 5mm, a * 1mm.
 [[nodiscard]] std::string with_unit(const std::string& value, const std::string& unit);
 
-// An index that counts from 1: `i - 1`; of 2:3, whose end belongs to it, `2 - 1:3`. Nothing for 0
-// and for `end`.
+// Converts an index that counts from 1: `i` to `i - 1`; 2:3, which includes its end, to `2 - 1:3`.
+// Empty for 0 and for `end`.
 [[nodiscard]] std::optional<std::string> index_from_zero(const std::string& part);
-// "a, b" of a:b: what `range` takes for a, a + 1 ... up to b.
+// "a, b" for a:b: the arguments of `range` for a, a + 1 ... up to b.
 [[nodiscard]] std::optional<std::string> counted_range(const std::string& part);
-// "a, step, b" of a:step:b. The step has to be a number: which end is left out depends on its sign.
+// "a, step, b" for a:step:b. The step must be a number, because its sign decides which end is
+// excluded.
 [[nodiscard]] std::optional<std::string> stepped_range(const std::string& part);
-// "a, 'deg'" or "a, 'rad'": the angle with its unit; nothing for another word.
+// Converts "a, 'deg'" or "a, 'rad'" to the angle with its unit; empty for another word.
 [[nodiscard]] std::optional<std::string> angle_with_word(const std::string& part);
-// An angle in radians; nothing for more than a revolution, which was meant in degrees.
+// An angle in radians; empty for more than one revolution, which was meant in degrees.
 [[nodiscard]] std::optional<std::string> small_angle(const std::string& part);
-// KRL's Vel=50 %: ", speed: 50 / 100.0"; "" for the full speed.
+// Converts KRL's Vel=50 % to ", speed: 50 / 100.0"; "" for the full speed.
 [[nodiscard]] std::optional<std::string> share_of_speed(const std::string& part);
 
 }  // namespace armlet::lang

@@ -28,7 +28,7 @@ class Matcher {
   }
 
  private:
-  // Whether the pieces from `at` on have the shape.
+  // Whether the pieces from `at` on match the shape.
   bool rest(std::size_t at, std::string_view shape) {
     if (--patience_ < 0) return false;
     if (shape.empty()) {
@@ -58,7 +58,7 @@ class Matcher {
     return true;
   }
 
-  // An element that is one piece.
+  // Matches an element that is one piece.
   bool one(std::size_t at, std::string_view element, std::string_view behind) {
     if (element.size() > 1 && element[0] == '~' && element != "~=") {
       if (at == 0 || line_.pieces[at - 1].end != line_.pieces[at].begin) return false;
@@ -93,8 +93,8 @@ class Matcher {
     return false;
   }
 
-  // The shortest value with which the rest fits; at the end of a shape that may stop anywhere, the
-  // longest.
+  // Matches a value: the shortest with which the rest of the shape matches; the longest at the end
+  // of a shape that need not match the whole line.
   bool value(std::size_t at, std::string_view behind, bool commas) {
     const bool longest = behind.empty() && !whole_;
     int depth = 0;

@@ -5,7 +5,7 @@
 //   @     a word                      #     a number                    ?     a quoted text
 //   $     a value: at least one piece, brackets in pairs, no comma outside of them
 //   *     any pieces, also none, brackets in pairs
-//   ...   the rest of the line as it is written, with comments
+//   ...   the rest of the line unchanged, with comments
 //   =1    the same text as the first of the elements above
 //   ~x    the element x, directly behind the piece before it
 //   ^x    the word x with these capitals
@@ -23,23 +23,24 @@
 
 namespace armlet::lang {
 
-// Where a shape was found, and the text that each of its @ # $ * ... stands for.
+// The position of a match, and the texts that match its elements @ # $ * ...
 struct Found {
   std::size_t first = 0;  // pieces [first, last)
   std::size_t last = 0;
   std::vector<std::string> parts;
 };
 
-// How many comparisons are left for a line: shapes with several `$` may fit in many ways.
+// The remaining count of comparisons for a line, since a shape with several `$` may match with many
+// divisions.
 using Patience = int;
 inline constexpr Patience kPatience = 20'000;
 
-// Whether pieces [first, last) of a line have a shape, all of them.
+// Matches a shape with all pieces [first, last) of a line.
 [[nodiscard]] std::optional<Found> match_all(const Line& line, std::size_t first, std::size_t last,
                                              std::string_view shape, Patience& patience);
-// The first place in pieces [first, last) that has a shape. A shape that begins with `$` begins
-// where a value can: behind a bracket, a comma, an `=` or a `return`. Values hold none of the last
-// two.
+// The first match of a shape inside of pieces [first, last). A shape that begins with `$` matches
+// only where a value can begin: after a bracket, a comma, an `=` or a `return`. Values contain
+// neither `=` nor `return`.
 [[nodiscard]] std::optional<Found> match_inside(const Line& line, std::size_t first,
                                                 std::size_t last, std::string_view shape,
                                                 Patience& patience);

@@ -20,7 +20,7 @@ bool is_letter(char c) {
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-// The end of a number with its unit: 1.5e-3, 100mm. `1:10` and `a.b` stay apart.
+// The end of a number with its unit: 1.5e-3, 100mm. `1:10` and `a.b` are several pieces.
 std::size_t end_of_number(std::string_view text, std::size_t at) {
   while (at < text.size()) {
     const bool is_exponent = (text[at] == 'e' || text[at] == 'E') && at + 2 < text.size() &&
@@ -38,14 +38,14 @@ std::size_t end_of_number(std::string_view text, std::size_t at) {
   return at;
 }
 
-// Behind the closing quote, or at the end of the line.
+// The end of a text: after its closing quote, or the end of the line.
 std::size_t end_of_text(std::string_view text, std::size_t at) {
   const char quote = text[at++];
   while (at < text.size() && text[at] != quote) at += text[at] == '\\' ? 2 : 1;
   return std::min(at + 1, text.size());
 }
 
-// In front of a quote behind a value: MATLAB's transpose.
+// Whether the quote at `at` follows a value: it is MATLAB's transpose.
 bool is_transpose(std::string_view text, std::size_t at) {
   if (text[at] != '\'' || at == 0) return false;
   const char before = text[at - 1];
@@ -74,7 +74,7 @@ Piece piece_at(std::string_view text, std::size_t at) {
   return made(at + 1, Piece::Kind::kMark);
 }
 
-// The pieces that two lines have in common, in their order: the longest such row.
+// The longest common subsequence of the pieces of two lines.
 std::vector<std::pair<std::size_t, std::size_t>> common_pieces(const Line& from, const Line& to) {
   const std::size_t columns = to.pieces.size() + 1;
   std::vector<std::uint16_t> length((from.pieces.size() + 1) * columns);
@@ -99,7 +99,7 @@ std::vector<std::pair<std::size_t, std::size_t>> common_pieces(const Line& from,
   return out;
 }
 
-// The pieces of a line, numbers apart from their units.
+// The pieces of a line, with numbers separated from their units.
 Line with_units_apart(std::string_view text) {
   Line line(text);
   std::vector<Piece> apart;

@@ -1,6 +1,6 @@
 #pragma once
-// Lines of other languages as words, numbers, texts and marks. The lexer of the language cannot
-// read them; nothing here can fail.
+// Divides lines of other languages into words, numbers, texts and marks. The lexer of the language
+// rejects such lines; this one accepts every line.
 
 #include <cstdint>
 #include <string>
@@ -11,18 +11,18 @@ namespace armlet::lang {
 
 struct Piece {
   enum class Kind : std::uint8_t { kWord, kNumber, kText, kMark };
-  std::uint32_t begin = 0;  // bytes in the line
+  std::uint32_t begin = 0;  // position in the line
   std::uint32_t end = 0;
   Kind kind = Kind::kMark;
 };
 
-// One line and its pieces, without a comment that starts with //. Lines of more than 400 bytes have
-// no pieces: nobody wrote them by hand.
+// One line and its pieces, without a comment that starts with //. Lines of more than 400 bytes,
+// which are not hand-written, have no pieces.
 struct Line {
   explicit Line(std::string_view written);
 
   [[nodiscard]] std::string_view piece(std::size_t i) const { return text_of(i, i + 1); }
-  // From piece `first` to the one before piece `last`.
+  // The text from piece `first` to the one before piece `last`.
   [[nodiscard]] std::string_view text_of(std::size_t first, std::size_t last) const {
     if (first >= last) return {};
     return text.substr(pieces[first].begin, pieces[last - 1].end - pieces[first].begin);
@@ -39,8 +39,8 @@ struct LineEdit {
   std::string text;
 };
 
-// The edits that turn one line into another and leave the pieces alone that both have, numbers with
-// other units among them.
+// The edits that change one line to another and leave the pieces that both have. A number with
+// another unit is such a piece.
 [[nodiscard]] std::vector<LineEdit> line_edits(std::string_view from, std::string_view to);
 
 }  // namespace armlet::lang

@@ -1,19 +1,19 @@
 #pragma once
-// Habits of other languages: one row each. How shapes are written is said in pattern.hpp, how texts
-// with places in meant.hpp.
+// The tables of habits of other languages, one row each. pattern.hpp describes the shapes,
+// meant.hpp the templates.
 
 #include <span>
 #include <string_view>
 
 namespace armlet::lang {
 
-// There is no such thing here: the message says why, and no fix is given.
+// The construct has no counterpart: the message gives the reason and no fix.
 inline constexpr std::string_view kNoSuchThing = "-";
-// What is written here begins with it: it is shown, and no edit makes it, because it does not do
-// the same, or only with values that the line does not hold.
+// The first character of a replacement that is shown but not applied as an edit, because it does
+// not do the same, or does so only for values that the line does not show.
 inline constexpr char kOnlyShown = '?';
 
-// Reasons that several tables give.
+// Reasons that several rows share.
 inline constexpr std::string_view kZones =
     "a move stops at its goal; in a path, blend: 10mm rounds corners";
 inline constexpr std::string_view kNamedSignals = "signals have names";
@@ -21,28 +21,29 @@ inline constexpr std::string_view kFromZero = "indexes stand in square brackets 
 
 struct Habit {
   std::string_view shape;
-  std::string_view here;  // empty: not needed here; kNoSuchThing
+  std::string_view here;  // empty: not needed in this language; kNoSuchThing
   std::string_view why;   // one sentence, may be empty
 };
 
-// Whole statements, and values anywhere in a line: of languages, and of toolboxes for robots.
+// Habits of whole statements, and of values anywhere in a line: of languages, and of toolboxes for
+// robots.
 [[nodiscard]] std::span<const Habit> statement_habits();
 [[nodiscard]] std::span<const Habit> value_habits();
 [[nodiscard]] std::span<const Habit> toolbox_habits();
 
-// A block that begins with a line of its own.
+// A habit of a block whose first line is a line of its own.
 struct BlockHabit {
   std::string_view shape;  // of its first line
-  std::string_view here;   // empty: the block is no block here; its lines stay
-  // The word of its last line, "end|ENDWHILE" for one of two; ":": it ends with its indentation, or
-  // with `end`.
+  std::string_view here;   // empty: not a block in this language; its lines stay
+  // The word of its last line, "end|ENDWHILE" for two possible ones; ":" if the block ends by
+  // indentation, or with `end`.
   std::string_view end;
-  bool gives_first = false;  // function y = f(x): gives the variable that is its first part
+  bool gives_first = false;  // function y = f(x): returns the variable that is its first part
 };
 
 [[nodiscard]] std::span<const BlockHabit> block_habits();
 
-// Lines between: else, elif n > 2:, CASE 1. And what the last line means.
+// Lines in the middle of a block: else, elif n > 2:, CASE 1. And the lines that end it.
 [[nodiscard]] std::span<const Habit> middle_habits();
 [[nodiscard]] std::span<const Habit> end_habits();
 

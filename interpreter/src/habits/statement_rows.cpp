@@ -1,4 +1,4 @@
-// Statements of other languages.
+// Habits of statements of other languages.
 
 #include <array>
 

@@ -1,5 +1,5 @@
-// Values of toolboxes for robots: the Robotics Toolbox for MATLAB and for Python, RoboDK, MoveIt;
-// and calls that people guess. Names that only differ are rows of the host
+// Habits of values of toolboxes for robots: the Robotics Toolbox for MATLAB and for Python, RoboDK,
+// MoveIt; and plausible calls that do not exist. Other names of functions are rows of the host
 // (stdlib/src/messages/foreign_names.hpp).
 
 #include <array>

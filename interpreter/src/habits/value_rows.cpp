@@ -1,4 +1,4 @@
-// Values of other languages, anywhere in a line.
+// Habits of values of other languages, anywhere in a line.
 
 #include <array>
 

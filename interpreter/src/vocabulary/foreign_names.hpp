@@ -1,7 +1,6 @@
 #pragma once
-// What users of other languages write for names that belong to the language itself. Those of a
-// library are rows of its host (Engine::add_foreign_names), words are in
-// base/foreign_words.hpp.
+// Names of other languages for functions of this one. Those for functions of a library are rows of
+// its host (Engine::add_foreign_names), keywords are in base/foreign_words.hpp.
 
 #include "armlet/interpreter/foreign_name.hpp"
 

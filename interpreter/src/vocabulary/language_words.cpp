@@ -3,7 +3,7 @@
 namespace armlet::lang {
 namespace {
 
-// The signatures describe: `T` and `V` are any types, `K` is string, int or an enum.
+// The signatures are for documentation: `T` and `V` are any types, `K` is string, int or an enum.
 constexpr NativeFunction kWords[] = {
     {"print", "(values...)", "Writes its values, separated by spaces, and ends the line.",
      "print(1, \"two\", 3mm)"},

@@ -1,6 +1,6 @@
 #pragma once
-// Calls that the checker itself understands (check/calls/intrinsics.cpp), described like functions
-// of the library.
+// Descriptions of the calls that the checker treats as part of the language
+// (check/calls/intrinsics.cpp), in the form of library functions.
 
 #include <span>
 

@@ -115,8 +115,6 @@ const NativeConstant* Registry::constant(std::string_view name) const {
   return find_or(constants_, name, nullptr);
 }
 
-// A type of the host may be written with a capital letter if the library makes its values by a
-// function of that name, as the classic subset does.
 std::string Registry::what_takes_time() const {
   std::vector<std::string_view> acts;
   for (const auto& [name, type] : types_) {
@@ -128,6 +126,8 @@ std::string Registry::what_takes_time() const {
   return out;
 }
 
+// The name of a host type may be written with a capital letter, as in classic programs, if a
+// function of that name makes its values.
 const HostType* Registry::type(std::string_view name) const {
   const bool is_classic = !name.empty() && name[0] >= 'A' && name[0] <= 'Z' &&
                           !types_.contains(name) && functions_.contains(name);
@@ -145,7 +145,7 @@ std::vector<std::string_view> Registry::public_names() const {
   std::ranges::for_each(functions_, add);
   std::ranges::for_each(constants_, add);
   std::ranges::sort(names);
-  // clang 14 cannot read std::ranges::unique of g++ 12.
+  // clang 14 cannot compile std::ranges::unique of g++ 12.
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
@@ -180,7 +180,7 @@ std::shared_ptr<const TypePool> Registry::library_types() const {
   if (library_types_ == nullptr) {
     auto types = std::make_shared<TypePool>();
     declare_records(*types);
-    // Sessions that use them share these.
+    // The list types of host types are made here, so that all sessions share them.
     for (const auto& [name, type] : types_) static_cast<void>(types->list(types->host(type)));
     types->close();
     library_types_ = std::move(types);
@@ -194,7 +194,7 @@ void Registry::declare_records(TypePool& types) const {
     made.push_back(types.new_record(name));
     types.register_library_record(made.back());
   }
-  // Fields come second, because a record may hold another one.
+  // The fields are parsed after all records are known, because a record may contain another one.
   std::size_t i = 0;
   std::string error;
   for (const auto& [name, fields] : records_) {

@@ -1,9 +1,9 @@
 #pragma once
-// The vocabulary of an engine: native functions, constants, host types and records of the library,
-// by name.
+// The registry of an engine: native functions, constants, host types and records of the library, by
+// name.
 //
-// Only names and texts are kept here. A program reads the signatures it needs against its own
-// types, so an engine may be shared by threads.
+// The registry contains only names and texts. A program parses the signatures that it uses, with
+// its own types, so several threads may share an engine.
 
 #include <deque>
 #include <map>
@@ -25,32 +25,33 @@
 
 namespace armlet::lang {
 
-// What was added in one go, and the chapter of the reference that it belongs to.
+// Functions that were added together, with their chapter of the reference.
 struct Chapter {
   std::string_view title;
   std::span<const NativeFunction> functions;
   std::span<const NativeConstant> constants;
 };
 
-// How the name of a function ends that makes rows named by the program: "motor.phase.NAME".
+// The end of the name of a function that makes named rows: "motor.phase.NAME".
 inline constexpr std::string_view kNamedRow = ".NAME";
 
-// "operator+", "point.x=", "motor{}" and "motor()" are found by the checker, not written by
-// programs.
+// Whether programs write the name. "operator+", "point.x=", "motor{}" and "motor()" are only looked
+// up by the checker.
 [[nodiscard]] inline bool is_written(std::string_view name) {
   return !name.starts_with("operator") && name.find_first_of("[]{}()=") == std::string_view::npos;
 }
 
 class Registry {
  public:
-  // language  outlives the registry.
+  // language  must outlive the registry.
   explicit Registry(const LanguageFunctions& language);
 
   [[nodiscard]] const LanguageFunctions& language() const { return language_; }
 
-  // Adds all, or none and returns the first that is there already.
+  // Adds all functions. If one exists already, adds none and returns it; null otherwise.
   const NativeFunction* add_functions(std::span<const NativeFunction> functions);
-  // Keeps a function as long as the registry, for add_functions, with what it needs.
+  // Stores a function, with data that it needs, for the lifetime of the registry, for
+  // add_functions.
   std::span<const NativeFunction> keep(const NativeFunction& function,
                                        std::shared_ptr<const void> needs);
   void keep(std::shared_ptr<const void> needs) { kept_.push_back(std::move(needs)); }
@@ -60,42 +61,41 @@ class Registry {
   void add_record(std::string_view name, std::string_view fields);
   void add_messages(std::span<const CatalogEntry> rows) { messages_.add(rows); }
   [[nodiscard]] const MessageTables& messages() const { return messages_; }
-  // Functions that change nothing, so that a statement made of a call of one does nothing.
+  // Adds functions without effects: a statement with only a call of one does nothing.
   void add_values(std::span<const NativeFunction> functions) { values_.push_back(functions); }
   [[nodiscard]] bool only_gives(const NativeFunction& function) const;
   void add_chapter(const Chapter& chapter) { chapters_.push_back(chapter); }
-  // throws  ArgumentError for a word that is known already.
+  // throws  ArgumentError for a word that was added before.
   void add_foreign_names(std::span<const ForeignName> rows);
-  // What a word of another language is called here; null if it is not known.
+  // The row for a name of another language; null if there is none.
   [[nodiscard]] const ForeignName* foreign(std::string_view word,
                                            ForeignKind kind = ForeignKind::kName) const;
-  // A name of the language reference that nothing stands behind yet.
 
-  // All functions of one name, in the order in which they were added.
+  // All functions with one name, in the order in which they were added.
   [[nodiscard]] std::span<const NativeFunction* const> functions(std::string_view name) const;
   [[nodiscard]] const NativeConstant* constant(std::string_view name) const;
   [[nodiscard]] const HostType* type(std::string_view name) const;
-  // Whether names such as "Math.sin" exist for "Math".
+  // Whether names such as "Math.sin" exist for the name "Math".
   [[nodiscard]] bool is_namespace(std::string_view name) const;
   [[nodiscard]] const std::map<std::string, const HostType*, std::less<>>& types() const {
     return types_;
   }
-  // What takes time, as part of a sentence in the words of the host: "wait or move".
+  // The actions that take time, as part of a sentence in the words of the host: "wait or move".
   [[nodiscard]] std::string what_takes_time() const;
   [[nodiscard]] const std::map<std::string, std::string, std::less<>>& records() const {
     return records_;
   }
   [[nodiscard]] const std::vector<Chapter>& chapters() const { return chapters_; }
-  // Whether blocks of this type have rows that the program names: "motor.phase.NAME".
+  // Whether blocks of this type have named rows: "motor.phase.NAME".
   [[nodiscard]] bool has_named_rows(std::string_view type) const;
-  // Names a program can write, sorted: for suggestions.
+  // The names that a program can use, sorted, for proposals.
   [[nodiscard]] std::vector<std::string_view> public_names() const;
 
   // The types of the library's records, which all programs share.
   [[nodiscard]] std::shared_ptr<const TypePool> library_types() const;
   // Host types and library records by name, as types of one program.
   [[nodiscard]] TypeNames type_names(TypePool& types) const;
-  // Makes the records of the library; the fields of one that cannot be read are missing.
+  // Makes the record types of the library; fields with an invalid type are omitted.
   void declare_records(TypePool& types) const;
   // All functions by name.
   [[nodiscard]] const std::map<std::string_view, std::vector<const NativeFunction*>>& functions()
@@ -104,10 +104,11 @@ class Registry {
   }
 
  private:
-  // The record of a caught error has a field for each type of resource: the one that was commanded.
+  // Adds fields to the record of a caught error: one for each type of resource, for the one that
+  // was commanded.
   void describe_errors();
   const LanguageFunctions& language_;
-  // The names are those of the functions and constants, which outlive the engine.
+  // The keys refer to the names of functions and constants, which outlive the engine.
   std::map<std::string_view, std::vector<const NativeFunction*>> functions_;
   std::map<std::string_view, const NativeConstant*> constants_;
   std::map<std::string, const HostType*, std::less<>> types_;
@@ -117,9 +118,9 @@ class Registry {
   std::vector<Chapter> chapters_;
   std::vector<std::span<const NativeFunction>> values_;
   std::deque<NativeFunction> defined_;
-  std::vector<std::shared_ptr<const void>> kept_;  // what they need
+  std::vector<std::shared_ptr<const void>> kept_;  // data of the stored functions
   mutable std::mutex making_types_;
-  mutable std::shared_ptr<const TypePool> library_types_;  // null: not made since the last change
+  mutable std::shared_ptr<const TypePool> library_types_;  // null: to be made after the last change
 };
 
 }  // namespace armlet::lang

@@ -11,7 +11,7 @@ namespace {
 
 using Form = TypePattern::Form;
 
-// Reads one signature from left to right; the first thing that does not fit is kept as the error.
+// Parses one signature from left to right, and keeps the first error.
 class SignatureReader {
  public:
   SignatureReader(std::string_view text, TypePool& types, const TypeNames& names)
@@ -130,7 +130,7 @@ class SignatureReader {
     }
   }
 
-  // Anything with a dimension in the one form dim * D^d * E^e.
+  // A type with a dimension in the general form dim * D^d * E^e.
   TypePattern as_dimension(const TypePattern& pattern) {
     if (pattern.form == Form::kDimension) return pattern;
     if (pattern.form != Form::kType || pattern.type == nullptr || !pattern.type->is(Kind::kReal)) {
@@ -175,7 +175,7 @@ class SignatureReader {
     return simplified(out);
   }
 
-  // int[string], double[][int]: behind the `[`.
+  // A map type such as int[string] or double[][int], from the `[` on.
   TypePattern map_of(const TypePattern& element) {
     const std::size_t begin = at_;
     const TypePattern key = type();
@@ -248,8 +248,7 @@ class SignatureReader {
   const Type* named(std::string_view name) {
     if (const Type* type = basic_type(types_, name)) return type;
     if (name == "void") return types_.void_type();
-    // A library that has its own `force` record would shadow the dimension, so dimensions come
-    // first.
+    // Dimensions have priority, because a record `force` of the library would hide the dimension.
     if (const auto dim = dimension_named(name)) return types_.quantity(*dim);
     if (const Type* type = names_(name)) return type;
     fail("`" + std::string(name) + "` is not a type");
@@ -261,7 +260,7 @@ class SignatureReader {
     const Type* type;
   };
 
-  // The default of a parameter, which has its type.
+  // The default value of a parameter, converted to its type.
   Constant fitting_literal(const Parameter& parameter) {
     skip();
     const std::size_t begin = at_;

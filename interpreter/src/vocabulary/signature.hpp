@@ -1,8 +1,7 @@
 #pragma once
-// Signatures of native functions: read from text once per program, matched against the types of a
-// call.
+// Signatures of native functions: parsed once per program, and matched with the types of a call.
 //
-// Pure functions over types; nothing here knows the syntax tree. T and U stand for any type, S for
+// These are functions of types, independent of the syntax tree. T and U stand for any type, S for
 // any struct, D and E for any quantity or double.
 
 #include <functional>
@@ -16,7 +15,7 @@
 
 namespace armlet::lang {
 
-// A type that may contain variables.
+// A type with variables.
 struct TypePattern {
   enum class Form : std::uint8_t {
     kType,
@@ -36,15 +35,15 @@ struct TypePattern {
   int e = 0;
   // kList: the element; kFunction: parameters, then the result; kRecord: the fields.
   std::vector<TypePattern> parts{};
-  std::vector<TypePattern> of{};     // kRecord: what stands in its name, OdeEvent<S>
-  std::vector<std::string> names{};  // kRecord: its own, then those of its fields
+  std::vector<TypePattern> of{};     // kRecord: the types in its name, OdeEvent<S>
+  std::vector<std::string> names{};  // kRecord: its name, then those of its fields
 };
 
 struct Parameter {
   std::string name;
   TypePattern type;
   bool optional = false;    // `time?`: may be absent
-  bool variadic = false;    // `number...`: the rest, as one list
+  bool variadic = false;    // `number...`: the remaining arguments, as one list
   bool any_number = false;  // `number`: a double or any quantity, taken as SI
   std::optional<Constant> default_value{};
 
@@ -55,7 +54,7 @@ struct Signature {
   std::vector<Parameter> parameters;
   TypePattern result;
 
-  [[nodiscard]] int index_of(std::string_view name) const;  // -1 if absent
+  [[nodiscard]] int index_of(std::string_view name) const;  // -1 if there is none
 };
 
 // Finds host types and records of the library by name; null if there is none.
@@ -71,32 +70,32 @@ using TypeNames = std::function<const Type*(std::string_view)>;
                                                                    const TypeNames& names,
                                                                    std::string& error);
 
-// What the variables of a signature stand for in one call.
+// The values of a signature's variables in one call.
 struct Bindings {
   const Type* types[2] = {nullptr, nullptr};
   std::optional<Dim> dims[2];
 };
 
-// How many of the conversions that happen by themselves (section 5) lead from one type to another:
-// 0 if they are the same, 1 otherwise; -1 if none does. zero: the value is the literal 0 or 0.0,
-// which is any quantity.
+// The cost of the implicit conversion (section 5) from one type to another: 0 if they are the same,
+// 1 if there is a conversion, -1 if there is none. zero: the value is the literal 0 or 0.0, which
+// fits any quantity.
 [[nodiscard]] int conversion_cost(const Type* from, const Type* to, bool zero = false);
 
 // The dimension of a sum of quantities a and b under the angle rule of section 6; empty if they
 // cannot be added.
 [[nodiscard]] std::optional<Dim> common_dimension(Dim a, Dim b);
 
-// Fits a type to a pattern, binding variables. Returns the cost as above, or -1.
+// Matches a type with a pattern and sets its variables. Returns the cost as above, or -1.
 [[nodiscard]] int match(const TypePattern& pattern, const Type* actual, bool zero,
                         Bindings& bindings);
 
-// Whether every variable of the pattern is bound.
+// Whether every variable of the pattern has a value.
 [[nodiscard]] bool is_bound(const TypePattern& pattern, const Bindings& bindings);
-// The type that the pattern stands for; null if a variable is not bound (or a dimension cannot be
-// represented).
+// The type of a pattern with the values of its variables; null if a variable has none, or if a
+// dimension cannot be represented.
 [[nodiscard]] const Type* instantiate(const TypePattern& pattern, const Bindings& bindings,
                                       TypePool& types);
-// As in the signature, with bound variables filled in: for messages.
+// The text of the pattern in the signature, with the values of its variables, for messages.
 [[nodiscard]] std::string pattern_name(const TypePattern& pattern, const Bindings& bindings,
                                        TypePool& types);
 

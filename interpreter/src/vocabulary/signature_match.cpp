@@ -14,7 +14,7 @@ int number_cost(const Type* from, const Type* to, bool zero) {
   return from->dim.without_angle() == to->dim ? 1 : -1;
 }
 
-// D = (actual / dim)^(1/d) for the only variable that is not bound.
+// D = (actual / dim)^(1/d), for the only variable without a value.
 bool solve(const TypePattern& pattern, Dim actual, Bindings& bindings) {
   Dim known = pattern.dim;
   int unknown = -1;
@@ -63,13 +63,13 @@ int match_dimension(const TypePattern& pattern, const Type* actual, bool zero, B
   if (zero || actual->dim == *wanted) return cost;
   const std::optional<Dim> common = common_dimension(actual->dim, *wanted);
   if (!common) return -1;
-  // A plain D takes the dimension that both have in common.
+  // A plain D gets the common dimension of both.
   if (pattern.d == 1 && pattern.e == 0 && pattern.dim.is_none()) bindings.dims[0] = *common;
   if (pattern.e == 1 && pattern.d == 0 && pattern.dim.is_none()) bindings.dims[1] = *common;
   return 1;
 }
 
-// A record that a signature made: of the same name, field by field.
+// Matches a record type of a signature: same name, and matching fields.
 int match_record(const TypePattern& pattern, const Type* actual, Bindings& bindings) {
   if (!actual->is(Kind::kRecord) || actual->is_table()) return -1;
   const RecordInfo& record = *actual->record;
@@ -176,7 +176,7 @@ const Type* instantiate(const TypePattern& pattern, const Bindings& bindings, Ty
       return types.function(std::move(parts), result);
     }
     case Form::kTable:
-      return nullptr;  // any of many
+      return nullptr;  // one of many possible types
     case Form::kRecord: {
       std::vector<RecordField> fields;
       for (std::size_t i = 0; i < pattern.parts.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
-// Files with tables as checks know them: each is asked for once and read once.
+// The tables in files that a program loads, for the checker: each file is requested and parsed
+// once.
 
 #include <map>
 #include <memory>
@@ -13,22 +14,22 @@
 
 namespace armlet {
 
-// A table that a program reads with loadTable. If there is no text, `found` says why; it has no
-// text here in any case.
+// A table that a program loads with loadTable. `found` has the reason if there is no text; the text
+// itself is not in it.
 struct TableFile {
   ImportedText found;
-  std::shared_ptr<const std::string> text;                                // null: there is none
+  std::shared_ptr<const std::string> text;                                // null: none
   Result<std::vector<TableColumn>> columns = std::vector<TableColumn>();  // without their cells
 };
 
-// One for all the checks of a text, trials included.
+// Shared by all checks of a text, including trials.
 class TableFiles {
  public:
   TableFiles() = default;
-  // before  of a text that is much alike: tables whose text is the same are not read again.
+  // before  the tables of a similar text: those with the same contents are not parsed again.
   explicit TableFiles(const TableFiles* before);
 
-  // The table that the file `from` means by `path`. It stays where it is.
+  // The table for a `path` in the file `from`. Its address does not change.
   const TableFile& find(const ModuleLoader& load, const std::string& path, const std::string& from);
 
  private:

@@ -37,7 +37,7 @@ std::string shown(std::string_view text) {
   return '`' + std::string(text.substr(0, end)) + "...`";
 }
 
-// "-2.5e3"; no words such as inf.
+// A plain decimal number such as "-2.5e3"; words such as inf are not accepted.
 std::optional<double> plain_number(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0.0;
@@ -47,7 +47,7 @@ std::optional<double> plain_number(std::string_view text) {
   return value;
 }
 
-// "nan", "inf" and the like: what programs write where they have no number.
+// Whether a cell is "nan", "inf" or a similar word that programs write for a missing number.
 bool is_no_number(std::string_view text) {
   double value = 0.0;
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -55,7 +55,7 @@ bool is_no_number(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() && !std::isfinite(value);
 }
 
-// "1,5" with a sign or without.
+// Whether a cell is a number with a decimal comma, such as "1,5" or "-1,5".
 bool has_decimal_comma(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos || comma + 1 == text.size()) return false;
@@ -64,7 +64,7 @@ bool has_decimal_comma(std::string_view text) {
   return with_point.find(',') == std::string::npos && plain_number(with_point).has_value();
 }
 
-// A number in a unit, exactly as the same literal in a program.
+// The value of a number with a unit, the same as that of the literal in a program.
 std::optional<double> number_in(std::string_view text, const std::string& unit) {
   std::optional<double> plain = plain_number(text);
   if (!plain || unit.empty()) return plain;
@@ -75,13 +75,14 @@ std::optional<double> number_in(std::string_view text, const std::string& unit) 
   return negative ? -*si : *si;
 }
 
-// Words of the language cannot stand behind a point, and `table.length` counts the rows.
+// Whether programs can use a column's name after a point: keywords cannot be used there, and
+// `table.length` is the count of rows.
 bool can_be_column(std::string_view name) {
   return !lang::is_reserved_word(name) && name != "length";
 }
 
-// What stands in brackets behind the name of a column; `[]`, `[1]` and `[-]` are no units. False:
-// it is none that is known.
+// Sets the unit in brackets after the name of a column; `[]`, `[1]` and `[-]` mean no unit. Returns
+// false if the unit is not known.
 bool take_unit(TableColumn& column, std::string_view said) {
   if (said.empty() || said == "-" || said == "1") return true;
   column.unit = said;
@@ -117,13 +118,14 @@ class TableReader {
     error_ = refuse(std::move(why));
     return false;
   }
-  // "line 17, column `q1`: ..."
+  // Sets the error "line 17, column `q1`: ..."
   bool fail_at(std::size_t column, const std::string& why) {
     return fail("line " + std::to_string(line_) + ", column `" + table_.columns[column].name +
                 "`: " + why);
   }
 
-  // What separates cells: a sign of the first line outside of quotes and brackets.
+  // The separator of cells: the first separator character in the first line outside of quotes and
+  // brackets.
   char separator_of_header() const {
     bool quoted = false;
     bool tab = false;
@@ -141,7 +143,7 @@ class TableReader {
     return at_ >= text_size_ || text_[at_] == '\n' || text_[at_] == '\r';
   }
 
-  // The cells of a line, or of several if a text in quotes has such.
+  // The cells of a row, which has several lines if a text in quotes has.
   bool read_cells(std::vector<Cell>& cells) {
     cells.clear();
     line_ = next_line_;
@@ -230,7 +232,7 @@ class TableReader {
     return true;
   }
 
-  // A name that programs can write.
+  // The name of a column as a name that programs can use.
   static std::string name_of(std::string_view said) {
     std::string name;
     for (const char c : said) name += lang::is_word_character(c) ? c : '_';
@@ -293,7 +295,7 @@ class TableReader {
   std::string_view text_;
   std::size_t text_size_ = 0;
   std::size_t at_ = 0;
-  std::size_t line_ = 1;       // of the row that is read
+  std::size_t line_ = 1;       // of the current row
   std::size_t next_line_ = 1;  // counted from 1
   char separator_ = ',';
   std::vector<bool> has_unit_;  // of each column

@@ -70,8 +70,8 @@ ValueKind kind_of(const Parameter& parameter) {
   return kind;
 }
 
-// `said` is the kind that the signature means, `written` that of C++: a slot may hold anything, and
-// slots are the elements of any list.
+// Whether the kind `said` of a signature fits the C++ kind `written`. A slot may be of any kind,
+// and a list of slots may be any list.
 bool fits(const ValueKind& said, const ValueKind& written) {
   if (written.form == CppForm::kAny) return said.form != CppForm::kNothing;
   const bool is_list = said.form == CppForm::kReals || said.form == CppForm::kHosts;

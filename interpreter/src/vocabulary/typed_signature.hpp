@@ -1,5 +1,5 @@
 #pragma once
-// Whether a function in C++ has the parameters and the result that its signature says (define.hpp).
+// Compares the parameters and the result of a C++ function with its signature (define.hpp).
 
 #include <string>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace armlet::lang {
 
-// Every difference, as a clause each: "parameter 2, `tol: length`, is a std::string_view in C++".
-// Empty for functions that `def` did not make.
+// The differences, as one clause each: "parameter 2, `tol: length`, is a std::string_view in C++".
+// Empty for functions that were not made by `def`.
 [[nodiscard]] std::vector<std::string> typed_faults(const NativeFunction& function,
                                                     const Signature& signature);
 
-// Whether values of the type are of this kind in C++.
+// Whether values of the type have this kind in C++.
 [[nodiscard]] bool stands_for(const Type& type, const ValueKind& kind);
-// What stores a value of this kind in C++: "std::string", "double".
+// The C++ type that stores a value of this kind: "std::string", "double".
 [[nodiscard]] std::string stored_name(const ValueKind& kind);
 
 }  // namespace armlet::lang

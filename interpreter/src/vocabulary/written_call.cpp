@@ -19,7 +19,7 @@ std::string_view indexed(std::string_view name) { return name.substr(0, name.fin
 
 namespace {
 
-// "(a: point, b: point)" -> {"a: point", "b: point"}
+// The parameters of a signature: "(a: point, b: point)" -> {"a: point", "b: point"}
 std::vector<std::string_view> parameters_in(std::string_view signature) {
   std::vector<std::string_view> parts;
   int depth = 0;
@@ -114,7 +114,7 @@ std::string written_call(const Registry& registry, const NativeFunction& functio
   const std::string_view rest = name.substr(dot + 1);
   if (const std::size_t row = rest.find('.'); row != std::string_view::npos) {
     std::string_view written = parameters_of(signature);
-    // The word behind the row is its name.
+    // The row is followed by its name.
     if (name.ends_with(kNamedRow) && written.ends_with("name: string"))
       written = written.substr(0, written.rfind(written == "name: string" ? "name" : ", name"));
     return fmt::format("{} {}({})", rest.substr(0, row), rest.substr(row + 1), written);
