@@ -1,5 +1,5 @@
 #pragma once
-// What a native function gives: a value, or nothing because it failed.
+// The result of a native function: a value, or none because it failed.
 
 #include <optional>
 #include <utility>
@@ -8,7 +8,8 @@
 
 namespace armlet {
 
-// A value, or nothing: then the failure is in the Vm, put there by `fail` or by a call that failed.
+// A value, or none. Without a value the failure is stored in the Vm, by `fail` or by a call that
+// failed.
 template <class T>
 class [[nodiscard]] Answer {
  public:

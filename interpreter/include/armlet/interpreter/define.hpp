@@ -1,5 +1,5 @@
 #pragma once
-// Functions of C++ as functions of the language, by their own types:
+// Makes functions of the language from C++ functions, by their C++ types:
 //
 //     Answer<double> middle(Vm& vm, std::span<const double> xs, std::optional<double> weight);
 //
@@ -8,11 +8,11 @@
 //         "middle([1.0])"),
 //     };
 //
-// A member of a type of the host is a function of that type: def<&Pear::weight>(...). The
-// parameters stand in the order of the signature; a Vm& in front of them is not one. What they may
-// be is in typed_parameters.hpp, what the result may be in typed_results.hpp. Both are compared
-// with the signature: Engine::define refuses what differs, Engine::check_signatures tells it of
-// tables.
+// A member function of a host type is a function of that type: def<&Pear::weight>(...). The
+// parameters have the order of the signature; a Vm& before them is not counted.
+// typed_parameters.hpp lists the types of parameters, typed_results.hpp those of results. Both are
+// compared with the signature: Engine::define throws if they differ, Engine::check_signatures
+// reports differences in tables.
 
 #include <algorithm>
 #include <functional>
@@ -31,8 +31,8 @@ namespace armlet {
 
 namespace typed {
 
-// The parameters and the result of a function, of a member of a type of the host, and of a lambda
-// without template.
+// The parameters and the result of a function, of a member function of a host type, and of a lambda
+// that is not a template.
 template <class Call>
 struct OfLambda;
 template <class F, class R, class... Parameters>
@@ -57,7 +57,7 @@ template <class T, class V>
 requires(!std::is_function_v<V>) struct Shape<V T::*> : Shape<V (*)(const T&)> {
 };
 
-// Calls `function` with the slots as its parameters and leaves its result in the first of them.
+// Calls `function` with the slots as its parameters and stores its result in the first of them.
 template <class Result, class... Parameters>
 struct Caller {
   static constexpr ValueKind kTakes[sizeof...(Parameters) + 1] = {Argument<Parameters>::kKind...};
@@ -104,14 +104,14 @@ struct Split<Result, std::tuple<Vm&, Parameters...>> {
 template <class F>
 using SplitOf = Split<typename Shape<F>::Result, typename Shape<F>::Takes>;
 
-// Where the parameters begin in "name(x: double) -> double"; names may hold "()": "motor()() ->
-// ...".
+// The position of the parameters in "name(x: double) -> double". Names may contain "()": "motor()()
+// -> ...".
 constexpr std::size_t parameters_begin(std::string_view text) {
   const std::size_t open = std::min(text.find('('), text.size());
   return text.substr(open).starts_with("()(") ? open + 2 : open;
 }
 
-// A function that may be a constant: its address is part of the code.
+// The code of a function whose address is a compile-time constant.
 template <auto kFunction>
 Signal call_constant(Vm& vm, Slot* args) {
   return SplitOf<decltype(kFunction)>::call(vm, args, kFunction);
@@ -124,7 +124,7 @@ Signal call_closure(Vm& vm, Slot* args, const void* closure) {
 
 }  // namespace typed
 
-// What there is to say of a function beside its types; the members are those of NativeFunction.
+// The properties of a function apart from its types; the members are those of NativeFunction.
 struct CallOptions {
   void (*check)(CheckCall& call) = nullptr;
   Thunk explain{};
@@ -169,12 +169,12 @@ constexpr NativeFunction row(std::string_view signature, std::string_view help,
 
 }  // namespace typed
 
-// What CallOptions::explain takes: a function with the same parameters that gives a text.
+// The value for CallOptions::explain: a function with the same parameters that returns a text.
 template <auto kFunction>
 inline constexpr Thunk explained_by{&typed::call_constant<kFunction>};
 
-// A function without anything in C++ behind it: its rule refuses every call, or the program itself
-// runs it.
+// A function without C++ code: its rule refuses every call, or the compiler makes a loop of the
+// call.
 constexpr NativeFunction declare(std::string_view signature, std::string_view help,
                                  std::string_view example,
                                  void (*check)(CheckCall& call) = nullptr) {
@@ -186,7 +186,7 @@ constexpr NativeFunction declare(std::string_view signature, std::string_view he
           .check = check};
 }
 
-// The function `signature`, which begins with its name, as a call of kFunction.
+// The function with `signature`, which begins with its name, that calls kFunction.
 template <auto kFunction>
 constexpr NativeFunction def(std::string_view signature, std::string_view help,
                              std::string_view example, const CallOptions& options = {}) {
@@ -194,13 +194,13 @@ constexpr NativeFunction def(std::string_view signature, std::string_view help,
                                          Thunk(&typed::call_constant<kFunction>));
 }
 
-// A function and what it keeps, for Engine::define.
+// A function with the data that it keeps, for Engine::define.
 struct Definition {
   NativeFunction function;
   std::shared_ptr<const void> kept;
 };
 
-// The same of a function, a pointer to one, or a lambda with captures.
+// The same for a function, a function pointer, or a lambda with captures.
 //
 // throws  ArgumentError if the pointer is null.
 template <class F>

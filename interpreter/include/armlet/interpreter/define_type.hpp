@@ -1,5 +1,5 @@
 #pragma once
-// Types of the host, each declared in one expression:
+// Host types, each declared by one expression:
 //
 //     engine.define(type<Valve>("Valve", "Lets water through.")
 //                       .constructor("(width: length = 80mm)", &make_valve, "A closed one.")
@@ -7,10 +7,10 @@
 //                       .field("flow", &Valve::flow, "Through it, l/s.")
 //                       .method("open(by: length?) -> Valve", &Valve::open, "Opens it."));
 //
-// Values of T are values of the language: functions of `def` take them as const T& and const T*
-// (of a parameter that may be left out) and give them as T, std::vector<T> and Answer<T>. They are
-// compared where T has ==, and printed where T has `std::string text() const`. A program changes an
-// assignable field by `v.width = 5mm`, which puts a changed copy where the value was.
+// Values of T are values of the language: `def` functions take them as const T&, or as const T* for
+// optional parameters, and return them as T, std::vector<T> and Answer<T>. Programs can compare
+// them if T has ==, and print them if T has `std::string text() const`. A program changes an
+// assignable field by `v.width = 5mm`, which replaces the value of v by a changed copy.
 
 #include <concepts>
 #include <memory>
@@ -25,26 +25,27 @@
 
 namespace armlet {
 
-// A type and its functions, for Engine::define.
+// A type with its functions, for Engine::define.
 class TypeDefinition {
  public:
   [[nodiscard]] const HostType& type() const { return kept_->type; }
   [[nodiscard]] std::span<const NativeFunction> functions() const { return kept_->functions; }
-  // What is wrong with the texts, as clauses.
+  // The mistakes in its texts, as clauses.
   [[nodiscard]] std::span<const std::string> mistakes() const { return kept_->mistakes; }
   [[nodiscard]] std::shared_ptr<const void> kept() const { return kept_; }
 
  protected:
   struct Texts {
-    std::string signature;  // with the name in front
+    std::string signature;  // with the name before it
     std::string help;
     std::string example;
   };
   TypeDefinition(const HostType& in_cpp, std::string name, std::string help);
 
-  // "open(by: length?)" -> "open(valve: Valve, by: length?)"
+  // Adds the parameter of the value: "open(by: length?)" -> "open(valve: Valve, by: length?)"
   [[nodiscard]] std::string with_value(std::string_view signature) const;
-  // "width: length" or "width" -> "Valve.width(valve: Valve) -> length", and what changes it.
+  // The signature of the function that reads a field: "width: length" or "width" ->
+  // "Valve.width(valve: Valve) -> length". The function that changes it has a similar one.
   [[nodiscard]] std::string getter(std::string_view field, const ValueKind& kind);
   [[nodiscard]] std::string setter(std::string_view field, const ValueKind& kind);
   [[nodiscard]] HostType& changed() { return kept_->type; }
@@ -81,7 +82,7 @@ class TypeDefinition {
 
 namespace typed {
 
-// A member of a class that T derives from, as one of T.
+// A member of a base class of T, as a member of T.
 template <class T, class F>
 struct MemberOf {
   using Type = F;
@@ -122,8 +123,8 @@ class TypeOf : public TypeDefinition {
   TypeOf(std::string name, std::string help)
       : TypeDefinition(typed::kTypeInCpp<T>, std::move(name), std::move(help)) {}
 
-  // The function that makes a value, which has the name of the type: its parameters are
-  // "(width: length)".
+  // Adds the function that makes a value and has the name of the type. Its parameters are, for
+  // example, "(width: length)".
   template <class F>
   TypeOf& constructor(std::string_view parameters, F function, std::string help = "",
                       std::string example = "", const CallOptions& options = {}) {
@@ -133,8 +134,8 @@ class TypeOf : public TypeDefinition {
     return *this;
   }
 
-  // A field that programs read, "width: length"; without a type it is double, int, bool, string or
-  // double[], as in C++.
+  // Adds a field that programs can read, "width: length". Without a type it is double, int, bool,
+  // string or double[], as in C++.
   template <class V, class C>
   TypeOf& field(std::string_view name, V C::*member, std::string help = "",
                 std::string example = "") {
@@ -144,7 +145,7 @@ class TypeOf : public TypeDefinition {
         reader(of_type), {});
     return *this;
   }
-  // One that they may change, too.
+  // Adds a field that programs can read and change.
   template <class V, class C>
   TypeOf& assignable(std::string_view name, V C::*member, std::string help = "",
                      std::string example = "") {
@@ -160,9 +161,9 @@ class TypeOf : public TypeDefinition {
     return field(name, member, std::move(help), std::move(example));
   }
 
-  // A function of the value, `v.open(by: 5mm)`, or an operator, "operator+(other: Valve) ->
-  // Valve", whose left side the value is: a const member of T, or what takes const T& first. The
-  // signature leaves that parameter out.
+  // Adds a function of the value, `v.open(by: 5mm)`, or an operator whose left operand is the
+  // value, "operator+(other: Valve) -> Valve". The function is a const member of T, or its first
+  // parameter is a const T&. The signature does not contain this parameter.
   template <class F>
   TypeOf& method(std::string_view signature, F function, std::string help = "",
                  std::string example = "", const CallOptions& options = {}) {
@@ -175,25 +176,25 @@ class TypeOf : public TypeDefinition {
     return *this;
   }
 
-  // For messages: "a valve", and what such a value does where it fits.
+  // Sets words for messages: "a valve", and the use of such a value.
   TypeOf& noun(std::string noun, std::string use = "") {
     changed().noun = keep(std::move(noun));
     changed().use = keep(std::move(use));
     return *this;
   }
-  // Values that name one thing each, which takes the name of its declaration where its constructor
-  // has a parameter `name: string`.
+  // Makes values handles: each stands for one thing, which has the name of the declared variable if
+  // the constructor has a parameter `name: string`.
   TypeOf& handle() {
     changed().is_handle = true;
     return *this;
   }
-  // Calls may leave out a first argument of this type.
+  // Lets calls omit a first argument of this type.
   TypeOf& ambient() {
     changed().is_ambient = true;
     return *this;
   }
-  // Each is a resource that one task at a time may command (resource.hpp); the words outlive the
-  // engine.
+  // Makes each value a resource that only one task at a time may command (resource.hpp). The words
+  // must outlive the engine.
   TypeOf& exclusive(const ResourceWords& words) {
     changed().resource = &words;
     return *this;
@@ -206,7 +207,7 @@ class TypeOf : public TypeDefinition {
   }
 };
 
-// The type `name` of the language, whose values are T in C++.
+// A declaration of the type `name` of the language, whose values are T in C++.
 template <class T>
 [[nodiscard]] TypeOf<T> type(std::string name, std::string help) {
   return TypeOf<T>(std::move(name), std::move(help));

@@ -1,9 +1,8 @@
 #pragma once
-// A message about a program: a code, one sentence, marks in the text, why, and a fix.
+// A message about a program: a code, one sentence, marks in the text, a reason, and a fix.
 //
-// Diagnostics are data. `render` (render.hpp) turns them into the text form of the
-// language reference, section 20.1, and into one line of JSON (ruling 26). The headlines and the
-// help pages live in the catalogue, messages/*.def.
+// Diagnostics are data. `render` (render.hpp) makes the text of the language reference, section
+// 20.1, or one line of JSON. The headlines and the help pages are in the catalogue, messages/*.def.
 
 #include <cstdint>
 #include <optional>
@@ -25,7 +24,7 @@ struct Mark {
   std::string label{};
 };
 
-// Replace the text of `span` by `text` (an empty span inserts).
+// A replacement of the text of `span` by `text` (an empty span inserts).
 struct Edit {
   Span span{};
   std::string text{};
@@ -39,20 +38,20 @@ struct Fix {
   Confidence confidence = Confidence::kMaybe;
 };
 
-// Circumstances of a message that arose while running.
+// The circumstances of a message at run time.
 struct When {
   std::int64_t time_ns = 0;
-  std::string resource_type{};       // "motor"; empty if no resource of the host was concerned
+  std::string resource_type{};       // "motor"; empty if the message is not about a resource
   std::string resource{};            // its name
   std::string task{};                // "branch 2 of parallel on line 9", or empty
   std::optional<bool> moved{};       // whether this command had begun to act
-  std::string moved_text{};          // the same in the words of the host: "nothing has moved"
+  std::string moved_text{};          // the same in words of the host: "nothing has moved"
   std::string note{};                // "in the 5th pass of the loop on line 7", or empty
-  std::vector<std::string> calls{};  // innermost first: "slot, called on line 12"
+  std::vector<std::string> calls{};  // the innermost first: "slot, called on line 12"
 };
 
 struct Diagnostic {
-  std::string code;  // "E0401"; the first letter gives the severity: E and R, or W
+  std::string code;  // "E0401"; the first letter is the severity: E and R, or W
   Severity severity = Severity::kError;
   std::string message;        // the headline
   Mark mark;                  // marked with ^
@@ -75,13 +74,13 @@ template <std::size_t N>
   return make_diagnostic(Headline(code), span);
 }
 
-// Collects messages by the rules of section 20.2: at most one error per statement, at most `limit`
-// in all.
+// Collects messages by the rules of section 20.2: at most one error per statement, and at most
+// `limit` messages.
 class DiagnosticSink {
  public:
   explicit DiagnosticSink(int limit = 10) : limit_(limit) {}
 
-  // From here on a new statement starts; errors in it are reported again.
+  // Begins a new statement, in which an error is reported again.
   void begin_statement() { statement_failed_ = false; }
   void set_statement_failed(bool failed) { statement_failed_ = failed; }
   [[nodiscard]] bool statement_failed() const { return statement_failed_; }
@@ -92,7 +91,7 @@ class DiagnosticSink {
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] bool full() const { return errors_ >= limit_; }
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
-  // In the order of the text, errors and advice together.
+  // The messages in the order of the text, errors and advice together. They are moved out.
   [[nodiscard]] std::vector<Diagnostic> take_sorted();
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What a native function says when it fails.
+// Failures of native functions.
 
 #include <memory>
 #include <optional>
@@ -12,14 +12,14 @@ namespace armlet {
 struct HostType;
 class Vm;
 
-// A resource of the host (resource.hpp), as programs call it.
+// A resource of the host (resource.hpp), with its name in the program.
 struct Resource {
-  const HostType* type = nullptr;  // null: none is concerned
+  const HostType* type = nullptr;  // null: none
   std::string name{};
 };
 
-// A call of a native function that is over, for what goes wrong later on its account. It is valid
-// as long as the program.
+// A finished call of a native function, for failures that it causes later. It is valid as long as
+// the program.
 class CallPlace {
  public:
   CallPlace() = default;
@@ -31,10 +31,11 @@ class CallPlace {
 };
 // The call that is running.
 [[nodiscard]] CallPlace place_of_call(Vm& vm);
-// Whether `until` guards it.
+// Whether the running call is guarded by `until`.
 [[nodiscard]] bool is_guarded(Vm& vm);
 
-// What a native function that takes a failure back (taken_failure.hpp) can go on with.
+// Base class for data about a failure, for a native function that takes the failure back
+// (taken_failure.hpp).
 struct FailureDetail {
   FailureDetail() = default;
   FailureDetail(const FailureDetail&) = default;
@@ -42,22 +43,23 @@ struct FailureDetail {
   virtual ~FailureDetail() = default;
 };
 
-// Why a native function failed. The position is added by the interpreter.
+// The failure of a native function. The interpreter adds the position.
 struct Failure {
   Headline headline;  // {"R0606", {index, range}}; its code gives the kind
-  std::string kind;   // replaces the code's kind if not empty
+  std::string kind;   // replaces the kind of the code, if not empty
   int mark_parameter =
-      -1;                 // which argument to mark; -1: the call; kMarkCallee: the function's name
-  int mark_element = -1;  // element of a list argument (or of the position made from it) at fault
-  std::string element_label;  // label for the place where that element was written
+      -1;  // which argument to mark; -1: the call; kMarkCallee: the function's name
+  // The element of a list argument (or of the position made from it) that is wrong.
+  int mark_element = -1;
+  std::string element_label;  // label at the position of that element in the text
   std::string label;
   std::string why;
-  // May contain "line {line}", where the marked element was written, and {arg}, the text of the
-  // marked argument.
+  // May contain "line {line}", the line of the marked element, and {arg}, the text of the marked
+  // argument.
   std::string fix;
   Resource resource;          // that was commanded
-  std::optional<bool> moved;  // whether it had begun to do so
-  CallPlace place;            // marks belong to this call instead of the running one
+  std::optional<bool> moved;  // whether its command had begun
+  CallPlace place;            // the marks are in this call and not in the running one
   std::shared_ptr<const FailureDetail> detail;  // null: none; shared with errors that were caught
 };
 inline constexpr int kMarkCallee = -2;

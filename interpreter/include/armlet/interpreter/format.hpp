@@ -1,5 +1,5 @@
 #pragma once
-// The one layout of programs: `armlet fmt`.
+// The formatter of programs: `armlet fmt`.
 
 #include <atomic>
 #include <optional>
@@ -12,17 +12,17 @@
 namespace armlet {
 
 struct Formatted {
-  std::optional<std::string> text = {};   // nothing if the program cannot be read
-  std::vector<Diagnostic> problems = {};  // why not
-  bool changed_meaning = false;  // a defect: the layout would have changed more; `text` is the old
+  std::optional<std::string> text = {};   // empty if the program cannot be parsed
+  std::vector<Diagnostic> problems = {};  // the reasons
+  bool changed_meaning = false;           // a defect of the formatter; `text` is then the old one
 };
 
-// Lays a program out: four columns of indentation, a statement to a line, lines of at most 100
-// columns where a break is possible (docs/formatting.md has all rules). The program means the same
-// before and after, every comment is kept, and laying it out again changes nothing. Only programs
-// without mistakes of syntax are laid out. A defect of the formatter cannot damage a program: the
-// result is read again and compared. Set `cancelled` to true, from any thread, and it ends soon,
-// without a text and with the message R0629 alone.
+// Formats a program: indentation by four columns, one statement per line, lines of at most 100
+// columns where they can be broken (docs/formatting.md has all rules). The meaning and all comments
+// stay the same, and formatting the result again changes nothing. Programs with mistakes of syntax
+// are not formatted. A defect of the formatter cannot damage a program, because the result is
+// parsed and compared. If `cancelled` becomes true, in any thread, the function soon returns no
+// text and only the message R0629.
 [[nodiscard]] Formatted format_program(const Source& source,
                                        const std::atomic<bool>* cancelled = nullptr);
 

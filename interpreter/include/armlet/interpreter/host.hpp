@@ -1,5 +1,5 @@
 #pragma once
-// All that a host needs, for hosts that do not choose: docs/embedding.md.
+// Includes all headers that a host usually needs: docs/embedding.md.
 
 #include "armlet/interpreter/define.hpp"
 #include "armlet/interpreter/define_type.hpp"

@@ -1,10 +1,10 @@
 #pragma once
-// What a program's values are made of while it runs: eight-byte slots and counted objects.
+// The values of a running program: slots of eight bytes, and objects with reference counts.
 //
-// Types exist only while checking, so a slot has no tag: whoever reads it knows from the checked
-// program what is in it. A reference in a variable or a container owns one count. Objects with more
-// than one count are never changed in place, which is what makes values values. No cycle can be
-// built, so counting is enough.
+// Types exist only in the checker, so a slot has no tag: the checked program determines its type. A
+// reference in a variable or a container owns one count. Objects with more than one count are never
+// changed, so that lists and records behave as values. Cycles are impossible, so counting is
+// sufficient.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,14 +31,14 @@ static_assert(sizeof(Slot) == 8);
 [[nodiscard]] inline Slot slot_of(bool b) { return Slot{.i = b ? 1 : 0}; }
 [[nodiscard]] inline Slot slot_of(Obj* o) { return Slot{.o = o}; }
 
-// An optional argument that was not given: a null reference, or these bits (a not-a-number no
+// The slot of an absent optional argument: a null reference, or these bits (a NaN that no
 // arithmetic makes).
 inline constexpr std::int64_t kAbsentBits = static_cast<std::int64_t>(0xFFF8'A851'7000'0001ULL);
 [[nodiscard]] inline bool is_absent_scalar(Slot s) { return s.i == kAbsentBits; }
 
 enum class ObjKind : std::uint8_t { kText, kList, kMap, kRecord, kMatrix, kClosure, kBox, kHost };
 
-// Slots may lie behind any header, also where addresses have four bytes.
+// Aligned so that slots can follow any header, also with 32-bit addresses.
 struct alignas(Slot) Obj {
   std::uint32_t refs;
   ObjKind kind;
@@ -46,27 +46,27 @@ struct alignas(Slot) Obj {
   std::uint16_t extra;
 };
 
-// UTF-8, not terminated. Characters are counted once, when first asked for.
+// A text: UTF-8 without a final zero. The characters are counted at the first request.
 struct TextObj : Obj {
   static constexpr std::uint32_t kUncounted = 0xFFFFFFFFU;
   std::uint32_t size;        // bytes
   std::uint32_t capacity;    // bytes
   std::uint32_t characters;  // or kUncounted
-  std::uint32_t marks;       // which table of the heap finds its characters; 0: none yet
+  std::uint32_t marks;       // index of a table of the heap for finding characters; 0: none yet
   [[nodiscard]] char* data() { return reinterpret_cast<char*>(this + 1); }
   [[nodiscard]] const char* data() const { return reinterpret_cast<const char*>(this + 1); }
   [[nodiscard]] std::string_view view() const { return {data(), size}; }
 };
 
-// The elements of short lists lie behind the header; `data` points to them wherever they are.
+// A list. The elements of a short list follow the header; `data` always refers to the elements.
 struct ListObj : Obj {
   static constexpr std::uint8_t kReferences =
-      1;  // flag: elements are references; the other bits are the heap's
+      1;  // flag: elements are references; other bits belong to the heap
   std::uint32_t size;
   std::uint32_t capacity;
   Slot* data;
   [[nodiscard]] bool holds_references() const { return (flags & kReferences) != 0; }
-  // For lists of numbers.
+  // The elements of a list of numbers.
   [[nodiscard]] std::span<const double> reals() const {
     return {reinterpret_cast<const double*>(data), size};
   }
@@ -76,12 +76,12 @@ struct MapEntry {
   Slot key;
   Slot value;
   std::uint32_t hash;
-  bool is_removed;  // its key and its value are null
+  bool is_removed;  // key and value are then null
 };
 
-// Entries in the order in which their keys were inserted. Behind them in the same block lies an
-// index of twice their capacity, which finds an entry by the hash of its key: the place of an entry
-// counted from 1, or 0. What holds entries is changed by vm/values/map.hpp only.
+// A map: entries in the order of their insertion. They are followed, in the same block, by an index
+// of twice their capacity that is searched by the hash of a key: each index slot has the number of
+// an entry, counted from 1, or 0. Only vm/values/map.hpp changes the entries.
 struct MapObj : Obj {
   static constexpr std::uint8_t kReferences = 1;  // flag: the values are references
   static constexpr std::uint8_t kTextKeys = 2;    // flag: the keys are texts
@@ -94,11 +94,11 @@ struct MapObj : Obj {
   [[nodiscard]] std::span<const MapEntry> all() const { return {entries, used}; }
 };
 
-// How the fields of a record or the captures of a closure are laid out.
+// The layout of the fields of a record or of the captures of a closure.
 struct RecordLayout {
   const Type* type = nullptr;                 // the record's type
   std::uint16_t size = 0;                     // slots
-  std::span<const std::uint16_t> references;  // which of them are references
+  std::span<const std::uint16_t> references;  // indices of the slots that are references
 };
 
 struct RecordObj : Obj {
@@ -115,8 +115,8 @@ struct MatrixObj : Obj {
   [[nodiscard]] const double* data() const { return reinterpret_cast<const double*>(this + 1); }
 };
 
-// A function value: which function, and copies (or boxes) of the outer variables it uses. extra =
-// number of captures.
+// A function value: the function, and copies (or boxes) of the outer variables that it uses. extra
+// = count of captures.
 struct ClosureObj : Obj {
   std::uint32_t function;
   std::uint32_t reserved;
@@ -124,35 +124,37 @@ struct ClosureObj : Obj {
   [[nodiscard]] const Slot* captures() const { return reinterpret_cast<const Slot*>(this + 1); }
 };
 
-// A variable shared between a block and the conditions or tasks inside it. flags == 1: holds a
-// reference.
+// A variable shared between a block and the conditions or tasks inside it. flags == 1: its value is
+// a reference.
 struct BoxObj : Obj {
   Slot value;
 };
 
-// A kind of value that the host defines. Values are immutable; handles name one thing.
+// A type that the host defines. Values are immutable; a handle stands for one thing.
 struct HostType {
   std::string_view name;
   std::uint32_t size = 0;  // bytes of the payload, at most 16-aligned
   bool is_handle = false;
-  bool is_ambient = false;                 // may be left out as first argument (section 5)
+  bool is_ambient = false;                 // may be absent as the first argument (section 5)
   void (*destroy)(void* value) = nullptr;  // null: trivially destructible
-  bool (*equal)(const void* a, const void* b) = nullptr;        // null: == is not offered
+  bool (*equal)(const void* a, const void* b) = nullptr;        // null: no ==
   void (*text)(const void* value, std::string& out) = nullptr;  // as print shows it
   std::string_view help;
-  // For messages about values of another type: "a position", "moves to a place, an object made
-  // from the numbers".
+  // Words for messages about values of another type: "a position", "moves to a target, an object
+  // made from the numbers".
   std::string_view noun = {};
   std::string_view use = {};
-  // Of a type that `type<T>` declared: the type that values made in C++ carry, from T alone.
+  // For types declared by `type<T>`: the HostType of values that C++ code makes, which is known
+  // from T alone.
   const HostType* in_cpp = nullptr;
-  // What one task at a time may command (resource.hpp); null: no such thing.
+  // The words of a resource, which only one task at a time may command (resource.hpp); null: no
+  // resource.
   const ResourceWords* resource = nullptr;
-  // Constructs a copy at `to`, for hosts that read such values; null: they cannot be copied.
+  // Constructs a copy at `to`, for hosts that read such values; null: values cannot be copied.
   void (*copy)(const void* from, void* to) = nullptr;
 };
 
-// Whether values of the two types are the same in C++.
+// Whether the values of two types are the same C++ type.
 [[nodiscard]] constexpr bool is_same_in_cpp(const HostType* a, const HostType* b) {
   const auto carried = [](const HostType* type) {
     return type != nullptr && type->in_cpp != nullptr ? type->in_cpp : type;

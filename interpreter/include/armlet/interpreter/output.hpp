@@ -1,5 +1,5 @@
 #pragma once
-// Where a program's output goes.
+// The destination of a program's output.
 
 #include <cstdint>
 #include <functional>
@@ -10,9 +10,9 @@
 
 namespace armlet {
 
-// What writes a piece of text. Made of anything that can be called with one: it gives nothing, or
-// a text that says why the piece could not be written, empty if it was. The program that prints
-// then fails with that reason.
+// Writes a text. It is made from any callable that takes a text and returns nothing, or returns a
+// text: the reason why the output could not be written, or an empty text. A program whose output
+// fails gets a failure with that reason.
 class Output {
  public:
   Output() = default;
@@ -31,14 +31,14 @@ class Output {
   }
 
   [[nodiscard]] explicit operator bool() const { return static_cast<bool>(write_); }
-  // Why the text could not be written; empty: it was.
+  // The reason why the text could not be written; empty if it was.
   [[nodiscard]] std::string operator()(std::string_view text) const { return write_(text); }
 
  private:
   std::function<std::string(std::string_view)> write_;
 };
 
-// As much of the beginning of a text as `most` bytes hold, ended where a character ends.
+// The beginning of a text, of at most `most` bytes, that ends with a complete character.
 [[nodiscard]] inline std::string_view whole_characters(std::string_view text, std::uint64_t most) {
   if (text.size() <= most) return text;
   std::size_t end = most;

@@ -1,6 +1,5 @@
 #pragma once
-// Messages as text for people (language reference, section 20.1) and as JSON for editors (ruling
-// 26).
+// Converts messages to text for people (language reference, section 20.1) and to JSON for editors.
 
 #include <optional>
 #include <string>
@@ -14,23 +13,23 @@ struct RenderOptions {
   bool color = false;  // ANSI colours, for terminals
 };
 
-// A mark that belongs to no text, for messages about a file as a whole.
+// The span of a mark in no text, for messages about a file as a whole.
 inline constexpr Span kNoText{0, 0, 0xFFFFFFFF};
 
 // The headline, the marked lines and the notes; ends with a line break.
 //
 // A related mark with an empty span and no label shows its line without marking anything. A mark
-// over several lines is drawn on its first line. Control characters never reach the output.
+// over several lines is drawn on its first line. The output has no control characters.
 [[nodiscard]] std::string render_text(const Diagnostic& diagnostic, const SourceSet& sources,
                                       RenderOptions options = {});
 
 // One JSON object on one line, without a line break. `text` is the first line of the marked text.
 [[nodiscard]] std::string render_json(const Diagnostic& diagnostic, const SourceSet& sources);
 
-// Whether circumstances are worth a line: not before anything has happened.
+// Whether the circumstances contain information to show; not so before the first action of a run.
 [[nodiscard]] bool tells_something(const std::optional<When>& when);
 
-// "at t = 4.00 s, motor left, nothing has moved"
+// The circumstances as text: "at t = 4.00 s, motor left, nothing has moved"
 [[nodiscard]] std::string when_text(const When& when);
 
 }  // namespace armlet

@@ -1,9 +1,10 @@
 #pragma once
-// What one task of a program at a time may command, such as a motor, and the words of its host.
+// Resources of a host, such as motors, which only one task of a program at a time may command, with
+// words for messages about them.
 //
-// A type of the host whose HostType::resource is set names such resources. Two branches of one
-// `parallel` that begin by commanding the same one are refused before the run (E0501). While the
-// program runs, a command begins with `require_free`, or the host has a rule of its own.
+// A host type with HostType::resource is a type of such resources. Two branches of one `parallel`
+// that begin with commands to the same resource are refused before the run (E0501). At run time a
+// command begins with `require_free`, or the host has a rule of its own.
 
 #include <string>
 #include <string_view>
@@ -12,7 +13,7 @@
 
 namespace armlet {
 
-// Parts of sentences, for a resource whose type is called "motor".
+// Parts of sentences, here for a resource of the type "motor".
 struct ResourceWords {
   std::string_view plural;      // "motors"
   std::string_view act;         // "run": which one should run? A condition cannot wait or run
@@ -22,10 +23,10 @@ struct ResourceWords {
   std::string_view still;       // "still running": of another task, with its line
   std::string_view begun;       // "the motor had started": what a failure came after
   std::string_view not_begun;   // "nothing has run"
-  // "the left motor", for the name of one.
+  // The name of a resource with its type: "the left motor".
   std::string (*called)(std::string_view name) = nullptr;
-  // Of a host with `path` blocks: what is said where a part is none of its motions, and where the
-  // motions are those of two resources.
+  // For hosts with `path` blocks: the messages for a statement that is not a motion, and for
+  // motions of two resources.
   struct Refusal {
     std::string_view message;
     std::string_view why;
@@ -35,7 +36,7 @@ struct ResourceWords {
   Refusal two_in_path{};
 };
 
-// Fails with R0617 while another task waits for a command of this resource to end
+// Fails with R0617 if another task waits for the end of a command to this resource
 // (Waiting::resource).
 Answer<void> require_free(Vm& vm, const Resource& resource);
 

@@ -1,4 +1,4 @@
-// How a program runs: its limits, how far it may go at a time, and how it has ended.
+// Runs of a program: their limits, their slices, and their results.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,24 @@
 
 namespace armlet {
 
-// Virtual time ends a hundred years of 365.25 days after the start, ns; a host may let it end
-// earlier.
+// The end of virtual time, ns: a hundred years of 365.25 days after the start. A host may set an
+// earlier one.
 inline constexpr std::int64_t kEndOfTime_ns = 100LL * 36525 * 86400 * 10'000'000;
 
 struct RunLimits {
-  std::uint64_t steps = 100'000'000;  // calls and backward jumps (ruling 9)
+  std::uint64_t steps = 100'000'000;  // calls and backward jumps
   std::uint64_t heap_bytes = 1ULL << 30U;
   std::uint32_t call_depth = 10'000;
   std::uint64_t output_bytes = 1ULL << 30U;
-  std::int64_t time_ns = kEndOfTime_ns;  // the virtual time at which a run ends (ruling 48)
+  std::int64_t time_ns = kEndOfTime_ns;  // the virtual time at which a run ends
 };
 
-// How far a run may go before it returns to the host, which can let it go on later. Where it pauses
-// changes nothing of what the program does.
+// The limits of a slice: how far a run may go before it returns to the host, which can continue it.
+// The pauses have no influence on the program.
 //
-// until_ns  a virtual time: everything that happens up to and including it happens. The world is
-//           brought to it too.
-// steps     of the program, as RunLimits counts them. Work that cannot be interrupted, such as a
-//           function of the host or a condition, is finished, so a run may take some more.
+// until_ns    a virtual time: everything up to and including it happens, and the world is at it.
+// steps       of the program, as RunLimits counts them. Work that cannot be interrupted, such as a
+//             host function or a condition, is completed, so a run may take more steps.
 // statements  that may begin, of all tasks together; for programs with markers
 //             (CompileOptions::markers).
 struct Budget {
@@ -39,22 +38,22 @@ struct Budget {
   std::uint64_t statements = kNoLimit;
 };
 
-// A point of a run. Compiled as it may be, a program comes to it in the same state.
+// A point of a run. The program has the same state there, whatever options it was compiled with.
 //
-// steps  that the program has taken, with those of calls that a session keeps in its log; at one
-//        virtual time they tell points apart.
+// steps  of the program, with those of calls that a session keeps in its log. They order the points
+//        with the same virtual time.
 struct Instant {
   std::int64_t t_ns = 0;
   std::uint64_t steps = 0;
 
   bool operator==(const Instant&) const = default;
-  // Whether a run that has come to here has passed or stands at the other.
+  // Whether a run at this point has reached or passed the other one.
   [[nodiscard]] bool has_reached(const Instant& other) const {
     return t_ns >= other.t_ns && steps >= other.steps;
   }
 };
 
-// kPaused  the budget is used; the run can go on.
+// kPaused  the budget is used up; the run can continue.
 enum class Progress : std::uint8_t { kDone, kFailed, kCancelled, kPaused };
 
 struct RunResult {
@@ -63,10 +62,10 @@ struct RunResult {
   std::uint64_t steps = 0;          // so far, as Instant counts them
 };
 
-// A task that the host had started (host/tasks.hpp) has ended.
+// The end of a task that the host has started (host/tasks.hpp).
 //
-// variable  that holds the function it ran.
-// failure   why it failed, or that it was cancelled; null: it is done.
+// variable  the variable with its function.
+// failure   its failure, or that it was cancelled; null: it has completed.
 struct TaskEnd {
   std::string_view variable;
   std::int64_t start_ns = 0;

@@ -1,12 +1,12 @@
 #pragma once
-// Calls of a program's functions by host functions, with the types of C++.
+// Calls of a program's functions by host functions, with C++ types.
 //
-// What a host does wrong is an ArgumentError: a Vm without a program, a name that an engine knows
-// already, a function of the program called with another number of arguments, from another thread
-// or when nothing runs. Inside a native function that is a failure of the program, like everything
-// that native functions throw: its kind is Host. A build with ARMLET_CHECKED also looks at each
-// result of a native function and at each argument of Vm::call: whether it has been set, and is of
-// the declared kind.
+// Misuse by a host throws an ArgumentError: a Vm without a program, a name that an engine has
+// already, a call of a script function with a wrong count of arguments, from another thread or
+// while no program runs. Inside a native function the exception becomes a failure of the program of
+// the kind Host, like every exception of native functions. A build with ARMLET_CHECKED also checks
+// that each result of a native function and each argument of Vm::call is set and of the declared
+// kind.
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace armlet {
 
-// A number as it lies in a slot: double, std::int64_t (int) or bool.
+// A number in a slot: double, std::int64_t (int) or bool.
 template <class T>
 concept SlotNumber =
     std::is_same_v<T, double> || std::is_same_v<T, std::int64_t> || std::is_same_v<T, bool>;
@@ -34,8 +34,8 @@ template <SlotNumber T>
   }
 }
 
-// throws  ArgumentError unless that is a function value with parameters and a result of these kinds
-//         (int stands for an enum too).
+// throws  ArgumentError unless `function` is a function value with parameters and a result of these
+//         kinds (int stands for an enum too).
 void require_types(Vm& vm, const Obj* function, std::span<const Kind> parameters, Kind result);
 
 template <SlotNumber T>
@@ -46,14 +46,14 @@ template <SlotNumber T>
 }
 
 // The function value in an argument declared as, for example, fn(double, double) -> double, which
-// is ScriptFunction<double(double, double)>. It is borrowed from the argument, and may not pause.
+// is ScriptFunction<double(double, double)>. It is borrowed from the argument, and must not pause.
 template <class Signature>
 class ScriptFunction;
 
 template <SlotNumber Result, SlotNumber... Arguments>
 class ScriptFunction<Result(Arguments...)> {
  public:
-  // throws  ArgumentError if that is no function value of these types.
+  // throws  ArgumentError if the value is not a function of these types.
   ScriptFunction(Vm& vm, Slot function) : call_(vm, function.o) {
     static constexpr std::array<Kind, sizeof...(Arguments)> kKinds{kind_of_number<Arguments>()...};
     require_types(vm, function.o, kKinds, kind_of_number<Result>());
@@ -64,7 +64,8 @@ class ScriptFunction<Result(Arguments...)> {
     if (!call(result, arguments...)) return Failed{};
     return result;
   }
-  // False: the call failed, and the failure is set in the Vm; the host function returns kFail then.
+  // Returns false if the call failed; the failure is set, and the host function has to return
+  // kFail.
   [[nodiscard]] bool call(Result& result, Arguments... arguments) const {
     [[maybe_unused]] Slot* next = call_.window();
     ((*next++ = slot_of(arguments)), ...);

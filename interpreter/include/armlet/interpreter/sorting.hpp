@@ -1,5 +1,5 @@
 #pragma once
-// Sorting that can be stopped.
+// Sorting that a stop request can interrupt.
 
 #include <algorithm>
 #include <cstring>
@@ -11,8 +11,8 @@
 
 namespace armlet {
 
-// Slots of texts in the order of their bytes. A comparison that takes long counts as work; a short
-// one is counted with its block by who sorts.
+// Compares texts by their bytes. A long comparison counts as work; a short one is counted by the
+// sorting function, with its block.
 class TextOrder {
  public:
   static constexpr unsigned kCost = 32;  // of a short comparison
@@ -33,7 +33,7 @@ class TextOrder {
       return order == 0;
     };
     if (stopped_ || (!in_blocks(*vm_, common, 1, compare) && order == 0)) {
-      stopped_ = true;  // whatever the order is: nobody will see it
+      stopped_ = true;  // the result is not used any more
       return false;
     }
     return order != 0 ? order < 0 : left.size() < right.size();
@@ -56,7 +56,7 @@ template <class Less>
   }
 }
 
-// Another order, or its opposite: equals stay equals.
+// An order or its reverse. In both, equal elements keep their order.
 template <class Less>
 class InDirection {
  public:
@@ -72,9 +72,9 @@ class InDirection {
   bool descending_;
 };
 
-// Sorts by merging runs that double, equals in the order in which they stood. `room` is as long as
-// `items`. `cost`: operations for a comparison.
-// False: the program has to stop and the failure is set; the items stand in some order.
+// Sorts by merging runs of doubling length (a stable merge sort). `room` has the length of `items`.
+// `cost`: operations of one comparison. Returns false, with the failure set, if the program has to
+// stop; the order of the items is then undefined.
 template <class T, class Less>
 [[nodiscard]] bool sort_stably(Vm& vm, std::span<T> items, std::span<T> room, Less& less,
                                unsigned cost = 8) {
@@ -95,7 +95,7 @@ template <class T, class Less>
   std::span<T> from = items;
   std::span<T> to = room;
   for (std::size_t length = kRun; length < n; length *= 2) {
-    // Where the merge stands: the next of each of the two runs that are merged at present.
+    // The state of the merge: the next element of each of the two current runs.
     std::size_t pair = 0;
     std::size_t left = 0;
     std::size_t right = std::min(n, length);
@@ -119,7 +119,7 @@ template <class T, class Less>
   return true;
 }
 
-// A new list of the items of a list in order; null: it failed.
+// A new list of the sorted elements of a list; null if it failed.
 template <class Less>
 [[nodiscard]] ListObj* sorted_list(Vm& vm, const ListObj& of, Less less, unsigned cost = 8) {
   const std::span<const Slot> xs(of.data, of.size);

@@ -1,5 +1,5 @@
 #pragma once
-// Source text, byte spans in it, and the lines and columns that people see.
+// Source texts, spans of bytes in them, and their lines and columns.
 
 #include <cstdint>
 #include <memory>
@@ -22,14 +22,14 @@ struct Span {
 // The smallest span that covers both; they must belong to the same source.
 [[nodiscard]] Span cover(Span a, Span b);
 
-// Line and column as people count them: from 1, columns in characters (code points).
+// Line and column, counted from 1; columns are characters (code points).
 struct Position {
   int line = 1;
   int column = 1;
   bool operator==(const Position&) const = default;
 };
 
-// One text with a name. Immutable once made.
+// One text with a name. It never changes.
 class Source {
  public:
   Source(std::string name, std::string text, std::uint32_t id = 0);
@@ -38,10 +38,10 @@ class Source {
   [[nodiscard]] std::string_view text() const { return text_; }
   [[nodiscard]] std::uint32_t id() const { return id_; }
   [[nodiscard]] Position position(std::uint32_t offset) const;
-  // Line `line` (from 1) without its line break; empty if there is no such line.
+  // The text of line `line` (from 1) without its line break; empty if there is no such line.
   [[nodiscard]] std::string_view line(int line) const;
   [[nodiscard]] int line_count() const { return static_cast<int>(line_starts_.size()); }
-  // Offset of the first byte of line `line` (from 1).
+  // The position of the first byte of line `line` (from 1).
   [[nodiscard]] std::uint32_t line_start(int line) const;
   [[nodiscard]] std::string_view slice(Span span) const;
 
@@ -52,8 +52,8 @@ class Source {
   std::vector<std::uint32_t> line_starts_;
 };
 
-// The sources of one program, by number: the main file first, then what it imports. Those of an
-// entry of a session are numbered behind those of the entries before it, which it knows too.
+// The sources of one program, by number: the main file first, then its imports. The numbers of an
+// entry of a session follow those of earlier entries, whose sources are included.
 class SourceSet {
  public:
   explicit SourceSet(std::shared_ptr<const SourceSet> before = nullptr);
@@ -63,7 +63,7 @@ class SourceSet {
 
   const Source& add(std::string name, std::string text);
   [[nodiscard]] const Source& operator[](std::uint32_t id) const;
-  // The number of the main file, and the first number that no source has.
+  // The number of the main file; and the first number without a source.
   [[nodiscard]] std::uint32_t first() const { return first_; }
   [[nodiscard]] std::size_t size() const { return first_ + sources_.size(); }
   [[nodiscard]] std::string_view slice(Span span) const { return (*this)[span.source].slice(span); }
@@ -75,8 +75,8 @@ class SourceSet {
   std::vector<std::unique_ptr<Source>> sources_;
   std::uint32_t first_ = 0;
   mutable std::shared_ptr<const SourceSet> before_;
-  // A set far before this one, so that any is found in a number of steps like the logarithm of
-  // theirs: Myers, "An applicative random-access stack", Information Processing Letters 17, 1983.
+  // A set many entries before this one, so that any set is found in a logarithmic number of steps:
+  // Myers, "An applicative random-access stack", Information Processing Letters 17, 1983.
   const SourceSet* far_ = nullptr;
   std::uint32_t depth_ = 0;
 };

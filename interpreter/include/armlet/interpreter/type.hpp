@@ -19,7 +19,8 @@ namespace armlet {
 struct HostType;
 
 enum class Kind : std::uint8_t {
-  kAny,  // what could not be checked; fits everything, so that one mistake gives one message
+  // The type of a value with a mistake; fits everywhere, so that one mistake causes one message.
+  kAny,
   kVoid,
   kBool,
   kInt,
@@ -45,15 +46,15 @@ struct RecordField {
 struct RecordInfo {
   std::string name;
   std::vector<RecordField> fields;
-  const Type* row = nullptr;    // a table, whose fields are its columns: the type of its rows
-  const Type* table = nullptr;  // a row: the type of its table
-  [[nodiscard]] int index_of(std::string_view field) const;  // -1 if absent
+  const Type* row = nullptr;    // of a table, whose fields are its columns: the type of its rows
+  const Type* table = nullptr;  // of a row: the type of its table
+  [[nodiscard]] int index_of(std::string_view field) const;  // -1 if there is none
 };
 
 struct EnumInfo {
   std::string name;
   std::vector<std::string> values;
-  [[nodiscard]] int index_of(std::string_view value) const;  // -1 if absent
+  [[nodiscard]] int index_of(std::string_view value) const;  // -1 if there is none
 };
 
 struct Type {
@@ -70,23 +71,25 @@ struct Type {
   [[nodiscard]] bool is(Kind k) const { return kind == k; }
   [[nodiscard]] bool is_double() const { return kind == Kind::kReal && dim.is_none(); }
   [[nodiscard]] bool is_table() const { return kind == Kind::kRecord && record->row != nullptr; }
-  // Whose columns are not known yet; every other table has at least the column t.
+  // Whether it is a table whose columns are not known yet; every other table has at least the
+  // column t.
   [[nodiscard]] bool is_open_table() const { return is_table() && record->fields.empty(); }
   [[nodiscard]] bool is_quantity() const { return kind == Kind::kReal && !dim.is_none(); }
   [[nodiscard]] bool is_number() const { return kind == Kind::kReal || kind == Kind::kInt; }
-  // Held in a slot as a counted reference (text, lists, records ...), not as bits.
+  // Whether a slot has a counted reference to the value (text, lists, records ...) and not its
+  // bits.
   [[nodiscard]] bool is_reference() const;
 };
 
-// "double[]", "length", "fn(double) -> double", "point".
+// The name of a type: "double[]", "length", "fn(double) -> double", "point".
 [[nodiscard]] std::string type_name(const Type* type);
-// "a double[]", "an int", "a length".
+// The name with its article: "a double[]", "an int", "a length".
 [[nodiscard]] std::string type_phrase(const Type* type);
 // "a" or "an" for a word of the language.
 [[nodiscard]] std::string_view article(std::string_view word);
 
-// Owns and interns the types of one program. It has those of the pool before it too, which is
-// closed and must outlive it: that of the library, or of the entry before in a session.
+// Owns and interns the types of one program. It includes the types of the pool before it, which is
+// closed and must outlive it: the pool of the library, or of the entry before in a session.
 class TypePool {
  public:
   TypePool();
@@ -107,27 +110,27 @@ class TypePool {
   const Type* map(const Type* key, const Type* element);
   const Type* function(std::vector<const Type*> parameters, const Type* result);
   const Type* host(const HostType* host);
-  // A new record or enum type each time: these are compared by identity.
+  // A new record or enum type, different from all others: these are compared by identity.
   const Type* new_record(std::string name);
   const Type* new_enum(std::string name, std::vector<std::string> values);
-  // The table whose rows have these fields: equal fields give the same type. A column is a list;
-  // one of lists of numbers is a matrix with one row for each sample.
+  // The table type whose rows have these fields; equal fields give the same type. A column is a
+  // list; a column of lists of numbers is a matrix with one row for each sample.
   const Type* table(std::vector<RecordField> row);
-  // `table` as it is written in a program: a type of its own, open until `join_tables` meets it.
+  // The type of a declared `table`, whose columns are unknown until `join_tables` sets them.
   const Type* open_table();
-  // Tables, or lists of tables: an open one takes the columns of the other from now on.
+  // For tables, or lists of tables: the one with unknown columns gets those of the other.
   void join_tables(const Type* a, const Type* b);
-  // The one record type with this name and these fields.
+  // The record type with this name and these fields, made at the first call.
   const Type* record_of(std::string_view name, std::vector<RecordField> fields);
-  // The record that `record_of` made with this name and a field of type `of`, a list of it or a
+  // The type that `record_of` made with this name and a field of type `of`, of a list of it or of a
   // function that takes it; null if there is none.
   const Type* made_record(std::string_view name, const Type* of) const;
-  // The library's records are one type per name.
+  // The record of the library with this name.
   const Type* library_record(std::string_view name) const;
   void register_library_record(const Type* record);
-  // Nothing is added any more: pools behind this one find its types.
+  // Ends the changes of this pool; later pools then include its types.
   void close();
-  // Whether it has only what the one before it has.
+  // Whether the pool has no types besides those of the pool before it.
   [[nodiscard]] bool adds_nothing() const { return types_.empty(); }
 
  private:
@@ -139,11 +142,12 @@ class TypePool {
   void name_basic_types();
 
   struct Earlier;
-  std::shared_ptr<const Earlier> earlier_;  // of the pools before; null: there are none
+  std::shared_ptr<const Earlier> earlier_;  // of the pools before; null: none
   std::list<Type> types_;
-  std::unordered_multimap<std::size_t, const Type*> interned_;  // by what they are
+  std::unordered_multimap<std::size_t, const Type*> interned_;  // by their structure
   std::map<Columns, const Type*> tables_;                       // by the fields of their rows
-  std::unordered_map<const RecordInfo*, std::vector<Type*>> tables_of_;  // open ones, and joined
+  // With unknown columns, and those joined with them.
+  std::unordered_map<const RecordInfo*, std::vector<Type*>> tables_of_;
   std::list<RecordInfo> records_;
   std::list<EnumInfo> enums_;
   std::shared_ptr<const RecordsByName> library_records_;

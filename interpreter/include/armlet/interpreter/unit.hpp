@@ -10,7 +10,8 @@
 
 namespace armlet {
 
-// Exponents of length, mass, time and angle, counted in halves, so that sqrt(area) is a length.
+// A dimension: exponents of length, mass, time and angle, counted in halves, so that sqrt(area) is
+// a length.
 struct Dim {
   std::int8_t length = 0;
   std::int8_t mass = 0;
@@ -21,11 +22,11 @@ struct Dim {
   [[nodiscard]] bool is_none() const { return *this == Dim{}; }
   // The same dimension without its angle part.
   [[nodiscard]] Dim without_angle() const { return {length, mass, time, 0}; }
-  // Only an angle, to any power, or nothing.
+  // Whether it is a power of an angle, or none.
   [[nodiscard]] bool is_only_angle() const { return length == 0 && mass == 0 && time == 0; }
 };
 
-// Sums and differences of exponents; empty when an exponent leaves the range of int8.
+// The dimension of a product or a quotient; empty if an exponent exceeds the range of int8.
 [[nodiscard]] std::optional<Dim> multiply(Dim a, Dim b);
 [[nodiscard]] std::optional<Dim> divide(Dim a, Dim b);
 // a^(halves/2); empty if an exponent would not be a multiple of one half.
@@ -45,16 +46,17 @@ inline constexpr Dim kForce{2, 2, -4, 0};
 inline constexpr Dim kTorque{4, 2, -4, 0};
 }  // namespace dims
 
-// "length", "angle" ...: the named dimensions of section 6. `energy` and `torque` are one
+// The dimension with a name of section 6: "length", "angle" ... `energy` and `torque` are one
 // dimension.
 [[nodiscard]] std::optional<Dim> dimension_named(std::string_view name);
 [[nodiscard]] std::span<const std::string_view> dimension_names();
-// "length" for lengths, "length/mass^2" style for unnamed ones, "number" for none.
+// The name of a dimension: "length", a product such as "length/mass^2" if it has no name, "number"
+// for none.
 [[nodiscard]] std::string dimension_name(Dim dim);
-// "a length", "an angle", "a plain number".
+// The name with its article: "a length", "an angle", "a plain number".
 [[nodiscard]] std::string dimension_phrase(Dim dim);
 
-// A unit as written after a number: value in SI = number * factor.
+// A unit after a number: value in SI = number * factor.
 struct Unit {
   std::string_view name;
   Dim dim;
@@ -73,7 +75,7 @@ struct CombinedUnit {
 };
 [[nodiscard]] std::optional<CombinedUnit> parse_unit(std::string_view text);
 
-// A number glued to a unit ("90deg", "1_000.5mm/s"), rounded once to SI.
+// A number with a unit, without a blank between ("90deg", "1_000.5mm/s"), rounded once to SI.
 struct Quantity {
   double si = 0.0;
   Dim dim;
@@ -81,10 +83,11 @@ struct Quantity {
   std::string_view unit;  // as written
 };
 [[nodiscard]] std::optional<Quantity> parse_quantity(std::string_view text);
-// What a number without a sign is in SI that is written in a unit ("90", "deg"), rounded once.
+// The SI value of a number without a sign in a unit ("90", "deg"), rounded once.
 [[nodiscard]] std::optional<double> si_of(std::string_view number, std::string_view unit);
 
-// Parses a number of the language: underscores, trailing f F d D l L. Empty if it is none.
+// Parses a number of the language: underscores, trailing f F d D l L. Empty if the text is not a
+// number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 // The unit by which `print` shows a value of dimension `dim` (section 6, "Printing"):

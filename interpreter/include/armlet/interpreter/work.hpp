@@ -1,5 +1,5 @@
 #pragma once
-// Long work inside native functions: counted as steps, and stopped when the program has to stop.
+// Long work in native functions: it counts as steps, and ends when the program has to stop.
 
 #include <algorithm>
 #include <cstddef>
@@ -13,18 +13,19 @@ namespace armlet {
 
 // How many elementary operations, each about a nanosecond, count as one step of the program.
 inline constexpr std::uint64_t kWorkPerStep = 256;
-// Work that is done without a look at the wish to cancel: a fraction of a millisecond.
+// Operations between two checks for stop requests: a fraction of a millisecond.
 inline constexpr std::uint64_t kBlockWork = std::uint64_t{1} << 18U;
 
-// Counts steps for so many operations; less than one step is free, since the call itself was
-// counted. Ask before the work. False: the program has to stop and the failure is set.
+// Counts the steps for an amount of work, in operations; less than one step is free, because the
+// call itself is counted. Called before the work. Returns false, with the failure set, if the
+// program has to stop.
 [[nodiscard]] inline bool charge_work(Vm& vm, std::uint64_t operations) {
   return operations < kWorkPerStep || charge_steps(vm, operations / kWorkPerStep);
 }
 
-// f(begin, end) for the blocks of [0, count) one after the other, each counted before it is done.
-// f may give bool: false ends it. `cost`: operations for each item, at least 1.
-// False: f was false, or the program has to stop and the failure is set.
+// Calls f(begin, end) for the blocks of [0, count) one after the other, and counts each before. f
+// may return bool: false ends the loop. `cost`: operations for each item, at least 1. Returns false
+// if f did, or, with the failure set, if the program has to stop.
 template <class F>
 [[nodiscard]] bool in_blocks(Vm& vm, std::size_t count, unsigned cost, F f) {
   const std::size_t block = std::max<std::size_t>(1, kBlockWork / cost);
@@ -41,7 +42,7 @@ template <class F>
   return true;
 }
 
-// A text made piece by piece: every piece counts as work and against the heap limit.
+// Makes a text from pieces. Every piece counts as work, and for the limit of the heap.
 class TextMaker {
  public:
   explicit TextMaker(Vm& vm) : vm_(vm) {}
@@ -49,19 +50,19 @@ class TextMaker {
   TextMaker(const TextMaker&) = delete;
   TextMaker& operator=(const TextMaker&) = delete;
 
-  // False: the heap is full or the program has to stop; the failure is set.
+  // Returns false, with the failure set, if the heap is full or the program has to stop.
   [[nodiscard]] bool add(std::string_view piece);
-  // The text; null if there was a failure, which is set.
+  // The text; null, with the failure set, if there was a failure.
   [[nodiscard]] Obj* take();
 
  private:
   Vm& vm_;
   TextObj* text_ = nullptr;
-  std::uint64_t work_ = 0;  // of short pieces, not counted yet
+  std::uint64_t work_ = 0;  // of short pieces, to be counted later
   bool failed_ = false;
 };
 
-// A list of references made element by element; it owns them.
+// Makes a list of references element by element, and owns them.
 class ListMaker {
  public:
   explicit ListMaker(Vm& vm) : vm_(vm) {}
@@ -69,9 +70,10 @@ class ListMaker {
   ListMaker(const ListMaker&) = delete;
   ListMaker& operator=(const ListMaker&) = delete;
 
-  // Takes over the object; null is a failure that is set. False: the failure is set.
+  // Adds an object and takes over its count; null means a failure that is set. Returns false, with
+  // the failure set, if that fails.
   [[nodiscard]] bool push(Obj* object);
-  // The list; null if there was a failure, which is set.
+  // The list; null, with the failure set, if there was a failure.
   [[nodiscard]] Obj* take();
 
  private:
@@ -80,8 +82,8 @@ class ListMaker {
   std::uint64_t work_ = 0;
 };
 
-// Whether `what` stands in `text` at or behind byte `from`, and where; npos: no. Counted as work.
-// False: the program has to stop and the failure is set.
+// Finds `what` in `text` from byte `from` on; npos if it is not there. Counted as work. Returns
+// false, with the failure set, if the program has to stop.
 [[nodiscard]] bool find_text(Vm& vm, std::string_view text, std::string_view what, std::size_t from,
                              std::size_t& at);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The things that programs call by name, described by the host before it compiles.
+// The named objects of the host's world, which the host describes before it compiles a program.
 
 #include <algorithm>
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace armlet {
 
-// Never changes: the host makes it once for the programs of one world.
+// Constant: the host makes it once for the programs of one world.
 struct WorldNames {
-  std::string world;  // what the world is called; empty: it has no name
+  std::string world;  // the name of the world; empty: it has none
   std::vector<std::string> things{};
-  std::string maker{};  // the function that gives a thing by its name; empty: none does
+  std::string maker{};  // the function that returns an object by its name; empty: none
 
   [[nodiscard]] bool has(std::string_view name) const {
     return std::ranges::find(things, name) != things.end();

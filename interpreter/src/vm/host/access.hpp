@@ -30,7 +30,7 @@ namespace armlet::lang {
 [[nodiscard]] std::string signature_of(const hir::Function& function);
 
 // throws  ArgumentError unless the run has begun and all global variables have values, since a
-//        function may use any of them.
+//         function may use any of them.
 void require_values_of_globals(VmState& state);
 
 // Stores the current failure as that of a call by the host, for Vm::error.

@@ -30,7 +30,7 @@ inline constexpr const char* kUndefinedNumber =
 // A new slot that owns the value, converted to the type.
 //
 // throws  ArgumentError, which begins with the name of the part after `what`, if a part has another
-//        type or is NaN, and if the heap is full.
+//         type or is NaN, and if the heap is full.
 [[nodiscard]] Slot slot_of_value(VmState& state, const Value& value, const Type& type,
                                  const std::string& what,
                                  Undefined undefined = Undefined::kRefused);

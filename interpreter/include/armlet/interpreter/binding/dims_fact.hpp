@@ -1,5 +1,5 @@
 #pragma once
-// What rules of the host tell about lists of numbers with several units.
+// Facts that rules of the host store about lists of numbers with several units.
 
 #include <functional>
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace armlet {
 
-// The dimension of a number, or of as many numbers as only the run knows.
+// The dimension of a number, or of several numbers whose count is known only at run time.
 //
-// later  empty: `dim` holds. Otherwise what the host reads the dimensions from when the program
-//        runs; no comma is in it.
-// index  of `later`, the one of this number; -1: all of them, one after the other.
+// later  empty: `dim` is the dimension. Otherwise the text from which the host reads the dimensions
+//        at run time; it has no comma.
+// index  of `later`: the dimension of this number; -1: all dimensions, one after the other.
 struct NumberDim {
   Dim dim{};
   std::string later{};
@@ -25,8 +25,8 @@ struct NumberDim {
   bool operator==(const NumberDim&) const = default;
 };
 
-// The dimensions of the numbers in a list whose type has none: speeds of parts that turn and
-// slide. What shows the list writes its units from them.
+// The dimensions of the numbers in a list whose type has none, such as the speeds of parts that
+// rotate and of parts that slide. Curves and tables of the list show their units.
 class DimsFact : public Fact {
  public:
   explicit DimsFact(std::vector<NumberDim> all) : dims(std::move(all)) {}
@@ -34,10 +34,10 @@ class DimsFact : public Fact {
   std::vector<NumberDim> dims;
 };
 
-// The same where they follow from what is known of an argument of the call, which may be a
-// parameter of the function around it.
+// The same for dimensions that follow from those of an argument of the call, which may be a
+// parameter of the function with the call.
 //
-// dims  none: they do not follow from this fact.
+// dims  none: the dimensions do not follow from this fact.
 class DimsOfArgumentFact : public Fact {
  public:
   using Reader = std::function<std::vector<NumberDim>(const Fact& of_argument)>;

@@ -6,23 +6,25 @@
 
 namespace armlet {
 
-// Its entries in the order of their insertion; those that were removed are marked. Texts, lists and
-// so on in them are borrowed.
+// The map in a slot. It has its entries in the order of their insertion; removed ones are marked.
+// Texts, lists and other objects in them are borrowed.
 [[nodiscard]] inline const MapObj& map_value(Slot s) { return *static_cast<const MapObj*>(s.o); }
 
-// The value of a key, which is borrowed; null if there is no such key. False: the failure is set.
+// Sets `value` to the value of a key, which is borrowed, or to null if there is no such key.
+// Returns false, with the failure set, if the program has to stop.
 [[nodiscard]] bool find_in_map(Vm& vm, const MapObj& map, Slot key, const Slot*& value);
 
-// An empty map. text_keys: keys are texts, otherwise ints. references: values are texts, lists,
-// records ..., otherwise numbers. Null: the heap limit was reached and the failure is set.
+// An empty map. text_keys: whether keys are texts, otherwise ints. references: whether values are
+// texts, lists, records ..., otherwise numbers. Null if the limit of the heap is reached; the
+// failure is set.
 [[nodiscard]] MapObj* new_map(Vm& vm, bool text_keys, bool references);
 
 // Inserts an entry or replaces the value of one.
 //
-// map    made by new_map, and owned by the caller alone.
-// key    borrowed: the map counts it for itself.
-// value  its count goes to the map, also when this fails.
-// returns  false: the failure is set.
+// map      made by new_map; the caller must be its only owner.
+// key      borrowed: the map increases its count.
+// value    the map takes over its count, also when this fails.
+// returns  false if it failed; the failure is set.
 [[nodiscard]] bool put_into_map(Vm& vm, MapObj& map, Slot key, Slot value);
 
 }  // namespace armlet

@@ -12,7 +12,7 @@
 
 namespace armlet::typed {
 
-// How a function takes what is stored as V: the parameter of `def` that stands for it.
+// Converts a stored value of type V to the parameter of a `def` function for it.
 template <class V>
 struct Stored {
   using Type = const V&;
@@ -39,7 +39,7 @@ V stored(const Part& part) {
   }
 }
 
-// What a value of type V is in a signature, and a copy of the one in a slot.
+// The type of a stored value V in signatures, and a copy of the value in a slot.
 template <class V>
 inline constexpr ValueKind kStoredKind = Argument<typename Stored<V>::Type>::kKind;
 template <class V>

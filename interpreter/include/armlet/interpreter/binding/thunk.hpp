@@ -1,5 +1,5 @@
 #pragma once
-// What runs when a program calls a native function, and what it tells the machine.
+// Native functions as the virtual machine calls them, and their results.
 
 #include <concepts>
 #include <cstddef>
@@ -12,12 +12,12 @@ namespace armlet {
 
 class Vm;
 
-// What a native function did: left its result in args[0]; failed (the failure is in the Vm); or
-// takes virtual time.
+// The result of a native function: it has stored its value in args[0]; it has failed, with the
+// failure stored in the Vm; or it takes virtual time.
 enum class Signal : std::uint8_t { kDone, kFail, kPause };
 
-// What `fail` gives: the failure is in the Vm. It stands for the result of any function that may
-// fail.
+// The return value of `fail`, which converts to the result of any function that may fail. The
+// failure is stored in the Vm.
 struct [[nodiscard]] Failed {
   operator Signal() const { return Signal::kFail; }
   template <class T>
@@ -26,12 +26,11 @@ struct [[nodiscard]] Failed {
   }
 };
 
-// What runs when a program calls a native function.
+// The code of a native function, which a program calls.
 //
-// args: one slot per parameter, then room for the result in args[0]. References in args are
-// borrowed; a reference left as the result belongs to the caller.
-// closure: what the function keeps between calls, which outlives the engine; null if it keeps
-// nothing.
+// args     one slot per parameter, then room for the result in args[0]. References in args are
+//          borrowed; the caller owns a reference that is the result.
+// closure  data that the function keeps between calls, which must outlive the engine; null if none.
 class Thunk {
  public:
   using Plain = Signal (*)(Vm& vm, Slot* args);
@@ -58,11 +57,11 @@ class Thunk {
   const void* closure_ = nullptr;
 };
 
-// What a parameter or result of a function in C++ is, to be compared with its signature
+// The kind of a parameter or result of a C++ function, for the comparison with its signature
 // (define.hpp).
 struct ValueKind {
   enum class Form : std::uint8_t {
-    kAny,  // a slot as it lies
+    kAny,  // a slot without a conversion
     kNothing,
     kBool,
     kInt,
@@ -74,7 +73,7 @@ struct ValueKind {
     kRecord,  // a struct, a record of the library or a table
     kFunction,
     kHost,
-    kHosts,  // a list of them
+    kHosts,  // a list of values of a host type
   };
   Form form = Form::kAny;
   bool optional = false;

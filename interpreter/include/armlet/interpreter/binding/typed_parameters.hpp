@@ -10,8 +10,8 @@
 //   matrix                 const MatrixObj&
 //   a type of the host     const T&, for which kHostType<T> or `type<T>` names it
 //   a struct, a table      const RecordObj&
-//   fn(...) -> ...         const ScriptFunction<...>&, or FunctionValue to hand it on
-//   T and all the others   Slot
+//   fn(...) -> ...         const ScriptFunction<...>&, or FunctionValue to pass it on
+//   T and all others       Slot
 //   name: type?            std::optional of the above, const T* for a type of the host
 
 #include <cstdint>
@@ -26,12 +26,12 @@
 
 namespace armlet {
 
-// The type of the language whose values are T in C++; specialise it beside the HostType.
+// The type of the language whose values are T in C++. Specialise it next to the HostType.
 template <class T>
 inline constexpr const HostType* kHostType = nullptr;
 
-// The HostType of values that are T: their size, how they are destroyed, compared (where T has ==)
-// and printed (where T has `std::string text() const`).
+// The HostType for values of type T: their size, and functions that destroy, compare (if T has ==)
+// and print them (if T has `std::string text() const`).
 template <class T>
 constexpr HostType host_type(std::string_view name, std::string_view help) {
   HostType type{.name = name, .size = sizeof(T), .help = help};
@@ -62,11 +62,11 @@ constexpr std::string_view name_in_cpp() {
   return scope == std::string_view::npos ? name : name.substr(scope + 2);
 }
 
-// What values of T carry if only `type<T>` names their type (define_type.hpp).
+// The HostType of values of T for which only `type<T>` names a type (define_type.hpp).
 template <class T>
 inline constexpr HostType kTypeInCpp = host_type<T>(name_in_cpp<T>(), {});
 
-// The type that values of T carry.
+// The HostType of values of T.
 template <class T>
 constexpr const HostType* carried_type() {
   if constexpr (kHostType<T> != nullptr) {
@@ -82,12 +82,12 @@ template <class T>
 concept HostValue = kHostType<std::remove_cvref_t<T>>
 != nullptr;
 
-// A function value that is handed on, borrowed from the argument.
+// A function value to be passed on, borrowed from the argument.
 struct FunctionValue {
   Obj* object;
 };
 
-// A list of values of a type of the host, borrowed from the argument.
+// A list of values of a host type, borrowed from the argument.
 template <class T>
 class HostList {
  public:
@@ -100,8 +100,8 @@ class HostList {
   std::span<const Slot> items_;
 };
 
-// How a parameter of type T is read from its slot: `kKind`, and read(vm, slot). Specialise it for a
-// type of your own.
+// Reads a parameter of type T from its slot: `kKind`, and read(vm, slot). Specialise it for your
+// own types.
 template <class T>
 struct Argument;
 

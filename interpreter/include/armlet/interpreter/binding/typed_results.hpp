@@ -1,8 +1,8 @@
 #pragma once
-// Results of functions that `def` makes (define.hpp), as types of C++: double, std::int64_t, bool,
-// std::string, std::vector<double>, a type of the host, std::vector of references such as these,
-// Obj* (a new reference; null: it failed) and std::unique_ptr<Waiting> of what takes time.
-// Answer<T> is a result that may be a failure; void and Answer<void> are none.
+// Results of `def` functions (define.hpp) as C++ types: double, std::int64_t, bool, std::string,
+// std::vector<double>, a host type, std::vector of such references, Obj* (a new reference; null: it
+// failed) and std::unique_ptr<Waiting> for an operation that takes time. Answer<T> is a result or a
+// failure; void and Answer<void> have no result.
 
 #include <memory>
 #include <span>
@@ -16,8 +16,8 @@
 
 namespace armlet {
 
-// How a result of type T is left in a slot: `kKind`, and leave(vm, value, slot), which may fail.
-// This one is for the structs and classes that `type<T>` names.
+// Stores a result of type T in a slot: `kKind`, and leave(vm, value, slot), which may fail. This
+// template is for the structs and classes that `type<T>` names.
 template <class T>
 struct Given {
   static_assert(std::is_class_v<T>, "no type of the language stands for this result");
@@ -68,7 +68,7 @@ struct Given<T> {
     return give(&slot, new_host_value(vm, *kHostType<T>, std::move(value)));
   }
 };
-// Of references: each left as a result of its own.
+// A list of references, each stored like a single result.
 template <class T>
 struct Given<std::vector<T>> {
   static constexpr ValueKind kKind{Given<T>::kKind.form == ValueKind::Form::kHost
@@ -85,7 +85,8 @@ struct Given<std::vector<T>> {
     return give(&slot, list);
   }
 };
-// Over at once, or the program goes on when it is.
+// An operation that takes time. If it is over at once, its result is stored; otherwise the program
+// waits.
 template <>
 struct Given<std::unique_ptr<Waiting>> {
   static constexpr ValueKind kKind{};

@@ -1,10 +1,10 @@
 #pragma once
-// What a text means, for whoever shows it while it is written: a prompt, a page, a language server.
+// The analysis of a text for editors: a prompt, a page, a language server.
 //
-// An Analysis keeps what the checker found out, also where the text is broken: the rest of it is
-// read as if what is missing were there. It never changes, any thread may ask it, and it lives as
-// long as somebody holds it. Positions are bytes of the main text; one inside of a character means
-// the character, one behind the end the end.
+// An Analysis contains the results of the checker, also for a text with mistakes: the text is
+// checked as if the missing parts were there. It never changes, any thread may read it, and it
+// exists as long as it has an owner. Positions are bytes of the main text; a position inside of a
+// character means that character, one beyond the end means the end.
 
 #include <cstdint>
 #include <memory>
@@ -19,7 +19,7 @@
 
 namespace armlet {
 
-// What a name stands for.
+// The kind of a name.
 enum class NameKind : std::uint8_t {
   kVariable,
   kParameter,
@@ -39,29 +39,29 @@ enum class NameKind : std::uint8_t {
 // "variable", "library function" ...
 [[nodiscard]] std::string_view name_kind_text(NameKind kind);
 
-// What stands at a position.
+// Information about a position.
 struct Hover {
   Span span{};          // of the name or the expression
   std::string text{};   // "gap: length", "fn place(k: int) -> length", one line for each overload
-  std::string help{};   // what the documentation says; may be empty
-  std::string value{};  // "30 mm", where the text alone gives it
+  std::string help{};   // from the documentation; may be empty
+  std::string value{};  // "30 mm", if it follows from the text
   std::vector<std::string> messages{};  // about this position: "E0401: this needs a unit"
 };
 
 struct Completion {
-  std::string text{};  // what is put in
+  std::string text{};  // the text to insert
   NameKind kind = NameKind::kVariable;
   std::string detail{};  // type or signature
 };
 struct Completions {
   Span replaced{};  // the word that is being written
-  // Names in scope, innermost first, then
-  // settings of the call, then the library. Where a setting has its value, names whose type fits
-  // come first. All names that can stand here, whatever has been written of the word.
+  // The names in scope, the innermost first, then settings of the call, then the library. If a
+  // setting has its value at the position, names with a fitting type come first. The list contains
+  // all names that are possible there, regardless of the letters written so far.
   std::vector<Completion> items{};
 };
 
-// The call that a position is in.
+// The call around a position.
 struct SignatureHelp {
   struct Overload {
     std::string text{};  // "run(to: point, time: time?) -> Run"
@@ -69,45 +69,46 @@ struct SignatureHelp {
     std::string help{};
   };
   std::vector<Overload> overloads{};
-  std::size_t active = 0;  // the one that the checker chose, or the first
+  std::size_t active = 0;  // the one that the checker selected, or the first
   int parameter = -1;      // of the active one; -1: none
 };
 
 struct Renaming {
   std::vector<Edit> edits{};  // in all files of the program
-  std::string why{};          // without edits: why it is not done
+  std::string why{};          // without edits: the reason
 };
 
 struct InlayHint {
-  std::uint32_t position = 0;  // the text is shown in front of this byte
+  std::uint32_t position = 0;  // the text is shown before this byte
   std::string text{};          // ": length"
 };
 
 class Analysis {
  public:
-  struct Facts;  // what was found out
+  struct Facts;  // the data of the analysis
   explicit Analysis(std::unique_ptr<const Facts> facts);
   ~Analysis();
   Analysis(const Analysis&) = delete;
   Analysis& operator=(const Analysis&) = delete;
 
   [[nodiscard]] const SourceSet& sources() const;  // the main text is number first()
-  // The messages of Engine::compile, but fixes are not tried out: they are all `maybe`.
+  // The messages of Engine::compile, except that fixes are not tried out and are therefore all
+  // `maybe`.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
-  [[nodiscard]] bool was_cancelled() const;  // then nothing is known of the text
+  [[nodiscard]] bool was_cancelled() const;  // the analysis is then empty
 
   [[nodiscard]] std::optional<Hover> hover(std::uint32_t at) const;
-  // The name where the thing at `at` is declared, perhaps in another file; empty for the library.
+  // The declaration of the name at `at`, perhaps in another file; empty for names of the library.
   [[nodiscard]] std::optional<Span> definition(std::uint32_t at) const;
-  // Every name that means the same as the one at `at`, its declaration included, in the order of
-  // files and texts.
+  // All names that refer to the same declaration as the one at `at`, and the declaration, in the
+  // order of files and texts.
   [[nodiscard]] std::vector<Span> references(std::uint32_t at) const;
   [[nodiscard]] Completions completion(std::uint32_t at) const;
   [[nodiscard]] std::optional<SignatureHelp> signature_help(std::uint32_t at) const;
-  // Gives the thing at `at` another name. Refused for what is no name of the program, and where the
-  // new name would mean something else.
+  // Renames the declaration of the name at `at` and all references to it. Refused if it is not a
+  // name of the program, or if the new name would conflict with another one.
   [[nodiscard]] Renaming rename(std::uint32_t at, std::string_view name) const;
-  // Types of variables that are declared without one.
+  // The types of variables that are declared without one.
   [[nodiscard]] std::vector<InlayHint> inlay_hints() const;
 
   [[nodiscard]] const Facts& facts() const { return *facts_; }

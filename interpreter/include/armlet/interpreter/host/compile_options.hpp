@@ -1,5 +1,5 @@
 #pragma once
-// How a text is compiled: limits, what it may import, what it goes on from.
+// Options of the compiler: limits, imports, the entry before.
 
 #include <atomic>
 #include <cstdint>
@@ -25,43 +25,44 @@ struct ParseLimits {
   int errors = 10;
 };
 
-// What a host answers to `import "path"`.
+// The answer of a host to `import "path"`.
 struct ImportedText {
-  std::string name;                 // of the file in messages; one file has one name
-  std::optional<std::string> text;  // nothing: there is no such file, or it is not to be read
-  std::string why;                  // with no text: the reason, if there is more to say
-  std::vector<std::string> others;  // with no text: the paths that exist, for "did you mean"
+  std::string name;  // of the file, in messages; the same for each import of the file
+  std::optional<std::string> text;  // empty: the file does not exist or must not be read
+  std::string why;                  // without a text: the reason, if there is one to show
+  std::vector<std::string> others;  // without a text: paths that exist, for "did you mean"
 };
-// `path` is what the program says, `from` the name of the file that says it.
+// `path` is the text in the program, `from` the name of the importing file.
 using ModuleLoader = std::function<ImportedText(const std::string& path, const std::string& from)>;
 
 struct CompileOptions {
   ParseLimits limits;
-  void* host = nullptr;  // handed to check rules
-  // What rules may know of the world by name (world_names.hpp); null: nothing.
+  void* host = nullptr;  // passed to rules that check calls
+  // The names of the world, for rules (world_names.hpp); null: none are known.
   std::shared_ptr<const WorldNames> world{};
-  ModuleLoader load;  // nothing can be imported without it
-  // For editors: the texts that a parameter of a library function may hold, as far as the host
-  // knows them, such as names of things in its world. Null: none.
+  ModuleLoader load;  // without it imports fail
+  // For editors: the texts that are possible for a parameter of a library function, such as names
+  // of objects in the host's world. Null: none are known.
   std::function<std::vector<std::string>(const NativeFunction&, std::string_view parameter)> texts;
-  // The host can read and set the program's variables by name. Where nobody asks for them, those
-  // that only the top level uses lie in registers.
+  // Whether the host can read and set the program's global variables by name. Otherwise those that
+  // only the top level uses are kept in registers.
   bool open = true;
-  bool markers = false;  // for debuggers: run by statements (host/stepping.hpp), and more slowly
-  // The text may only declare things by blocks of these types, `object`, and constants; empty:
-  // anything. `refuse` makes the message for another statement.
+  // For debuggers: allows runs by statements (host/stepping.hpp), but is slower.
+  bool markers = false;
+  // The types of blocks that the text may declare, besides `object` and constants, without any
+  // other statement; empty: no restriction. `refuse` makes the message for another statement.
   std::vector<std::string_view> only_blocks{};
   std::function<Diagnostic(Span statement)> refuse{};
-  // The text is an entry of a session: its names stay for entries behind it, and the value of an
-  // expression at its end is kept as `ans`.
+  // The text is an entry of a session: later entries can use its names, and the value of an
+  // expression at its end becomes `ans`.
   bool is_entry = false;
-  // The newest entry of the session, in whose scope the text is compiled; it implies is_entry.
-  // Null: the text is the first one.
+  // The newest entry of the session, whose names the text can use; it implies is_entry. Null: the
+  // text is the first entry.
   std::shared_ptr<const Program> after{};
-  // Set to true by the host, from any thread: compiling ends soon, without a program and with the
-  // message R0629 alone.
+  // Set to true by the host, in any thread: the compiler then soon returns no program and only the
+  // message R0629.
   const std::atomic<bool>* cancelled = nullptr;
-  // The compiler's own: tables that the program reads, as its checks found them.
+  // Internal: the tables that the program loads, as its checks have read them.
   std::shared_ptr<TableFiles> tables{};
 };
 

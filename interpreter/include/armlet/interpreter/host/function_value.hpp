@@ -1,5 +1,5 @@
 #pragma once
-// What native functions ask of a function value of the program besides calling it.
+// Properties of function values of the program, for native functions.
 
 #include <cstddef>
 
@@ -7,10 +7,10 @@
 
 namespace armlet {
 
-// The type of a parameter, counted from 0; null if it has not so many. `function` is a function
-// value of the program that runs.
+// The type of a parameter, counted from 0; null if the function has fewer. `function` is a function
+// value of the running program.
 //
-// throws  ArgumentError if it is none.
+// throws  ArgumentError if it is not a function value.
 const Type* parameter_type(Vm& vm, const Obj* function, std::size_t index);
 
 }  // namespace armlet

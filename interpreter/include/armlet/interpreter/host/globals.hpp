@@ -1,12 +1,12 @@
 #pragma once
-// The variables of a program's top level, read and set by the host that owns the Vm, while it is
-// not running:
+// The global variables of a program, which the host that owns the Vm reads and sets while it is not
+// running:
 //
 //     double speed = vm.global<double>("speed");      // in SI units
 //     double in_mm = vm.global("speed").in("mm/s");
 //     vm.set("speed", 0.2, "m/s");                    // the unit is checked
 //
-// and the way of their values into a new version of the program.
+// The values of an old version of a program can be copied to a new one.
 
 #include <string>
 #include <string_view>
@@ -22,9 +22,9 @@ namespace armlet {
 
 namespace typed {
 
-// The variable, which has a value of this kind.
+// The slot of a variable with a value of this kind.
 //
-// throws  ArgumentError if there is none, or the Vm runs.
+// throws  ArgumentError if there is none, or the Vm is running.
 Slot slot_of_global(Vm& vm, std::string_view name, const ValueKind& kind);
 
 }  // namespace typed
@@ -40,21 +40,21 @@ requires(!std::convertible_to<const T&, Value>) void Vm::set(std::string_view na
   set(name, Value(Value::Host{typed::carried_type<T>(), std::make_shared<const T>(value)}));
 }
 
-// What `carry_globals` did, by the names of the new program's variables.
+// The result of `carry_globals`, by the names of the new program's variables.
 struct CarriedGlobals {
   struct Lost {
     std::string name;
     std::string why;  // "it was a length, and is a time"
   };
   std::vector<std::string> kept;
-  std::vector<Lost> lost;          // in both programs, or in the old one only
-  std::vector<std::string> fresh;  // in the new one only
+  std::vector<Lost> lost;          // in both programs, or only in the old one
+  std::vector<std::string> fresh;  // only in the new one
 };
 
-// Gives the variables of `to` the values that those of `from` have with the same name and type:
-// both programs have ended. Variables that cannot change (`let`) stay as the new program says.
+// Copies the values of variables of `from` to those of `to` with the same name and type; both
+// programs must have ended. Constant variables (`let`) keep the values of the new program.
 //
-// throws  ArgumentError if one of them runs, or has not ended.
+// throws  ArgumentError if one of the programs is running, or has not ended.
 CarriedGlobals carry_globals(Vm& from, Vm& to);
 
 }  // namespace armlet

@@ -1,5 +1,5 @@
 #pragma once
-// What a run that has paused or ended looks like from outside: its variables, its tasks, and what
+// The state of a run that is paused or has ended: its variables, its tasks, and the operations that
 // each of them waits for.
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace armlet {
 
-// value  as `print` shows it, cut when it is long; empty: it has none yet.
+// value  the text that `print` shows, shortened if it is long; empty: no value yet.
 struct SeenVariable {
   std::string name;
   std::string type;
@@ -20,9 +20,9 @@ struct SeenVariable {
   Span declared{};
 };
 
-// A call under way: the function's name, empty for the program and the blocks of tasks, the
-// statement or expression that it has come to, and in a program with markers its variables that can
-// be seen there, the innermost scope last.
+// A running call: the function's name, empty for the program and the blocks of tasks; its current
+// statement or expression; and in a program with markers the variables that are visible there, the
+// innermost scope last.
 struct SeenCall {
   std::string function;
   Span at{};
@@ -30,7 +30,7 @@ struct SeenCall {
 };
 
 // name   "branch 2 of parallel on line 9"; empty: the program itself.
-// waits  what it waits for; empty: it runs, or waits for the tasks that it has started.
+// waits  the operation that it waits for; empty: it is running, or waits for tasks that it started.
 // calls  the innermost first.
 struct SeenTask {
   std::string name;
@@ -38,33 +38,35 @@ struct SeenTask {
   std::vector<SeenCall> calls;
 };
 
-// The variables of the top level that hosts can ask for (CompileOptions::open), as declared.
+// The global variables that hosts can read (CompileOptions::open), in the order of their
+// declarations.
 //
-// throws  ArgumentError while the Vm runs, and before its run. The same for the others.
+// throws  ArgumentError while the Vm is running, and before its run. The same for the other
+//         functions.
 [[nodiscard]] std::vector<SeenVariable> seen_variables(Vm& vm);
-// The program itself first, then the others as they were started; none when the run has ended.
+// The program itself first, then the other tasks in the order of their start; empty when the run
+// has ended.
 [[nodiscard]] std::vector<SeenTask> seen_tasks(Vm& vm);
 
-// What an expression gives where a run has paused.
+// The value of an expression in a paused run.
 struct SeenValue {
   Span at{};  // the expression
   std::string type;
   std::string value;
 };
 
-// The value of the innermost expression around a byte of a text of the program, computed now in the
-// innermost call under way whose function has that text: of the task that has paused, then of the
-// others. Where none is under way only variables of the top level can be read. The run is
-// afterwards as it was: functions that act, take time or change variables and values are not
-// called.
+// The value of the innermost expression around a byte of a text of the program. It is computed in
+// the innermost running call whose function contains that text: of the paused task first, then of
+// the others. If there is no such call, only global variables can be read. The run is unchanged
+// afterwards: functions that act, take time or change variables and values are not called.
 //
-// returns  an error that says why there is no value: no expression stands there, a variable has
-//          none yet, something would be changed, or computing it fails, with the message of that
+// returns  an error with the reason if there is no value: there is no expression, a variable has no
+//          value yet, the evaluation would change a value, or it fails, with the message of the
 //          failure.
 // throws   ArgumentError as seen_variables.
 [[nodiscard]] Result<SeenValue> value_at(Vm& vm, std::uint32_t source, std::uint32_t byte);
 
-// Where a task is in the text.
+// The position of a task in the text.
 //
 // name  as in SeenTask; of a task that the host has started, the variable with its function.
 // at    the statement or expression of its innermost call; empty: it has not begun.
@@ -73,12 +75,12 @@ struct TaskPlace {
   Span at{};
   bool operator==(const TaskPlace&) const = default;
 };
-// The program itself first, then the others as they were started. Also for backends and functions
-// of the host, while the Vm runs.
+// The program itself first, then the other tasks in the order of their start. May be called while
+// the Vm is running, by backends and host functions.
 [[nodiscard]] std::vector<TaskPlace> task_places(Vm& vm);
 
-// Where the task is that runs, or has run last; empty: nowhere yet. Also for backends and functions
-// of the host, while the Vm runs.
+// The position of the task that is running or was running last; empty: none has begun. May be
+// called while the Vm is running, by backends and host functions.
 [[nodiscard]] Span running_at(Vm& vm);
 
 }  // namespace armlet

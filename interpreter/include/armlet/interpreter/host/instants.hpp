@@ -1,6 +1,6 @@
 #pragma once
-// Where a run stands, and where it was asked to stop: what a host needs to take a run the same way
-// again.
+// The instants of a run: its current one, and those of stop requests. A host needs them to replay
+// the run.
 
 #include <cstdint>
 #include <span>
@@ -10,25 +10,25 @@
 
 namespace armlet {
 
-// Where the run stands. To come there again, run up to the nanosecond before its time and then up
-// to its time with the steps that are left.
+// The current instant of the run. To reach it again, run up to the nanosecond before its time, and
+// then up to its time with the remaining steps.
 [[nodiscard]] Instant instant_of(Vm& vm);
 
-// Where a run noticed a wish to stop.
+// The instant at which a stop request took effect in a run.
 //
-// refusals  how often its host had refused to let time pass before (Timeline::advance_to): that may
-//           happen at the same instant, and comes first or later.
+// refusals  how often the host had refused before to let time pass (Timeline::advance_to). A
+//           refusal may happen at the same instant, before or after the request.
 struct Cancellation {
   Instant at{};
   std::uint32_t refusals = 0;
   bool operator==(const Cancellation&) const = default;
 };
 
-// The wishes to stop (Vm::cancel) that the run has noticed, in order.
+// The stop requests (Vm::cancel) that have taken effect in the run, in order.
 [[nodiscard]] std::span<const Cancellation> cancellations(Vm& vm);
 
-// Lets the run notice wishes to stop exactly there, where another run of the program has; those
-// that were given before are forgotten. Between two slices.
+// Lets stop requests take effect at the instants of another run of the program; they replace those
+// of earlier calls. Called between two slices.
 void cancel_at(Vm& vm, std::vector<Cancellation> wishes);
 
 }  // namespace armlet

@@ -8,18 +8,20 @@
 
 namespace armlet {
 
-// Where a Vm takes the memory of its values from: texts, lists, matrices, records and so on, in
-// large pieces which it divides. Everything is given back when the Vm goes. The functions are
-// called by the thread that runs the program and throw nothing.
+// The source of the memory for the values of a Vm: texts, lists, matrices, records and others. The
+// Vm takes large blocks, divides them, and returns all of them when it is destroyed. The functions
+// are called by the thread that runs the program and must not throw.
 struct Memory {
-  // `bytes` aligned to 16 bytes; null if there is none, which the program hears of (R0628).
+  // Returns `bytes` bytes aligned to 16 bytes; null if there are none, which is a failure of the
+  // program (R0628).
   void* (*take)(void* context, std::size_t bytes) = nullptr;  // null: the memory of the C library
-  // `bytes` as it was taken.
+  // Returns a block; `bytes` is the size with which it was taken.
   void (*give_back)(void* context, void* block, std::size_t bytes) = nullptr;
   void* context = nullptr;
 };
 
-// That of a memory resource, which outlives the Vms. One that throws has none.
+// The memory of a std::pmr::memory_resource, which must outlive the Vms. An exception of the
+// resource counts as no memory.
 #if __has_include(<memory_resource>)
 [[nodiscard]] Memory memory_of(std::pmr::memory_resource& resource);
 #endif

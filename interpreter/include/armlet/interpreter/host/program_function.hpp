@@ -27,38 +27,41 @@
 
 namespace armlet {
 
-// What calls of one function have in common; its types have been compared.
+// The common part of all calls of one function, whose types have been compared.
 class ReadyFunction {
  public:
   static constexpr std::size_t kMostParameters = 16;
 
   struct Outcome {
-    bool done;            // false: the call failed, and Vm::error says why
-    double result = 0.0;  // if it is a double; sooner than from the slot
+    bool done;            // false: the call failed, and Vm::error has the reason
+    double result = 0.0;  // set if the result is a double; faster than the slot
   };
 
-  // takes, gives  what C++ passes and wants.
+  // takes, gives  the C++ types of the parameters and the result.
   // returns       an error that shows both signatures if there is no such function.
   static Result<ReadyFunction> find(Vm& vm, std::string_view name, std::span<const ValueKind> takes,
                                     const ValueKind& gives);
 
-  // Calls the function; its result, a number, is left in `result`.
+  // Calls the function and stores its result, a number, in `result`.
   //
-  // throws  ArgumentError while the Vm runs: in another thread, or in the function of the host that
-  //         calls this; and if the entry of a session that declares the function has failed.
+  // throws  ArgumentError while the Vm is running, in another thread or in the host function that
+  //         makes this call; and if the entry of a session that declares the function has failed.
   Outcome run(std::span<const Slot> arguments, Slot& result) const;
-  // The same with at most three arguments, in registers; what is beyond the parameters is not read.
+  // The same with at most three arguments, which are passed in registers; arguments beyond the
+  // parameters are ignored.
   Outcome run(Slot first, Slot second, Slot third, Slot& result) const;
-  // The same with at most three doubles for a double.
+  // The same for functions of at most three doubles that return a double.
   Outcome run_reals() const;
   Outcome run_reals(double only) const;
   Outcome run_reals(double first, double second, double third = 0.0) const;
 
-  // Whether the steps of a call are its own, or of the run: then the run cannot be taken again
-  // without the call, and who keeps a log of it keeps the call (stdlib/session_log.hpp).
+  // Whether the steps of a call are counted apart from the run, or with it. In the second case a
+  // replay of the run has to repeat the call, and a log of the run contains it
+  // (stdlib/session_log.hpp).
   enum class Counts : std::uint8_t { kApart, kWithRun };
 
-  // A call with arguments or a result that are objects: while it lives, the Vm is busy with it.
+  // A call whose arguments or result are objects. During its lifetime no other call of the Vm is
+  // possible.
   class Call {
    public:
     explicit Call(const ReadyFunction& function, Counts counts = Counts::kApart);
@@ -85,14 +88,14 @@ class ReadyFunction {
     std::size_t count_ = 0;
   };
 
-  // Lets the function run as a program does: in slices, with Vm::run, and it may take virtual time.
-  // The program has ended before. One that fails leaves what it did; the result is dropped.
+  // Lets the function run like a program: in slices, with Vm::run, and it may take virtual time.
+  // The program must have ended. If the function fails, its changes stay; its result is dropped.
   //
-  // throws  ArgumentError unless the program has run to its end and all its variables have values,
-  //         if the number of arguments is another one or one of them has another type, and as run.
+  // throws  ArgumentError unless the program has run to its end and all its variables have values;
+  //         if the count or a type of the arguments is wrong; and as run.
   void begin(std::span<const Value> arguments) const;
 
-  // throws  ArgumentError that says for which parameter NaN was given.
+  // throws  ArgumentError with the parameter for which NaN was passed.
   [[noreturn, gnu::cold]] void refuse_undefined(std::size_t parameter) const;
 
   [[nodiscard]] Vm& vm() const { return *vm_; }
@@ -102,7 +105,7 @@ class ReadyFunction {
 
   Vm* vm_;
   Vm::State* state_;        // of the Vm
-  std::uint32_t function_;  // its number in the machine
+  std::uint32_t function_;  // its number in the program
 };
 
 namespace typed {
@@ -118,7 +121,7 @@ constexpr ValueKind passed_kind() {
   }
 }
 
-// Whether a number is NaN, or one in a list.
+// Whether a value is NaN, or a list with a NaN.
 template <class T>
 [[nodiscard]] bool is_undefined(const T& value) {
   if constexpr (std::is_same_v<T, double>) {
@@ -132,7 +135,7 @@ template <class T>
   }
 }
 
-// Which of some values is the first one of these.
+// The index of the first value that is or contains a NaN.
 template <class... T>
 [[nodiscard, gnu::cold]] std::size_t first_undefined(const T&... values) {
   std::size_t at = 0;
@@ -140,7 +143,8 @@ template <class... T>
   return at;
 }
 
-// As it is written: const std::string& and std::string_view are std::string.
+// The C++ type without const and references; const std::string& and std::string_view become
+// std::string.
 template <class T>
 using Passed = std::conditional_t<std::is_same_v<std::remove_cvref_t<T>, std::string_view> ||
                                       std::is_same_v<std::decay_t<T>, const char*>,
@@ -165,7 +169,7 @@ class ProgramFunction<Result_(Arguments...)> {
     return ProgramFunction(*ready);
   }
 
-  // throws  ArgumentError for NaN, and while the Vm runs (ReadyFunction::run).
+  // throws  ArgumentError for NaN, and while the Vm is running (ReadyFunction::run).
   Answer<Result_> operator()(const typed::Passed<Arguments>&... arguments) const {
     if ((typed::is_undefined(arguments) || ...)) [[unlikely]]
       ready_.refuse_undefined(typed::first_undefined(arguments...));
@@ -187,12 +191,12 @@ class ProgramFunction<Result_(Arguments...)> {
   }
 
  private:
-  // Numbers need nobody's memory.
+  // Numbers need no memory of the heap.
   template <class T>
   static constexpr bool kIsNumber = SlotNumber<T> || std::is_void_v<T>;
   static constexpr bool kIsPlain =
       kIsNumber<Result_> && (kIsNumber<typed::Passed<Arguments>> && ...);
-  // Doubles travel in registers.
+  // Doubles are passed in registers.
   static constexpr bool kIsReal = std::is_same_v<Result_, double> && sizeof...(Arguments) <= 3 &&
                                   (std::is_same_v<typed::Passed<Arguments>, double> && ...);
 

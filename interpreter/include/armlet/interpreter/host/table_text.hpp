@@ -1,5 +1,5 @@
 #pragma once
-// Tables as text: lines of cells with names above them, as spreadsheets write them.
+// Tables as text: lines of cells below a line with names, as spreadsheets write them.
 
 #include <cstddef>
 #include <span>
@@ -13,13 +13,13 @@
 
 namespace armlet {
 
-// How the names of files with tables end.
+// The ending of file names of tables.
 inline constexpr std::string_view kTableEnding = ".csv";
 
 // A column of numbers, or of texts.
 //
-// name  one that programs can write: "q1".
-// unit  as it is written in brackets, "deg"; empty: plain numbers.
+// name  a valid name of the language: "q1".
+// unit  the unit in brackets, "deg"; empty: plain numbers.
 struct TableColumn {
   std::string name;
   std::string unit{};
@@ -29,32 +29,32 @@ struct TableColumn {
   std::vector<std::string> texts{};
 };
 
-// All columns have as many cells.
+// All columns have the same length.
 struct TableText {
   std::vector<TableColumn> columns;
   std::size_t rows = 0;
 };
 
-// Reads comma-separated values (RFC 4180); semicolons or tabulators separate them if the first line
-// has such. The first line has the names, with a unit in brackets if any: `q1 [deg]`. What cannot
-// be in a name becomes `_`. A column is of numbers if it has a unit or its first cell is a number
-// without quotes, otherwise of texts. A byte order mark, ends of lines of any kind and empty lines
-// at the end do not matter.
+// Parses comma-separated values (RFC 4180); the separator is a semicolon or a tabulator if the
+// first line has one. The first line has the names, each with an optional unit in brackets: `q1
+// [deg]`. Characters that are invalid in names become `_`. A column has numbers if it has a unit or
+// its first cell is a number without quotes, otherwise texts. A byte order mark, line ends of any
+// kind and empty lines at the end are accepted.
 //
-// returns  the table, or what is wrong, with the line and the column: a cell that is missing, that
-//          is no number, or that has a decimal comma; a line with another number of cells.
+// returns  the table, or the error with its line and column: a cell that is missing, that is not a
+//          number, or that has a decimal comma; a line with another count of cells.
 [[nodiscard]] Result<TableText> read_table_text(std::string_view text);
 
-// "t [s], q1 [deg], part: string": the columns without their cells.
+// The names and units of the columns: "t [s], q1 [deg], part: string".
 [[nodiscard]] std::string columns_text(std::span<const TableColumn> columns);
-// Reads the same.
+// Parses a text made by columns_text.
 [[nodiscard]] Result<std::vector<TableColumn>> read_columns_text(std::string_view text);
 
-// Whether a cell without quotes is read as a number, or as one that is missing.
+// Whether a cell without quotes is a number or a missing number.
 [[nodiscard]] bool reads_as_number(std::string_view cell);
 
-// The table as a value of the running program, in whose text a call of loadTable has a result of
-// these columns; null: the heap is full or the program has to stop, and the failure is set.
+// Makes the table as a value of the running program, which must contain a call of loadTable with
+// these columns. Null, with the failure set, if the heap is full or the program has to stop.
 [[nodiscard]] RecordObj* new_table(Vm& vm, const TableText& table);
 
 }  // namespace armlet

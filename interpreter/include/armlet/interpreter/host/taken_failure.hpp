@@ -1,5 +1,5 @@
 #pragma once
-// Failures of a program's function that the native function which called it can do without.
+// Failures of script functions that the native function which called them can ignore.
 
 #include <memory>
 #include <optional>
@@ -11,16 +11,17 @@
 
 namespace armlet {
 
-// The message of a failure, and what the native function that failed left for whoever takes it
-// back; null: nothing. An error that the program itself has made has none.
+// The message of a failure, and the data that a failed native function has added to it; null: none,
+// as for an error of the program itself.
 struct TakenFailure {
   std::string message;
   std::shared_ptr<const FailureDetail> detail;
 };
 
-// After a call by a native function (Vm::call) that failed: the failure, which is taken back, so
-// that the native function may go on. Nothing if its kind is none of these, or no `catch` could
-// take it, such as a stop request: then it stays set, and the native function fails.
+// After a call by a native function (Vm::call) has failed: takes the failure back, so that the
+// native function can continue. Empty if the kind of the failure is none of these, or if no `catch`
+// could catch it, such as a stop request: the failure then stays set, and the native function has
+// to fail.
 [[nodiscard]] std::optional<TakenFailure> take_failure(Vm& vm,
                                                        std::span<const std::string_view> kinds);
 

@@ -1,12 +1,12 @@
 #pragma once
-// Tasks that the host starts beside a program, and functions that it reads, in a run that waits for
-// it at the end of the program (VmOptions::stays):
+// Tasks that the host starts beside a program, and calls that only read, in a run that continues
+// after the end of its program (VmOptions::stays):
 //
-//     start_task(vm, "panel.run");             // what the variable holds: fn() -> void
+//     start_task(vm, "panel.run");             // a variable with a function: fn() -> void
 //     vm.run({.until_ns = t});                 // the task runs like any other
 //     if (is_at_rest(vm)) finish(vm);
 //
-// All of it between two slices of the run.
+// All of these are called between two slices of the run.
 
 #include <span>
 #include <string_view>
@@ -17,31 +17,32 @@
 
 namespace armlet {
 
-// Starts the function that a variable of the top level holds. It begins at this instant, as the
-// newest task. Its end is told by VmOptions::on_task_end.
+// Starts the function in a global variable. It begins at the current instant, as the newest task.
+// VmOptions::on_task_end reports its end.
 //
-// returns  an error if there cannot be another task.
-// throws   ArgumentError if there is no such variable, or it has no value yet or none that is a
-//          function without parameters, if the run does not wait for its host, and if it has ended.
+// returns  an error if the limit of tasks is reached.
+// throws   ArgumentError if there is no such variable, if its value is not a function without
+//          parameters or not set yet, if the run does not wait for its host, and if it has ended.
 std::optional<Error> start_task(Vm& vm, std::string_view variable);
 
-// Whether the program has ended and no task runs: time alone passes before the host does something.
+// Whether the program has ended and no task is running, so that only time passes until the host
+// acts.
 [[nodiscard]] bool is_at_rest(Vm& vm);
 
-// Ends a run that is at rest; it is done.
+// Ends a run that is at rest; its status becomes kDone.
 //
 // throws  ArgumentError if it is not at rest.
 void finish(Vm& vm);
 
-// What a function gives now that a variable holds, for these arguments. The run is afterwards as it
-// was before: its variables, its chance, its steps and its output.
+// The result of a function in a variable for these arguments, at the current instant. The run is
+// unchanged afterwards: its variables, its random numbers, its steps and its output.
 //
-// returns  an error with the message of its failure.
+// returns  an error with the message if it fails.
 // throws   ArgumentError as start_task, but in any run, and for arguments of other types.
 [[nodiscard]] Result<Value> read_function(Vm& vm, std::string_view variable,
                                           std::span<const Value> arguments = {});
 
-// Whether that is under way: a function of the library may leave no trace then.
+// Whether such a call is running: a function of the library must then leave no trace.
 [[nodiscard]] bool is_reading(Vm& vm);
 
 }  // namespace armlet

@@ -1,6 +1,6 @@
 #pragma once
-// A value of a program as its host holds it: owned by the host, apart from the program and its
-// memory, and copied like any other value of C++.
+// A value of a program, owned by the host, independent of the program and its
+// memory. It is copied like any C++ value.
 //
 //     Value speed = vm.global("speed");
 //     speed.in("mm/s")                          // 200.0; its unit is checked
@@ -50,7 +50,7 @@ class Value {
     bool operator==(const Enum&) const = default;
   };
   using Map = std::vector<std::pair<Value, Value>>;  // in the order of insertion
-  // A value of a type of the host.
+  // A value of a host type.
   struct Host {
     const HostType* type = nullptr;
     std::shared_ptr<const void> value{};
@@ -59,7 +59,7 @@ class Value {
   using Content = std::variant<std::monostate, bool, std::int64_t, Number, std::string, List,
                                Matrix, Record, Enum, Map, Host>;
 
-  Value() = default;  // nothing
+  Value() = default;  // no value
   Value(const Value&) = default;
   Value(Value&&) noexcept = default;
   Value& operator=(const Value&) = default;
@@ -68,7 +68,7 @@ class Value {
     if (content_.index() > kLastFlat) dismantle();
   }
   Value(bool truth) : content_(truth) {}
-  // throws  ArgumentError for what is beyond the largest int, 2^63 - 1.
+  // throws  ArgumentError for a number above the largest int, 2^63 - 1.
   template <std::integral T>
   Value(T number) : content_(static_cast<std::int64_t>(number)) {
     if constexpr (std::unsigned_integral<T> && sizeof(T) == sizeof(std::int64_t)) {
@@ -90,12 +90,12 @@ class Value {
       : content_(std::in_place_type<T>, std::move(content)) {}
 
   [[nodiscard]] const Content& content() const { return content_; }
-  // Null if it is of another kind: get_if<Value::List>().
+  // The value as a C++ type, get_if<Value::List>(); null if it is of another kind.
   template <class T>
   [[nodiscard]] const T* get_if() const {
     return std::get_if<T>(&content_);
   }
-  // throws  ArgumentError if it is of another kind.
+  // throws  ArgumentError if the value is of another kind.
   template <class T>
   [[nodiscard]] const T& get() const {
     if (const T* content = get_if<T>()) return *content;
@@ -103,22 +103,22 @@ class Value {
   }
   // The number in a unit; without a unit, a double or an int.
   //
-  // throws  ArgumentError if it is none, or not of this dimension.
+  // throws  ArgumentError if it is not a number, or has another dimension.
   [[nodiscard]] double in(std::string_view unit = {}) const;
   // A field of a record.
   //
   // throws  ArgumentError if it is no record with this field.
   [[nodiscard]] const Value& operator[](std::string_view field) const;
-  // "a length", "a list", "a record Pallet": for messages.
+  // The kind of the value, for messages: "a length", "a list", "a record Pallet".
   [[nodiscard]] std::string kind() const;
 
   bool operator==(const Value& other) const;
 
  private:
-  // Alternatives up to this one hold no other values.
+  // The last alternative without values inside.
   static constexpr std::size_t kLastFlat = 4;
   static_assert(std::is_same_v<std::variant_alternative_t<kLastFlat + 1, Content>, List>);
-  // Destroys what is inside, however deep, without a call for each level.
+  // Destroys the values inside without recursion, so that any depth is possible.
   void dismantle() noexcept;
   [[noreturn]] void refuse(const std::string& wanted) const;
   [[noreturn]] static void refuse_large(std::uint64_t number);

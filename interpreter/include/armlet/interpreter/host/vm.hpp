@@ -1,6 +1,6 @@
 #pragma once
 // Runs programs. A Vm belongs to one thread at a time; only `cancel` may be called by another
-// thread. Nothing here throws for what a script does.
+// thread. Mistakes of a program cause no exceptions here.
 
 #include <atomic>
 #include <concepts>
@@ -30,20 +30,20 @@ class ProgramFunction;
 
 struct VmOptions {
   RunLimits limits;
-  Timeline* timeline = nullptr;                   // null: a clock without a world
-  void* host = nullptr;                           // what native functions find with Vm::host
-  Output output;                                  // what `print` writes
-  Memory memory;                                  // where its values lie; none: of the C library
-  std::function<void(const Diagnostic&)> advice;  // advice given while running
-  bool stays = false;  // where the program has ended it waits for its host (host/tasks.hpp)
+  Timeline* timeline = nullptr;  // null: a clock without a world
+  void* host = nullptr;          // for native functions, which read it with Vm::host
+  Output output;                 // the destination of `print`
+  Memory memory;                 // for its values; null: of the C library
+  std::function<void(const Diagnostic&)> advice;  // called with advice at run time
+  bool stays = false;  // after the end of the program the run waits for its host (host/tasks.hpp)
   std::function<void(const TaskEnd&)> on_task_end;
 };
 
-// What a prompt shows after an entry: `let w = 80mm` as "w = 80 mm  length", an
-// expression as "100 mm  length".
+// The text that a prompt shows after an entry: `let w = 80mm` as "w = 80 mm  length", an expression
+// as "100 mm  length".
 struct EntryValue {
-  std::string name;  // that the entry declares; empty: the value of an expression, kept as `ans`
-  std::string text;  // as `print` shows it, with its unit; texts in quotes; cut after 2,000 bytes
+  std::string name;  // of the declared variable; empty: the value of an expression, kept as `ans`
+  std::string text;  // as `print` shows it, with its unit; texts in quotes; at most 2,000 bytes
   std::string type;
 };
 
@@ -54,59 +54,60 @@ class Vm {
   Vm(const Vm&) = delete;
   Vm& operator=(const Vm&) = delete;
 
-  // Runs the program's text, from the start or from where it paused, until it has ended or the
-  // budget is used. It pauses before calls, at passes of loops and where virtual time passes, never
-  // inside a function of the host that calls the program. A Vm runs its program once; make a new
-  // one to run it again. What the program leaves, its variables and functions, stays until the Vm
-  // goes.
+  // Runs the program, from the start or from its last pause, until it has ended or the budget is
+  // used up. It pauses before calls, at iterations of loops and where virtual time passes, never
+  // inside a host function that calls the program. A Vm runs its program once; make a new Vm to run
+  // it again. The variables and functions of the program stay until the Vm is destroyed.
   //
-  // throws  ArgumentError for a budget of no steps, when the run has ended, and while it runs: in
-  //         another thread, or in the function of the host that calls this. All stays as it was.
+  // throws  ArgumentError for a budget of no steps, when the run has ended, and while it is
+  //         running, in another thread or in the host function that makes this call. The Vm is then
+  //         unchanged.
   Progress run(const Budget& budget);
-  // The same without a budget.
+  // Runs it without a budget.
   [[nodiscard]] RunResult run();
-  // Runs top-level declarations' initialisers that test `index` needs, then its body.
+  // Runs the initialisers of the global variables that test `index` needs, then the test.
   [[nodiscard]] RunResult run_test(std::size_t index);
-  // After an entry (CompileOptions::is_entry) has run, lets the next one begin: `run` runs it. Its
-  // variables, functions and armed `when` and `every` live on. An entry that fails leaves all
-  // variables as they were before it, and counts as if it had not been: the next one is compiled
-  // behind the same one as it.
+  // After an entry (CompileOptions::is_entry) has run, begins the next one, which `run` then
+  // executes. The variables, functions and armed `when` and `every` of earlier entries stay. An
+  // entry that fails is undone: all variables have their values from before, and the next entry has
+  // to be compiled after the same entry as the failed one.
   //
-  // throws  ArgumentError if the entry was not compiled behind the newest one that has run to its
-  //         end here, or an entry is running.
+  // throws  ArgumentError if the entry was not compiled after the newest one that has run to its
+  //         end in this Vm, or if an entry is running.
   void begin(std::shared_ptr<const Program> entry);
-  // The newest entry that has run to its end; null: none has.
+  // The newest entry that has run to its end; null if there is none.
   [[nodiscard]] const std::shared_ptr<const Program>& newest_entry() const { return done_; }
-  // The value of its last statement; nothing: it has none, or a semicolon follows.
+  // The value of its last statement; empty if it has none, or if a semicolon follows.
   [[nodiscard]] std::optional<EntryValue> shown() const;
-  // How far the run has come; kPaused before its start.
+  // The state of the run; kPaused before its start.
   [[nodiscard]] const RunResult& result() const { return result_; }
-  // From any thread or a signal handler: the program stops at its next pause point or step check.
-  // Where nothing runs or is paused, the next call drops the request.
+  // May be called by any thread or signal handler: the program stops at its next pause or check of
+  // steps. If no program is running or paused, the next call drops the request.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
 
   // ---- functions and variables by name, while the program is not running (globals.hpp)
 
   // throws  ArgumentError with both signatures if there is no function of these types; the other
-  //         gives it as a result.
+  // overload returns the error.
   template <class Signature>
   [[nodiscard]] ProgramFunction<Signature> function(std::string_view name);
   template <class Signature>
   [[nodiscard]] Result<ProgramFunction<Signature>> try_function(std::string_view name);
-  // Why the run or the last call that failed did, also as people read it; null and empty: none has.
+  // The message of the failure of the run or of the last call, and its text; null and empty if
+  // there is none.
   [[nodiscard]] const Diagnostic* error() const;
   [[nodiscard]] std::string error_text() const;
-  // A variable of the top level: as a Value, or as a type of C++.
+  // A global variable: as a Value, or as a C++ type.
   //
   // throws  ArgumentError if there is none with this name and type, it has no value yet, or the
-  //         program runs; the others give that as a result.
+  //         program is running; the other overloads return the error.
   [[nodiscard]] Value global(std::string_view name);
   template <class T>
   [[nodiscard]] T global(std::string_view name);
   [[nodiscard]] Result<Value> try_global(std::string_view name);
   void set(std::string_view name, const Value& value);
   void set(std::string_view name, double number, std::string_view unit);
-  template <class T>  // a type of the host
+  template <class T>  // a host type
   requires(!std::convertible_to<const T&, Value>) void set(std::string_view name, const T& value);
   [[nodiscard]] std::optional<Error> try_set(std::string_view name, const Value& value);
 
@@ -115,25 +116,27 @@ class Vm {
   [[nodiscard]] Timeline& timeline() { return *timeline_; }
   [[nodiscard]] const Program& program() const { return *program_; }
   [[nodiscard]] const VmOptions& options() const { return options_; }
-  // What the host keeps for the running task, such as the settings of `with`; a task begins with
-  // what the task had that started it.
+  // Data of the host for the running task, such as the settings of `with`; a new task begins with
+  // the data of the task that started it.
   [[nodiscard]] std::shared_ptr<const void>& task_data();
-  // Calls a function value; it may not pause. False: it failed, and the failure is set.
+  // Calls a function value, which must not pause. Returns false, with the failure set, if it
+  // failed.
   [[nodiscard]] bool call(Obj* function, std::span<const Slot> arguments, Slot& result);
-  // Advice at the call that is running now.
+  // Reports advice at the running call.
   void advise(const Failure& advice);
-  // Writes output, in pieces if it is long. False: the limit of output is reached, it could not be
-  // written, or the program has to stop; the failure is set.
+  // Writes output, in pieces if it is long. Returns false, with the failure set, if the limit of
+  // output is reached, if the output could not be written, or if the program has to stop.
   [[nodiscard]] bool print(std::string_view text);
-  // Chance for the running task: each branch of a `parallel` has a stream of its own.
+  // The random numbers of the running task: each branch of a `parallel` has its own stream.
   [[nodiscard]] Random& random();
-  // Begins its stream anew, and those of the branches that it starts from here on.
+  // Starts the task's stream again from a seed, and those of the branches that it starts from here
+  // on.
   void seed(std::uint64_t seed);
-  // Whether somebody has asked to cancel since this was asked last.
+  // Whether a stop request has arrived since the last call.
   [[nodiscard]] bool take_cancellation() noexcept {
     return cancelled_.load() && cancelled_.exchange(false);
   }
-  struct State;  // the interpreter's own
+  struct State;  // internal
   [[nodiscard]] State& state() { return *state_; }
 
  private:
@@ -154,20 +157,20 @@ class Vm {
   std::atomic<bool> cancelled_{false};
 };
 
-// A function of the program that the running native function calls, perhaps many times: what all
-// these calls have in common is looked up once. It lives in the native function and no longer;
-// while it does, functions of the program may not pause.
+// A function of the program that the running native function calls, perhaps many times. The
+// preparations that all calls share are made once. Its lifetime must be inside of the native
+// function, and during it functions of the program must not pause.
 class PreparedCall {
  public:
   PreparedCall(Vm& vm, Obj* function);
   PreparedCall(const PreparedCall&) = delete;
   PreparedCall& operator=(const PreparedCall&) = delete;
   ~PreparedCall();
-  // The arguments go here, one slot for each parameter; the first one then holds the result.
+  // The slots for the arguments, one for each parameter; after a call the first one has the result.
   [[nodiscard]] Slot* window() const { return window_; }
   struct Outcome {
-    bool done;            // false: the call failed, and the failure is set in the Vm
-    double result = 0.0;  // if it is a double; sooner than from the window
+    bool done;            // false: the call failed, and the failure is set
+    double result = 0.0;  // set if the result is a double; faster than the window
   };
   [[nodiscard]] Outcome run() const;
 

@@ -10,15 +10,15 @@
 
 namespace armlet {
 
-// Cancels the Vm's program when the time has passed, counted from now, as Vm::cancel does: the
-// program itself sees no clock, and its finally blocks run. Destroyed earlier, it does nothing.
+// Cancels the Vm's program after the time has passed, counted from now, like Vm::cancel: the
+// program sees no clock, and its finally blocks run. If it is destroyed before, it does nothing.
 class Watchdog {
  public:
   Watchdog(Vm& vm, std::chrono::nanoseconds time);
-  // Sets a flag instead, such as CompileOptions::cancelled.
+  // Sets a flag in place of cancelling a Vm, such as CompileOptions::cancelled.
   Watchdog(std::atomic<bool>& flag, std::chrono::nanoseconds time);
 
-  // Whether the time passed.
+  // Whether the time has passed.
   [[nodiscard]] bool has_barked() const { return has_barked_.load(); }
 
  private:

@@ -2,7 +2,7 @@
 // The catalogue of messages: every code with its headline and its page of help.
 //
 // The rows of the language are data in messages/*.def, those of a host in its own sources; they are
-// constant tables, so a program that reports nothing pays nothing.
+// constant tables, so a program without messages does no work for them.
 
 #include <span>
 #include <string>
@@ -20,15 +20,15 @@ namespace armlet {
 class MessageTables {
  public:
   MessageTables() : tables_{catalog()} {}
-  // throws  ArgumentError if a code is no letter E, R or W and four digits, or is there already; or
-  //         if the rows are not in the order of their codes. The rows outlive the tables.
+  // throws  ArgumentError if a code is not a letter E, R or W with four digits, if it exists
+  // already, or if the rows are not in the order of their codes. The rows must outlive the tables.
   void add(std::span<const CatalogEntry> rows);
-  // Null if there is none.
+  // The entry of a code; null if there is none.
   [[nodiscard]] const CatalogEntry* find(std::string_view code) const;
   // The kind that `e.kind` shows for a code of the family R; empty if a program cannot catch it by
   // kind.
   [[nodiscard]] std::string_view kind_of(std::string_view code) const;
-  // The entry of an error kind: "Timeout" gives R0607. Null for the kinds of programs.
+  // The entry of an error kind: R0607 for "Timeout". Null for the kinds of programs.
   [[nodiscard]] const CatalogEntry* of_kind(std::string_view kind) const;
   // All rows in the order of their codes.
   [[nodiscard]] std::vector<const CatalogEntry*> all() const;

@@ -1,9 +1,9 @@
 #pragma once
-// Codes of messages, checked while compiling: a code that no table has, or one whose headline takes
-// another number of arguments, does not compile.
+// Codes of messages that are checked at compile time: an unknown code, or a headline with another
+// count of arguments, does not compile.
 //
-// Codes of the language are written as they are: make_diagnostic("E0201", span, {name}). Codes of a
-// host are rows of its own constant table: make_diagnostic(kRows[0], span, {name}).
+// Codes of the language are texts: make_diagnostic("E0201", span, {name}). Codes of a host are rows
+// of its constant table: make_diagnostic(kRows[0], span, {name}).
 
 #include <array>
 #include <cstddef>
@@ -17,10 +17,10 @@ namespace armlet {
 struct CatalogEntry {
   std::string_view code;      // "E0401"
   std::string_view kind;      // of an error that a program can catch ("Timeout"); otherwise empty
-  std::string_view headline;  // with {} where the arguments of the message go
-  std::string_view page;      // what it means, a wrong and a right program
+  std::string_view headline;  // with {} for each argument
+  std::string_view page;      // the explanation, with a wrong and a right program
 
-  // How many arguments the headline takes.
+  // The count of arguments of the headline.
   [[nodiscard]] constexpr std::size_t argument_count() const {
     std::size_t count = 0;
     for (std::size_t at = headline.find("{}"); at != std::string_view::npos;
@@ -54,10 +54,11 @@ inline constexpr auto kRows = std::to_array<Row>({
 });
 #undef ARMLET_MESSAGE
 
-// Whoever is refused by the compiler sees why: this is no constant.
+// Not constexpr, so that a call of it in a constant expression is an error of the compiler, which
+// shows the reason.
 inline void refuse(const char* /*why*/) {}
 
-// The place of a code among them.
+// The index of a code among them.
 consteval std::size_t place_of(std::string_view code) {
   for (std::size_t i = 0; i < kRows.size(); ++i)
     if (kRows[i].code == code) return i;
@@ -67,21 +68,21 @@ consteval std::size_t place_of(std::string_view code) {
 
 }  // namespace message_code
 
-// The row of a code of the language, which is the `place`-th of the catalogue.
+// The row of the language with index `place`.
 [[nodiscard]] const CatalogEntry& language_row(std::size_t place);
 
 // A code that exists.
 class KnownCode {
  public:
   consteval KnownCode(const char* code) : place_(message_code::place_of(code)) {}
-  // `row` outlives the code: it belongs to the constant table of a host.
+  // `row` must outlive the code: it belongs to the constant table of a host.
   constexpr KnownCode(const CatalogEntry& row) : row_(&row) {}
   [[nodiscard]] const CatalogEntry& row() const {
     return row_ != nullptr ? *row_ : language_row(place_);
   }
 
  private:
-  const CatalogEntry* row_ = nullptr;  // null: of the language
+  const CatalogEntry* row_ = nullptr;  // null: a code of the language
   std::size_t place_ = 0;
 };
 
@@ -103,26 +104,27 @@ class MessageCode {
   KnownCode code_;
 };
 
-// As the parameter of a function template whose arguments decide N.
+// The type of a parameter of a function template whose arguments determine N.
 template <std::size_t N>
 using CodeFor = std::type_identity_t<MessageCode<N>>;
 
-// The headline of a message: that of the catalogue with its arguments, or a sentence in its place.
+// The headline of a message: that of the catalogue with its arguments, or a sentence that replaces
+// it.
 class Headline {
  public:
-  // Nothing is said yet.
+  // An empty headline.
   Headline() = default;
   explicit Headline(MessageCode<0> code) : row_(&code.row()), text_(code.row().headline) {}
   template <std::size_t N>
   Headline(CodeFor<N> code, const std::string (&arguments)[N])
       : Headline(code.row(), std::span<const std::string>(arguments)) {}
-  // A sentence of its own.
+  // A headline with a sentence that replaces the one of the catalogue.
   [[nodiscard]] static Headline own(KnownCode code, std::string sentence);
-  // Of a row that is known only when the program runs, and outlives the headline.
-  // throws  ArgumentError if the headline takes another number of arguments.
+  // The headline of a row that is only known at run time; the row must outlive the headline.
+  // throws  ArgumentError if the headline has another count of arguments.
   [[nodiscard]] static Headline of(const CatalogEntry& row, std::span<const std::string> arguments);
 
-  // Null if nothing is said yet.
+  // Null for an empty headline.
   [[nodiscard]] const CatalogEntry* row() const { return row_; }
   [[nodiscard]] const std::string& text() const { return text_; }
 
