@@ -5,7 +5,9 @@ usage: snippets.py COMMAND ROOT
 
 A block after a line `<!-- fails: CODE -->` must fail with that message. All others must run. A block marked text after a line
 `<!-- prints -->` is all that the program before it prints, moves and messages included; after `<!-- prints a part -->` its lines are
-among these, in this order. One after `<!-- prompt -->` is a dialogue with the prompt of the command, which is repeated. Blocks of C++ in
+among these, in this order. One after `<!-- prompt -->` is a dialogue with the prompt of the command, which is repeated. A table with a
+column "in Armlet" is a program too: the code of that column from top to bottom, after the last block of its section, if there is one
+that runs. Blocks of C++ in
 docs/embedding.md must stand in the hosts that they are taken from, which are built and run by tests of their own.
 """
 import difflib
@@ -20,6 +22,8 @@ import tempfile
 
 BLOCK = re.compile(r"(?:<!-- fails: (\w+) -->\n)?```rbt\n(.*?)```", re.DOTALL)
 SHOWN = re.compile(r"<!-- (prints|prints a part|prompt) -->\n```text\n(.*?)```", re.DOTALL)
+TABLE = re.compile(r"(?:^\|.*\n)+", re.MULTILINE)
+COLUMN = "in Armlet"
 FILE = re.compile(r"(?<= --> )\S+\.rbt(?=:)")
 PROMPT = "rbt> "
 CPP = re.compile(r"```cpp\n(.*?)```", re.DOTALL)
@@ -39,6 +43,22 @@ def check(command, folder, document, number, text, code):
         return 0
     print(f"{document}, block {number}: exit status {run.returncode}\n{run.stderr}")
     return 1
+
+
+def cells(row):
+    return [cell.strip().replace(r"\|", "|") for cell in re.split(r"(?<!\\)\|", row.strip()[1:-1])]
+
+
+def programs_of_tables(text):
+    for table in TABLE.finditer(text):
+        header, _, *rows = table[0].splitlines()
+        if COLUMN not in cells(header):
+            continue
+        column = cells(header).index(COLUMN)
+        section = text.rfind("\n## ", 0, table.start()) + 1
+        blocks = [block[2] for block in BLOCK.finditer(text, section, table.start()) if not block[1]]
+        code = [code for row in rows for code in re.findall("`([^`]+)`", cells(row)[column])]
+        yield "\n".join([*blocks[-1:], *code]) + "\n"
 
 
 def printed(command, folder, text):
@@ -115,9 +135,12 @@ def main():
     failed, blocks = check_hosts(root), 0
     with tempfile.TemporaryDirectory() as folder:
         for document in sorted([*root.glob("*.md"), *root.glob("docs/**/*.md")]):
-            for number, match in enumerate(BLOCK.finditer(document.read_text()), 1):
+            text = document.read_text()
+            programs = [(match[2], match[1]) for match in BLOCK.finditer(text)]
+            programs += [(program, None) for program in programs_of_tables(text)]
+            for number, (program, code) in enumerate(programs, 1):
                 blocks += 1
-                failed += check(command, folder, document, number, match[2], match[1])
+                failed += check(command, folder, document, number, program, code)
             failed += check_shown(command, folder, document)
     print(f"{blocks} programs, {failed} failed")
     sys.exit(1 if failed or not blocks else 0)
