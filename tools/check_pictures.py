@@ -29,6 +29,8 @@ PICTURES = {
     "../../examples/cameras/photograph.jpg": ("tests/cameras/photograph.rbt", "photo.save(FILE)"),
     "tutorial/move_an_arm.jpg": ("docs/tutorial/01-move-an-arm.md#1", SCENE),
     "tutorial/positions.jpg": ("docs/tutorial/02-positions.md#5", SCENE),
+    "tutorial/grasping.jpg": ("docs/tutorial/03-objects-and-grasping.md#1", SCENE),
+    "tutorial/around.jpg": ("docs/tutorial/04-why-it-refuses.md#9", SCENE),
     "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
 }
 
