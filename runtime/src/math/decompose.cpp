@@ -26,7 +26,7 @@ Error singular(Index rank, Index needed, std::string_view what) {
                                   what, needed == 1 ? " is" : "s are")};
 }
 
-// The rank by QR with column exchanges.
+// The rank, found by QR with column exchanges.
 Index rank_by_qr(const MatrixXd& A) { return Eigen::ColPivHouseholderQR<MatrixXd>(A).rank(); }
 
 // The LU factors of a square matrix that is not singular.
@@ -35,7 +35,7 @@ Result<Eigen::PartialPivLU<MatrixXd>> factors(const MatrixXd& A) {
   constexpr double kSmallest = std::numeric_limits<double>::epsilon();
   const bool zero_pivot = A.rows() > 0 && !(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0.0);
   if (zero_pivot || !(lu.rcond() >= kSmallest)) {
-    // If QR finds full rank because of rounding, the rank is at most one less.
+    // If QR finds full rank although rounding hides a defect, the rank is one less.
     const Index seen = rank_by_qr(A);
     return singular(seen < A.rows() ? seen : A.rows() - 1, A.rows(), "row");
   }

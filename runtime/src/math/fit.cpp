@@ -20,9 +20,8 @@ constexpr int kHighestDegree = 50;
 
 constexpr Index kBlock = 4096;  // points between two checkpoints
 
-// Different values, as far as they matter.
+// The number of different values, up to the limit that a fit needs.
 Index count_different(const VectorXd& x) {
-  // More than a fit can need are not looked for.
   constexpr Index kEnough = kHighestDegree + 1;
   std::set<double> seen;
   for (Index i = 0; i < x.size() && static_cast<Index>(seen.size()) < kEnough; ++i) {
@@ -32,7 +31,7 @@ Index count_different(const VectorXd& x) {
   return static_cast<Index>(seen.size());
 }
 
-// p((x - middle) / half) as a polynomial in x, by Horner's scheme on polynomials.
+// p((x - middle) / half) as a polynomial in x, by Horner's scheme with polynomials.
 VectorXd unscaled(const VectorXd& p, double middle, double half) {
   VectorXd out = VectorXd::Zero(p.size());
   for (Index k = p.size(); k-- > 0;) {
@@ -42,7 +41,7 @@ VectorXd unscaled(const VectorXd& p, double middle, double half) {
   return out;
 }
 
-// 1, t, t^2 ... for the points from `first` on, and behind them y.
+// The rows 1, t, t^2 ... for the points from `first` on, and after them y.
 template <class Place>
 void write_rows(Index first, Index count, const VectorXd& y, int degree, const Place& place,
                 Eigen::MatrixXd& out, Index at) {
@@ -54,7 +53,7 @@ void write_rows(Index first, Index count, const VectorXd& y, int degree, const P
 }
 
 // Least squares by orthogonal factors: of all rows at once, or, if there are many, block after
-// block, each below the triangle that stands for those before (G. H. Golub and C. F. Van Loan,
+// block, each below the triangular factor of the rows before it (G. H. Golub and C. F. Van Loan,
 // Matrix Computations, 2013, section 6.5.3).
 template <class Place>
 VectorXd fit_scaled(Index count, const VectorXd& y, int degree, const Place& place) {

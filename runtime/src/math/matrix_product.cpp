@@ -7,7 +7,8 @@ namespace armlet {
 
 namespace {
 
-// Two neighbouring elements at once. Lanes never meet, so the order of the sums stays as written.
+// Two neighbouring elements at once. The lanes are independent, so the order of the sums is
+// unchanged.
 using Pair [[gnu::vector_size(16)]] = double;
 
 Pair load(const double* from) {
@@ -17,7 +18,8 @@ Pair load(const double* from) {
 }
 void store(double* to, Pair pair) { std::memcpy(to, &pair, sizeof pair); }
 
-// Square matrices of a size known while compiling: the sums of a row stay in registers.
+// Products of square matrices whose size is known at compile time: the sums of a row stay in
+// registers.
 template <std::size_t kSize>
 void multiply_small(const double* a, const double* b, double* c) {
   constexpr std::size_t kPairs = kSize / 2;
@@ -70,12 +72,12 @@ void multiply_plainly(const double* a, const double* b, double* c, std::size_t r
   }
 }
 
-constexpr std::size_t kRows = 4;     // of c at once
-constexpr std::size_t kCols = 4;     // likewise
-constexpr std::size_t kDepth = 256;  // of a strip of b that stays in the nearest cache
+constexpr std::size_t kRows = 4;     // rows of c at once
+constexpr std::size_t kCols = 4;     // columns of c at once
+constexpr std::size_t kDepth = 256;  // rows of a strip of b, which fits the first-level cache
 
-// Adds `depth` products to 4 columns of c. strip: those columns of b, row by row. The loops over
-// rows are written out by the compiler, so that all sums stay in registers.
+// Adds `depth` products to 4 columns of c. strip: those columns of b, row by row. The compiler
+// unrolls the loops over rows, so that all sums stay in registers.
 template <std::size_t kHeight>
 void add_products(const double* a, std::size_t stride, const double* strip, std::size_t depth,
                   double* c, std::size_t c_stride) {
@@ -103,7 +105,7 @@ void add_products(const double* a, std::size_t stride, const double* strip, std:
   }
 }
 
-// Fewer than four columns are worked on in a margin of zeros.
+// If fewer than four columns are left, they are padded with zeros.
 template <std::size_t kHeight>
 void add_products_at_edge(const double* a, std::size_t stride, const double* strip,
                           std::size_t depth, double* c, std::size_t c_stride, std::size_t width) {
@@ -122,7 +124,7 @@ void fill_strip(const double* b, std::size_t stride, std::size_t depth, std::siz
   for (std::size_t k = 0; k < depth; ++k) std::copy_n(b + k * stride, width, strip + k * kCols);
 }
 
-// All rows of a times one strip.
+// Multiplies all rows of a by one strip.
 void add_strip(const double* a, std::size_t a_stride, const double* strip, std::size_t depth,
                double* c, std::size_t c_stride, std::size_t rows, std::size_t width) {
   std::size_t i = 0;

@@ -24,7 +24,8 @@ class Simplex {
   Simplex(const VectorFunction& f, const MinimiseOptions& options, Minimum& out)
       : f_(f), options_(options), out_(out) {}
 
-  // One search from the best point so far. False: it ended early, and `out` has the reason.
+  // One search from the best point so far. Returns false if it ended early; `out` then has the
+  // reason.
   bool search() {
     if (!lay_out()) return false;
     while (!is_small()) {
@@ -61,7 +62,7 @@ class Simplex {
     return false;
   }
 
-  // Makes a simplex: a vertex at the best point, and one next to it along every axis.
+  // Makes a simplex: one vertex at the best point, and one at a distance from it along every axis.
   bool lay_out() {
     constexpr double kPart = 0.05;
     const Corner first{out_.x, out_.value};
@@ -76,7 +77,7 @@ class Simplex {
     return true;
   }
 
-  // The order of equal values is that of their making.
+  // Vertices with equal values keep the order in which they were made.
   void sort() {
     std::ranges::stable_sort(corners_, [](const Corner& a, const Corner& b) { return a.f < b.f; });
   }
@@ -93,7 +94,8 @@ class Simplex {
     return true;
   }
 
-  // Corners may agree while values still differ, where f is steep in one of the variables.
+  // The vertices may be close together while their values still differ, if f is steep in one of the
+  // variables.
   [[nodiscard]] bool is_small() const {
     constexpr double kRounding = 1e-13;
     const double best = corners_.front().f;
@@ -153,8 +155,8 @@ class Simplex {
   const VectorFunction& f_;
   const MinimiseOptions& options_;
   Minimum& out_;
-  std::vector<Corner> corners_;  // best first
-  VectorXd middle_;              // of all but the worst
+  std::vector<Corner> corners_;  // best one first
+  VectorXd middle_;              // mean of all but the worst
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace armlet {
 namespace {
 
-// k (k-1) ... (k-order+1): what differentiating t^k leaves in front.
+// k (k-1) ... (k-order+1): the factor that differentiating t^k produces.
 double falling_factorial(Eigen::Index k, Eigen::Index order) {
   double product = 1.0;
   for (Eigen::Index i = 0; i < order; ++i) product *= static_cast<double>(k - i);
@@ -47,8 +47,8 @@ Eigen::VectorXd fit_boundary_polynomial(const Eigen::VectorXd& start, const Eige
         "least one.",
         m, k));
   }
-  // The lower coefficients follow from the start alone; only the upper k are unknown. Time is
-  // counted in units of T, which keeps the small system well conditioned for every T.
+  // The lower coefficients follow from the start alone; only the upper k are unknown. The unit of
+  // time is T, which keeps the small system well conditioned for every T.
   Eigen::VectorXd c = Eigen::VectorXd::Zero(m + k);
   double scale = 1.0;
   for (Eigen::Index i = 0; i < m; ++i) {

@@ -81,7 +81,7 @@ Vector6d pose_log(const Eigen::Isometry3d& T) {
 
 Eigen::Isometry3d interpolate(const Eigen::Isometry3d& T_0, const Eigen::Isometry3d& T_1,
                               double s) {
-  // At the ends the rounding of the exponential would be visible.
+  // The ends are returned exactly, without the rounding errors of the exponential.
   if (s == 0.0) return T_0;
   if (s == 1.0) return T_1;
   return make_pose(interpolate(Eigen::Matrix3d(T_0.linear()), Eigen::Matrix3d(T_1.linear()), s),

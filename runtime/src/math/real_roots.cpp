@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr Index kHighestDegree = 50;
 
-// -1, 0 or 1; 0 as well where rounding may have decided the sign.
+// The sign of the value: -1, 0 or 1; also 0 if it may be the result of rounding errors.
 int sign_at(const VectorXd& c, double x) {
   double value = 0.0;
   double size = 0.0;
@@ -29,8 +29,8 @@ int sign_at(const VectorXd& c, double x) {
   }
   if (!std::isfinite(size))
     throw ArgumentError("The coefficients differ too much in size for the range of a double.");
-  // Twice the bound of N. Higham, Accuracy and Stability of Numerical Algorithms, 2002, eq. 5.3:
-  // the coefficients are rounded too.
+  // Twice the bound of N. Higham, Accuracy and Stability of Numerical Algorithms, 2002, eq. 5.3,
+  // because the coefficients are rounded too.
   const double doubt =
       4.0 * static_cast<double>(c.size()) * std::numeric_limits<double>::epsilon() * size;
   if (std::abs(value) <= doubt) return 0;
@@ -49,7 +49,7 @@ double crossing(const VectorXd& c, double lo, double hi, bool rising) {
   return std::abs(polynomial_value(c, lo)) < std::abs(polynomial_value(c, hi)) ? lo : hi;
 }
 
-// No root is further from zero (M. Fujiwara, Tohoku Mathematical Journal 10, 1916).
+// A bound for the absolute values of the roots (M. Fujiwara, Tohoku Mathematical Journal 10, 1916).
 double bound_of(const VectorXd& c) {
   const Index n = c.size() - 1;
   double most = 0.0;
@@ -60,14 +60,14 @@ double bound_of(const VectorXd& c) {
   return 2.0 * most + std::numeric_limits<double>::min();
 }
 
-// c has at least two coefficients, the highest of them not zero.
+// c must have at least two coefficients, the highest of them not zero.
 std::vector<double> roots_of(const VectorXd& c) {
   const double bound = bound_of(c);
   if (c.size() == 2) return {-c[0] / c[1]};
   std::vector<double> grid = roots_of(polynomial_derivative(c));
   grid.push_back(bound);
   std::vector<double> roots;
-  // Beyond the bound the highest term decides.
+  // Beyond the bound the sign is that of the highest term.
   const int last = c[c.size() - 1] > 0.0 ? 1 : -1;
   int before = c.size() % 2 == 1 ? last : -last;
   double from = -bound;
@@ -95,7 +95,7 @@ std::vector<double> real_roots(const VectorXd& c) {
                                     kHighestDegree));
   }
   if (size == 1) return {};
-  // Roots of zero are taken out exactly.
+  // Roots at zero are divided out exactly.
   Index zeros = 0;
   while (c[zeros] == 0.0) ++zeros;
   std::vector<double> roots;

@@ -11,7 +11,7 @@
 namespace armlet {
 namespace {
 
-// Below this cosine of the middle angle the outer two angles are not defined one by one.
+// Below this cosine of the middle angle the outer two angles are not determined separately.
 constexpr double kGimbalLock = 1e-9;
 
 Eigen::Matrix3d rotation_about(int axis, double angle) {
@@ -38,15 +38,15 @@ std::array<int, 3> parse_sequence(std::string_view sequence) {
 // +1 if j follows i in the cycle X Y Z, else -1.
 double cyclic_sign(int i, int j) { return (i + 1) % 3 == j ? 1.0 : -1.0; }
 
-// The last angle follows from what the first leaves over, R_i(-a) R, of which row j is needed.
-// Taken from R itself it would lose digits near gimbal lock, where only the sum of the two is well
-// defined.
+// The last angle follows from R_i(-a) R, the rotation without the first angle a, of which row j is
+// needed. Computed from R itself it would lose digits near gimbal lock, where only the sum of the
+// two angles is well defined.
 Eigen::RowVector3d row_without_first(const Eigen::Matrix3d& R, double a, int i, int j) {
   const auto [s, c] = det::sincos(a);
   return c * R.row(j) + cyclic_sign(i, j) * s * R.row(3 - i - j);
 }
 
-// R = R_i(a) R_j(b) R_i(c), l is the axis that does not occur.
+// R = R_i(a) R_j(b) R_i(c); l is the third axis.
 Eigen::Vector3d proper_euler(const Eigen::Matrix3d& R, int i, int j) {
   const int l = 3 - i - j;
   const double sign = cyclic_sign(i, j);
@@ -136,7 +136,7 @@ Eigen::Matrix3d R_from_axis_angle(const Eigen::Vector3d& axis, double angle) {
 Eigen::Matrix3d rotation_exp(const Eigen::Vector3d& phi) {
   const double half = 0.5 * phi.norm();
   const auto [s, c] = det::sincos(half);
-  // The ratio of sine and half angle tends to 1; the half of phi keeps tiny rotations exact.
+  // The ratio of the sine to the half angle tends to 1; half of phi keeps tiny rotations exact.
   const double ratio = half < 1e-12 ? 1.0 : s / half;
   const Eigen::Vector3d v = 0.5 * ratio * phi;
   return R_from_quaternion({c, v.x(), v.y(), v.z()});
@@ -157,7 +157,7 @@ Eigen::Vector3d axis_of_rotation(const Eigen::Matrix3d& R) {
 }
 
 Eigen::Vector4d quaternion_from_R(const Eigen::Matrix3d& R) {
-  // Four times the squares of w, x, y, z; the largest of them is safe to take the root of.
+  // Four times the squares of w, x, y, z; the square root of the largest is accurate.
   const double trace = R.trace();
   const Eigen::Vector4d squares(1.0 + trace, 1.0 - trace + 2.0 * R(0, 0),
                                 1.0 - trace + 2.0 * R(1, 1), 1.0 - trace + 2.0 * R(2, 2));
@@ -175,7 +175,8 @@ Eigen::Vector4d quaternion_from_R(const Eigen::Matrix3d& R) {
   }
   q /= q.norm();
   if (q[0] < 0.0) q = -q;
-  // Half a revolution about an axis is one about its opposite; w is only rounding noise then.
+  // Half a revolution about an axis is the same as one about the opposite axis; w is then only a
+  // rounding error.
   if (q[0] <= 1e-15) {
     const int first = std::abs(q[1]) > 1e-9 ? 1 : (std::abs(q[2]) > 1e-9 ? 2 : 3);
     if (q[first] < 0.0) q = -q;

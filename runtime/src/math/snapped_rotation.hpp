@@ -5,7 +5,8 @@
 
 namespace armlet {
 
-// Entries that a rounded right angle leaves become zero, where the rest is a rotation without them.
+// Replaces entries that are rounding errors of a right angle by zero, if the other entries form a
+// rotation without them.
 inline Eigen::Matrix3d snapped(const Eigen::Matrix3d& R) {
   constexpr double kRightAngle = 1e-5;
   Eigen::Matrix3d S = R;

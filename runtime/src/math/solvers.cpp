@@ -51,7 +51,7 @@ Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& along) {
   const Eigen::Vector3d n = along.normalized();
   if (n.z() > -0.5)
     return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along).toRotationMatrix();
-  // Near the opposite direction Eigen divides by 1 + n.z(), of which few digits are left.
+  // Near the opposite direction Eigen divides by 1 + n.z(), which has few correct digits there.
   const double across = det::hypot(n.x(), n.y());
   const double c = across > 0.0 ? n.x() / across : 0.0, s = across > 0.0 ? n.y() / across : 1.0;
   const double k = 1.0 - n.z();

@@ -1,5 +1,5 @@
 // Solvers of Eigen for all layers, compiled once (solvers.cpp, eigenvalues.cpp): a source that
-// instantiates its own takes ten seconds more to compile.
+// instantiates them itself takes ten seconds longer to compile.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -9,7 +9,7 @@
 
 namespace armlet {
 
-// L D L^T of a symmetric matrix that is not negative; N rows, or Eigen::Dynamic.
+// The decomposition L D L^T of a positive semidefinite matrix; N rows, or Eigen::Dynamic.
 template <int N>
 class SymmetricFactors {
  public:
@@ -26,7 +26,7 @@ extern template class SymmetricFactors<3>;
 extern template class SymmetricFactors<6>;
 extern template class SymmetricFactors<Eigen::Dynamic>;
 
-// P L U of a square matrix that is not singular.
+// The decomposition P L U of a regular square matrix.
 class SquareFactors {
  public:
   explicit SquareFactors(const Eigen::MatrixXd& A);
@@ -36,8 +36,8 @@ class SquareFactors {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
 };
 
-// Of any matrix: the shortest x for which A x is nearest to b. Pivots up to `threshold` times the
-// largest count as zero.
+// The least-squares solution of A x = b with the smallest norm, for any matrix A. Pivots up to
+// `threshold` times the largest count as zero.
 class OrthogonalFactors {
  public:
   OrthogonalFactors(const Eigen::MatrixXd& A, double threshold);
@@ -47,28 +47,28 @@ class OrthogonalFactors {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors_;
 };
 
-// The x for which A x is nearest to b; A has full column rank.
+// The least-squares solution of A x = b; A must have full column rank.
 [[nodiscard]] Eigen::VectorXd nearest_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-// R of A = Q R, min(rows, columns) rows; entries below the diagonal are zero.
+// The factor R of A = Q R, with min(rows, columns) rows; entries below the diagonal are zero.
 [[nodiscard]] Eigen::MatrixXd triangle_of(const Eigen::MatrixXd& A);
 
-// Eigenvalues in ascending order, and the eigenvectors of length 1 that belong to them as columns.
+// Eigenvalues in ascending order, and the eigenvectors of unit length as columns.
 struct SymmetricEigen {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 };
 
-// Of a symmetric matrix, of which the lower triangle is read.
+// The eigenvalues of a symmetric matrix, whose lower triangle is read.
 [[nodiscard]] SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A);
 [[nodiscard]] double smallest_eigenvalue(const Eigen::MatrixXd& A);
 
-// The rotation by the smallest angle after which the z axis has the direction `along`, which is not
-// zero.
+// The rotation by the smallest angle that moves the z axis to the direction `along`, which must not
+// be zero.
 [[nodiscard]] Eigen::Matrix3d rotation_from_z(const Eigen::Vector3d& along);
 
-// The direction across all rows, of which there is one fewer than columns: what is left when they
-// are taken out of it one by one, from the right end of a decomposition with pivots.
+// The direction orthogonal to all rows of a matrix with one row fewer than columns. It is the
+// column that is left at the end of a QR decomposition with pivots.
 [[nodiscard]] Eigen::VectorXd direction_across(const Eigen::MatrixXd& rows);
 
 }  // namespace armlet

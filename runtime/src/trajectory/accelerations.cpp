@@ -9,15 +9,16 @@
 namespace armlet {
 namespace {
 
-// The second derivative of a piece, written from `u` seconds after its start.
+// The coefficients of the second derivative of a piece, for the time from `u` seconds after its
+// start.
 Segment accelerations_from(const Segment& piece, double u) {
   Segment a;
   a.degree = std::max(piece.degree - 2, 0);
   for (int k = 0; k + 2 <= piece.degree; ++k)
     a.c[static_cast<std::size_t>(k)] =
         (k + 1.0) * (k + 2.0) * piece.c[static_cast<std::size_t>(k + 2)];
-  // Horner's scheme, again and again: the coefficients about the new start (D. E. Knuth, The Art of
-  // Computer Programming 2, 1997, section 4.6.4).
+  // Repeated Horner scheme: the coefficients of the polynomial about the new start (D. E. Knuth,
+  // The Art of Computer Programming 2, 1997, section 4.6.4).
   for (int low = 0; low < a.degree; ++low) {
     for (int k = a.degree - 1; k >= low; --k)
       a.c[static_cast<std::size_t>(k)] += u * a.c[static_cast<std::size_t>(k + 1)];

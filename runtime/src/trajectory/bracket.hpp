@@ -12,7 +12,7 @@ template <class Function>
 double zero_between(const Function& f, double a, double fa, double b, double fb, double small) {
   if (std::abs(fa) <= small) return a;
   if (std::abs(fb) <= small) return b;
-  // The first guess is the secant's.
+  // The first guess is that of the secant method.
   double t = fa / (fa - fb);
   for (int k = 0; k < 200; ++k) {
     const double x = a + t * (b - a);
@@ -25,7 +25,7 @@ double zero_between(const Function& f, double a, double fa, double b, double fb,
     }
     a = x;
     fa = fx;
-    // a is the newest point, b the other end of the bracket, c the one that was given up.
+    // a is the newest point, b the other end of the bracket, c the end that was replaced last.
     const double best = std::abs(fa) < std::abs(fb) ? a : b;
     if (std::abs(fx) <= small) return x;
     const double tolerance = 2e-16 * std::abs(best) + 1e-300;

@@ -12,7 +12,8 @@ namespace armlet {
 // source  the iteration of E. Halley, Philosophical Transactions 18, 1694.
 inline double cube_root(double x) {
   if (!(x > 0.0) || std::isinf(x)) return x;
-  // A third of the exponent is within 6 %; Halley's method triples the digits three times.
+  // Dividing the exponent by three gives a guess within 6 %; each of the three steps of Halley's
+  // method triples the number of correct digits.
   double y = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) / 3 + 0x2A9F7893782DA1CEull);
   for (int k = 0; k < 3; ++k) {
     const double cube = y * y * y;

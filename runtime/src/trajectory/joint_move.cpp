@@ -9,7 +9,7 @@ MotionPlan plan_joint_move(const PlannerSet& planners, const Robot& robot, const
   check_size("q0", move.q0.size(), robot.n());
   check_size("q1", move.q1.size(), robot.n());
   check_finite("q1", move.q1);
-  // A target that is out of range is the first thing to say, however short the time.
+  // A target out of range is reported first, even if the time is too short as well.
   if (auto outside = limit_violations(robot, move.q1); !outside.empty()) {
     return {.outside = std::move(outside)};
   }
@@ -23,7 +23,7 @@ MotionPlan plan_joint_move(const PlannerSet& planners, const Robot& robot, const
   if (!plan.trajectory) return {.too_fast = plan.too_fast};
   MotionPlan verified =
       verify(robot, *std::move(plan.trajectory), move.enforce_limits, Jerk::kFree, move.motors);
-  // The planner knows the least time of its own law; verification only that of this path.
+  // A planner computes the least time of its own law; verification computes that of this path.
   if (plan.too_fast) verified.too_fast = plan.too_fast;
   return verified;
 }

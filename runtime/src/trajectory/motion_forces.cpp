@@ -12,13 +12,14 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kBeside = 1e-9;   // s, from a knot
+constexpr double kBeside = 1e-9;   // s, distance from a knot
 constexpr double kAtRest = 1e-12;  // rad/s or m/s: rounding of a rate that is zero
-constexpr double kStands = 1e-9;   // rad/s^2 or m/s^2: of one that stays zero
+constexpr double kStands = 1e-9;   // rad/s^2 or m/s^2: rounding of an acceleration that is zero
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// The friction of a joint that moves in a direction: what falls with the speed, and of what stays
-// the least and the most, since Stribeck's part changes with the speed.
+// Bounds of the friction of a joint that moves in one direction: the part that decreases with the
+// speed, and the smallest and largest of the rest, because Stribeck friction changes with the
+// speed.
 struct JointFriction {
   double viscous = 0.0, dry_low = 0.0, dry_high = 0.0;
 };
@@ -36,7 +37,7 @@ JointFriction friction_of(const Link& link, double qd) {
   return out;
 }
 
-// The k from which on moving / k^2 + viscous / k is at most `room`.
+// The smallest k from which on moving / k^2 + viscous / k is at most `room`.
 double slower_for(double moving, double viscous, double room) {
   if (!(room >= 0.0)) return kNever;
   if (moving <= 0.0 && viscous <= 0.0) return 0.0;
@@ -48,7 +49,7 @@ double slower_for(double moving, double viscous, double room) {
   return 2.0 * moving / (root - viscous);
 }
 
-// Looks at one instant after the other.
+// Computes the loads of the motors at instants of a motion.
 class ForceSearch {
  public:
   ForceSearch(const Robot& robot, const Trajectory& motion)
@@ -62,12 +63,13 @@ class ForceSearch {
       found_.peaks.push_back({.limit = robot.joint(i).max_effort});
   }
 
-  // Where a joint comes to rest or leaves it dry friction has no direction; beside it it has.
+  // Dry friction has no direction at the instant when a joint comes to rest or starts, but it has
+  // one just before and after.
   [[nodiscard]] bool turns_back(int i) const {
     return std::abs(qd_[i]) < kAtRest && std::abs(qdd_[i]) > kStands;
   }
 
-  // What the motion asks then: the largest share of what a motor gives.
+  // The largest load at an instant: the force of a motor divided by its limit.
   double measure(double t) {
     motion_.sample(t, q_, qd_, qdd_);
     tau_ = inverse_dynamics(robot_, q_, qd_, qdd_);
@@ -84,10 +86,10 @@ class ForceSearch {
     return largest;
   }
 
-  // What each motor gave of what it can when `measure` looked last.
+  // The load of each motor at the last instant that `measure` computed.
   [[nodiscard]] const VectorXd& shares() const { return shares_; }
 
-  // How much slower the motion has to be for what it asks then.
+  // The factor by which the motion has to be slower so that this instant keeps the limits.
   double look_at(double t) {
     (void)measure(t);
     const JointVector& tau = tau_;
@@ -107,7 +109,7 @@ class ForceSearch {
     return slower;
   }
 
-  // Whether no peak so far is beyond its limit.
+  // Whether no load so far exceeds the limit.
   [[nodiscard]] bool is_within() const {
     return std::ranges::all_of(found_.peaks,
                                [](const PeakForce& peak) { return peak.share() <= 1.0; });
@@ -121,7 +123,8 @@ class ForceSearch {
       most = share;
       found_.nearest = i;
     }
-    // It may need its swing.
+    // A motion within its limits has the factor 1: its inertia may help the motors, so that at some
+    // instants a slower motion would need more force.
     if (most <= 1.0) found_.slower = found_.nearest < 0 ? 0.0 : 1.0;
     return std::move(found_);
   }
@@ -138,7 +141,7 @@ struct Instant {
   double t = 0.0, load = 0.0;
 };
 
-// The highest load between two instants, to a thousandth of their distance.
+// The highest load between two instants. Its time is found to a thousandth of their distance.
 template <typename Look>
 void climb(const Look& look, double from, double to) {
   constexpr double kGolden = 0.6180339887498949;
@@ -162,11 +165,11 @@ void climb(const Look& look, double from, double to) {
   }
 }
 
-// Looks closer where instants ask for most, between both neighbours.
+// Searches for peaks next to the instants with the highest loads, between both of their neighbours.
 template <typename Look>
 void look_closer(const std::vector<Instant>& seen, const Look& look) {
   constexpr std::size_t kMostPeaks = 300;
-  constexpr double kNearly = 0.98;  // of the highest; lower peaks do not come up to it
+  constexpr double kNearly = 0.98;  // of the highest load; peaks next to lower ones are not higher
   double highest = 0.0;
   for (const Instant& at : seen) highest = std::max(highest, at.load);
   if (!(highest > 0.0) || !std::isfinite(highest)) return;
@@ -184,7 +187,7 @@ void look_closer(const std::vector<Instant>& seen, const Look& look) {
   }
 }
 
-// Both sides of the instants at which a joint turns back, and its dry friction with it.
+// The instants just before and after a joint reverses, where its dry friction reverses too.
 void add_reversals(const Trajectory& motion, std::vector<double>& t) {
   for (int i = 0; i < motion.n(); ++i) {
     for (const Segment& piece : motion.joint(i).segments) {
@@ -196,10 +199,10 @@ void add_reversals(const Trajectory& motion, std::vector<double>& t) {
   }
 }
 
-// At most 5 ms apart, and on both sides and in the middle of the pieces of the motion.
+// Instants at most 5 ms apart, and at both ends and in the middle of the pieces of the motion.
 std::vector<double> instants_of(const Trajectory& motion) {
   constexpr double kStep = 5e-3;    // s
-  constexpr double kMost = 10'000;  // instants
+  constexpr double kMost = 10'000;  // largest number of instants
   const double duration = motion.duration();
   const double steps = std::clamp(std::ceil(duration / kStep), 1.0, kMost);
   std::vector<double> t;
@@ -216,9 +219,9 @@ std::vector<double> instants_of(const Trajectory& motion) {
   return t;
 }
 
-// Whether every joint stays within its limit by more than its share changes from one instant to the
-// next. Then nothing between them is beyond it, and how much slower the motion has to be need not
-// be worked out, which takes twice as long.
+// Whether the distance of every joint from its limit is larger than the change of its load from one
+// instant to the next. Then no limit is exceeded between the instants, and the factor for a slower
+// motion, which takes twice as long to compute, is not needed.
 bool is_clear(ForceSearch& search, const std::vector<double>& times) {
   const auto measure = [&search](double t) { return search.measure(t); };
   std::vector<Instant> seen;

@@ -10,9 +10,9 @@
 namespace armlet {
 namespace {
 
-constexpr double kNothing = 1e-12;  // s, shorter pieces are left out
+constexpr double kNothing = 1e-12;  // s; shorter pieces are dropped
 
-// The piece from `u` seconds after its start on, as a polynomial in the time from there.
+// The rest of a piece from `u` seconds after its start, as a polynomial in the time from there.
 Segment shifted(const Segment& piece, double u, double start, double duration) {
   Segment out{.start = start, .duration = duration, .degree = piece.degree};
   double factorial = 1.0;

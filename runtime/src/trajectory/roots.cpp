@@ -5,7 +5,7 @@
 namespace armlet {
 namespace {
 
-// A derivative of a piece, with coefficients of its own: its numbers are those of Segment::value.
+// A derivative of a piece as a polynomial with the same values as Segment::value.
 struct Derivative {
   int degree = 0;
   std::array<double, Segment::kMaxDegree + 1> c{};
@@ -25,14 +25,14 @@ struct Derivative {
   }
 };
 
-// Newton's method kept inside [lo, hi], where the polynomial is monotone and rises from below zero
-// or falls from above it; halving takes over where a step would leave the interval.
+// Newton's method restricted to [lo, hi], where the polynomial is monotone and changes its sign. A
+// step that would leave the interval is replaced by bisection.
 //
 // source  W. H. Press et al., Numerical Recipes, 3rd ed., 2007, section 9.4.
 double root_between(const Derivative& polynomial, const Derivative& slope, double lo, double hi,
                     bool rising, double duration) {
   double u = 0.5 * (lo + hi);
-  constexpr int kMostSteps = 200;  // far more than halving alone would take
+  constexpr int kMostSteps = 200;  // far more than bisection alone would take
   for (int k = 0; k < kMostSteps; ++k) {
     const double value = polynomial.value(u);
     ((value < 0.0) == rising ? lo : hi) = u;

@@ -8,7 +8,7 @@
 
 namespace armlet {
 
-// Times of one piece, ascending; a polynomial has at most as many roots as its degree.
+// Times in one piece, ascending; a polynomial has at most as many roots as its degree.
 class Roots {
  public:
   void push_back(double u) { u_[count_++] = u; }

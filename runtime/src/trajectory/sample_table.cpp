@@ -13,7 +13,7 @@ namespace {
 
 using det::Lanes;
 
-constexpr std::size_t kFewPieces = 16;  // up to here starts are counted, not searched
+constexpr std::size_t kFewPieces = 16;  // up to here starts are counted without a search
 constexpr std::size_t kCellsPerPiece = 2;
 constexpr std::uint32_t kFewInCell = 4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -30,8 +30,8 @@ struct LaneSample {
   Lanes q, qd, half_qdd;
 };
 
-// One pass gives the value and, from its partial sums, both derivatives. The first two steps leave
-// out what would be added to zero.
+// Horner's scheme for the value and, from its partial sums, both derivatives in one pass. The first
+// two steps omit additions to zero.
 //
 // c(k)  the coefficients of the power k.
 template <int kDegree, class Coefficients>
@@ -49,7 +49,7 @@ template <int kDegree, class Coefficients>
   return s;
 }
 
-// The joints i and i + 1, of which the second may not exist.
+// The state of joints i and i + 1, of which the second may not exist.
 [[gnu::always_inline]] inline void store(const StateOut& out, std::size_t i, std::size_t n,
                                          const LaneSample& s) {
   const Lanes qdd = 2.0 * s.half_qdd;
@@ -67,7 +67,7 @@ template <int kDegree, class Coefficients>
 
 bool stands(const JointPath& path) { return path.segments.empty(); }
 
-// A joint without pieces reads this one, and what comes out is not used.
+// A joint without pieces reads this polynomial, and its result is not used.
 constexpr Segment kNoPiece{};
 
 const Segment& piece_of(const JointPath& path, std::size_t k) {
@@ -78,7 +78,7 @@ bool same_starts(const JointPath& a, const JointPath& b) {
   return std::ranges::equal(a.segments, b.segments, {}, &Segment::start, &Segment::start);
 }
 
-// Before the start: the first positions, standing still.
+// Before the start: the first positions at rest.
 void sample_before(std::span<const JointPath> joints, const StateOut& out) {
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const JointPath& path = joints[i];
@@ -114,7 +114,8 @@ SampleTable::SampleTable(std::span<const JointPath> joints, double duration) {
   }
 }
 
-// The cells are so many that few pieces begin in one, unless some are much shorter than the others.
+// There are so many cells that few pieces begin in one, unless some pieces are much shorter than
+// others.
 void SampleTable::index_shared(const JointPath& path) {
   const std::size_t pieces = path.segments.size();
   starts_.reserve(pieces + 1);
@@ -127,8 +128,8 @@ void SampleTable::index_shared(const JointPath& path) {
   std::uint32_t piece = 0;
   for (std::size_t cell = 0; cell <= count + 1; ++cell) {
     const std::uint32_t before = piece;
-    // The product that a search makes of t: what begins in this cell begins after no time of those
-    // before it.
+    // The index of a cell, computed from t as a search does. A piece that begins in a cell
+    // therefore begins no earlier than the pieces of the cells before.
     while (starts_[piece + 1] * cells_per_second_ < static_cast<double>(cell)) ++piece;
     cells_.push_back(piece);
     most_in_cell_ = std::max(most_in_cell_, piece - before);
@@ -163,19 +164,20 @@ void SampleTable::index_each(std::span<const JointPath> joints) {
   }
 }
 
-// The last piece that does not begin after t, for 0 <= t.
+// The last piece that begins at t or before, for 0 <= t.
 std::size_t SampleTable::shared_piece(double t) const {
   const double* starts = starts_.data();
   const std::size_t last = starts_.size() - 2;
   std::size_t piece = 0;
-  if (cells_.empty()) {  // counting all needs no branch that could be guessed wrong
+  if (cells_.empty()) {  // counting needs no branch that could be mispredicted
     for (std::size_t k = 1; k <= last; ++k) piece += starts[k] <= t ? 1 : 0;
     return piece;
   }
   t = std::min(t, starts[last]);
   const auto cell = static_cast<std::size_t>(t * cells_per_second_);
   piece = cells_[cell];
-  if (most_in_cell_ <= kFewInCell) {  // nor does this: as many steps whatever the time is
+  // Nor does this: the number of steps does not depend on the time.
+  if (most_in_cell_ <= kFewInCell) {
     for (std::uint32_t k = 0; k < most_in_cell_; ++k) piece += starts[piece + 1] <= t ? 1 : 0;
     return piece;
   }
@@ -183,7 +185,7 @@ std::size_t SampleTable::shared_piece(double t) const {
   return static_cast<std::size_t>(after - starts) - 1;
 }
 
-// All joints move, each in the same piece.
+// Samples all joints in the same piece.
 template <int kDegree>
 void SampleTable::sample_moving(double t, std::size_t n, const StateOut& out) const {
   constexpr std::size_t kPowers = kDegree + 1;
@@ -197,7 +199,7 @@ void SampleTable::sample_moving(double t, std::size_t n, const StateOut& out) co
   }
 }
 
-// Every joint in a piece of its own or at its end already.
+// Samples every joint in its own piece, or at its end.
 template <int kDegree>
 void SampleTable::sample_any(std::span<const JointPath> joints, double t,
                              const StateOut& out) const {

@@ -1,5 +1,5 @@
-// What Trajectory::sample looks at: when pieces begin, and the polynomials of all joints side by
-// side.
+// The table from which Trajectory::sample reads: the starts of the pieces, and the polynomials of
+// neighbouring joints next to each other.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace armlet {
 
-// Where the state of all joints goes, n numbers each.
+// The destinations of the state of all joints, n numbers each.
 struct StateOut {
   double* q;
   double* qd;
@@ -20,10 +20,10 @@ struct StateOut {
 
 class SampleTable {
  public:
-  // joints  already checked; coefficients above the degree of a piece are zero.
+  // joints  must be valid; the coefficients above the degree of a piece must be zero.
   SampleTable(std::span<const JointPath> joints, double duration);
 
-  // The state at time t of the same joints, as Trajectory::sample promises it.
+  // The state at time t of these joints, as specified for Trajectory::sample.
   void sample(std::span<const JointPath> joints, double t, const StateOut& out) const;
 
  private:
@@ -38,20 +38,22 @@ class SampleTable {
   template <int kDegree>
   void sample_as(std::span<const JointPath> joints, double t, const StateOut& out) const;
 
-  int degree_ = 2;            // the highest of all pieces, at least 2
-  bool shared_ = true;        // all joints that move have the same starts
-  double first_end_ = -1.0;   // when the first joint stops that moves, -1 if none does
-  std::vector<double> ends_;  // when a joint stops moving, -1 if it never moves; by pairs of joints
+  int degree_ = 2;           // the highest of all pieces, at least 2
+  bool shared_ = true;       // all joints that move have the same starts of pieces
+  double first_end_ = -1.0;  // the end of the first joint that stops, -1 if none moves
+  // The ends of the joints' motions, -1 for joints that never move; by pairs of joints.
+  std::vector<double> ends_;
   std::vector<double> goals_;  // their last positions
 
-  // Shared starts: the polynomials of a piece stand together, those of two joints interleaved.
-  std::vector<double> starts_;        // of the pieces, and one that is never
+  // If all joints have the same starts: the polynomials of a piece are together, those of two
+  // joints interleaved.
+  std::vector<double> starts_;        // of the pieces, and an infinite one at the end
   std::vector<double> polynomials_;   // piece by piece, pair by pair, power by power
   double cells_per_second_ = 0.0;     // the time is divided into equal cells ...
-  std::vector<std::uint32_t> cells_;  // ... the piece that holds at the begin of each
-  std::uint32_t most_in_cell_ = 0;    // how many pieces begin in one cell at most
+  std::vector<std::uint32_t> cells_;  // ... with the piece at the beginning of each
+  std::uint32_t most_in_cell_ = 0;    // largest number of pieces that begin in one cell
 
-  // Otherwise: starts of the second, third ... piece, infinite where there is none; by pairs.
+  // Otherwise: the starts of the second, third ... piece, infinite if there is none; by pairs.
   std::vector<double> later_starts_;
   std::size_t most_pieces_ = 0;
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr double kPositionSlack = 1e-9;  // rad or m: rounding of a polynomial that ends on a limit
 constexpr double kTimeSlack = 1e-9;      // relative: rounding of a time computed from the limits
 
-// Joints that leave their limits further than they start outside them.
+// The joints that are farther outside of their limits than at the start.
 std::vector<LimitViolation> joints_outside(const Robot& robot, const Trajectory& trajectory) {
   std::vector<LimitViolation> outside;
   for (int i = 0; i < robot.n(); ++i) {

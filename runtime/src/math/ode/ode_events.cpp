@@ -62,7 +62,7 @@ OdeEvents::Outcome OdeEvents::look(const OdeRate& rate, double t, double h,
   return {};
 }
 
-// The method of Illinois, and halving where it goes on too slowly.
+// The Illinois method, with bisection where it converges too slowly.
 OdeEvents::Outcome OdeEvents::locate(const OdeRate& rate, double t, double h,
                                      std::span<const double> y, std::span<const double> next,
                                      int witness) {
@@ -74,7 +74,7 @@ OdeEvents::Outcome OdeEvents::locate(const OdeRate& rate, double t, double h,
   int side = 0;
   for (int k = 0; k < kMostSteps && high - low > enough && at_high != 0.0; ++k) {
     double middle = (low * at_high - high * at_low) / (at_high - at_low);
-    // Once in three steps the interval is halved, whatever the values say.
+    // Every third step is a bisection, whatever the values are.
     if (k % 3 == 2 || !(middle > low && middle < high)) middle = 0.5 * (low + high);
     middle = std::clamp(middle, low + 0.25 * enough, high - 0.25 * enough);
     std::ranges::copy(y, trial_.begin());

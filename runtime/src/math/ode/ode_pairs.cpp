@@ -1,4 +1,5 @@
-// Embedded pairs, which choose their steps, and the polynomial of Dormand and Prince.
+// Embedded pairs of Runge-Kutta methods with step size control, and the interpolation polynomial of
+// Dormand and Prince.
 #include <limits>
 
 #include "armlet/math/det_math.hpp"
@@ -10,13 +11,13 @@ namespace {
 
 constexpr int kMostSteps = 1'000'000;
 
-// Six slopes lead to the result; the pair of Dormand and Prince takes a seventh there, which is the
-// first of the next step.
+// Six slopes determine the result. The pair of Dormand and Prince computes a seventh one there,
+// which is the first slope of the next step.
 struct Pair {
   double node[6];
   double slope[6][5];
   double weight[6];
-  double error[7];  // the weights less those of the result of order 4
+  double error[7];  // weights minus those of the result of order 4
   bool takes_seventh;
 };
 
@@ -47,7 +48,8 @@ constexpr Pair kDormandPrince = {
               -1.0 / 40},
     .takes_seventh = true};
 
-// Of the fourth power of its polynomial: Hairer, Norsett, Wanner, section II.6.
+// The coefficients of the fourth power of its interpolation polynomial: Hairer, Norsett, Wanner,
+// section II.6.
 constexpr double kBend[7] = {-12715105075.0 / 11282082432,  0.0,
                              87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
                              701980252875.0 / 199316789632, -1453857185.0 / 822651844,
@@ -57,16 +59,16 @@ const Pair& pair_of(OdeMethod method) {
   return method == OdeMethod::kFehlberg45 ? kFehlberg : kDormandPrince;
 }
 
-// How much longer or shorter the next step should be, from the error in units of the tolerance.
+// The factor for the next step size, from the error in units of the tolerance.
 double step_factor(double error) {
   if (error == 0.0) return 5.0;
-  if (!(error > 0.0)) return 0.2;  // not a number
+  if (!(error > 0.0)) return 0.2;  // NaN
   return std::clamp(0.9 * det::pow(error, -0.2), 0.2, 5.0);
 }
 
 }  // namespace
 
-// The slopes after the first, and the trial state they lead to.
+// Computes the slopes after the first, and the trial state.
 bool OdeIntegrator::pair_stages(const OdeRate& rate, double t, double h,
                                 std::span<const double> y) {
   const Pair& pair = pair_of(method_);
@@ -86,7 +88,8 @@ bool OdeIntegrator::pair_stages(const OdeRate& rate, double t, double h,
   return !pair.takes_seventh || slope(rate, t + h, trial, 6);
 }
 
-// The estimated error of the trial state in units of the tolerance; infinite if it is of no use.
+// The estimated error of the trial state in units of the tolerance; infinite if the state is not
+// finite.
 double OdeIntegrator::pair_error(double h, std::span<const double> y) {
   const Pair& pair = pair_of(method_);
   const auto trial = stage(kTrial);
@@ -102,10 +105,11 @@ double OdeIntegrator::pair_error(double h, std::span<const double> y) {
   return size_ == 0 ? 0.0 : std::sqrt(squares / size_);
 }
 
-// One accepted step from t towards `end`; outcome.t is where it ends. `steps` counts all tries.
+// Makes one accepted step from t towards `end`; outcome.t is its end. `steps` counts rejected steps
+// too.
 OdeOutcome OdeIntegrator::pair_step(const OdeRate& rate, double t, double end, std::span<double> y,
                                     int& steps) {
-  // Steps that no longer change the time.
+  // The step is too small to change the time.
   const double shortest =
       16.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(end));
   for (; steps < kMostSteps; ++steps) {
@@ -129,7 +133,7 @@ OdeOutcome OdeIntegrator::pair_step(const OdeRate& rate, double t, double end, s
     std::ranges::copy(stage(kTrial), y.begin());
     knows_first_ = pair_of(method_).takes_seventh;
     if (knows_first_) std::ranges::copy(stage(6), stage(0).begin());
-    // A step cut short by the end says nothing against the longer one.
+    // A step that was shortened because of the end does not reduce the step size.
     own_step_ = is_last ? std::max(own_step_, proposed) : proposed;
     return {OdeStatus::kDone, is_last ? end : t + size, 0};
   }

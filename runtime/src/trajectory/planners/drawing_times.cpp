@@ -21,7 +21,7 @@ std::vector<double> drawing_times(const Trajectory& motion, int even) {
     times.push_back(knot);
   }
   std::ranges::sort(times);
-  // clang 14 cannot read std::ranges::unique of g++ 12.
+  // clang 14 cannot compile std::ranges::unique of g++ 12.
   times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }

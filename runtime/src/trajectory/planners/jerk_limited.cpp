@@ -14,17 +14,18 @@
 namespace armlet {
 namespace {
 
-constexpr double kShortestStep = 1e-14;  // s; what is shorter changes nothing that can be seen
+constexpr double kShortestStep = 1e-14;  // s; shorter steps have no visible effect
 // Rounding of a position, rad or m, over a travel of this size.
 double rounding(double travel) { return 1e-15 + 4e-16 * std::abs(travel); }
 
-// Where the axis is when the ramp ends at speed v_goal. The last step is seen from its end.
+// The position at which the ramp ends with the speed v_goal. The last step is computed backwards
+// from its end.
 double end_of_ramp(const AxisState& s, const Ramp& ramp, double v_goal) {
   const AxisState top = after(after(s, ramp.jerk, ramp.rise), 0.0, ramp.hold);
   return top.q + ramp.fall * (v_goal - ramp.jerk * ramp.fall * ramp.fall / 6.0);
 }
 
-// Where the axis stands after the shortest stop.
+// The position of the axis after the shortest stop.
 double stop_position(const AxisState& s, double A, double J) {
   return end_of_ramp(s, make_ramp(s.v, s.a, 0.0, A, J), 0.0);
 }
@@ -35,7 +36,7 @@ void add_ramp(JerkProfile& profile, const Ramp& ramp, double sign) {
   profile.add(ramp.fall, -sign * ramp.jerk);
 }
 
-// From rest to rest: closed form in the three cases of which limits are reached.
+// A motion from rest to rest: closed forms for the three cases of limits that are reached.
 JerkProfile rest_to_rest(double travel, const AxisLimits& limits, double V) {
   const double D = std::abs(travel);
   const double A = limits.acceleration, J = limits.jerk;
@@ -62,13 +63,14 @@ JerkProfile rest_to_rest(double travel, const AxisLimits& limits, double V) {
   return profile;
 }
 
-// A motion that goes to the speed V, breaks that off after `phase` at time t of it, and stops.
+// A motion that accelerates to the speed V, is interrupted in phase `phase` at time t, and then
+// stops.
 struct BreakOff {
   int phase = 0;
   double t = 0.0;
 };
 
-// Appends the steps of the ramp up to the moment, then the stop.
+// Appends the steps of the ramp up to the interruption, then the stop.
 void add_broken_ramp(JerkProfile& profile, const AxisState& s, const Ramp& ramp, BreakOff moment,
                      double sign, const AxisLimits& limits) {
   const double jerks[3] = {ramp.jerk, 0.0, -ramp.jerk};
@@ -85,7 +87,7 @@ void add_broken_ramp(JerkProfile& profile, const AxisState& s, const Ramp& ramp,
   profile.set_peak_speed(state.a >= 0.0 ? sign * std::max(turning, 0.0) : 0.0);
 }
 
-// Brings an acceleration above its limit back to it and returns the state from there on.
+// Reduces an acceleration above its limit to the limit, and returns the state after that.
 AxisState tame(const AxisState& from, const AxisLimits& limits, JerkProfile& profile) {
   const double excess = std::abs(from.a) - limits.acceleration;
   if (excess <= 0.0) return from;
@@ -106,7 +108,8 @@ JerkProfile from_motion(const AxisState& from, double to, const AxisLimits& limi
   JerkProfile profile;
   const AxisState tamed = tame(from, limits, profile);
   const double sign = stop_position(tamed, A, J) <= to ? 1.0 : -1.0;
-  // The target is at 0 now, at or beyond where the axis would stop: it goes towards the speed V.
+  // The target is moved to 0, at or beyond the position after the shortest stop: the axis moves
+  // towards it with the speed V.
   const AxisState s = mirrored(tamed, to, sign);
   const Ramp ramp = make_ramp(s.v, s.a, V, A, J);
   const double top = end_of_ramp(s, ramp, V);
@@ -137,11 +140,12 @@ JerkProfile from_motion(const AxisState& from, double to, const AxisLimits& limi
   }
 }
 
-// The highest speed of a motion from rest to rest over D that takes T, T not below the least.
+// The highest speed of a motion from rest to rest over the distance D in the time T, which is not
+// below the least.
 double speed_in_time(double D, double T, const AxisLimits& limits) {
   const double A = limits.acceleration, J = limits.jerk;
   if (D < 2.0 * A * A * A / (J * J) || T >= D * J / (A * A) + 2.0 * A / J) {
-    // The acceleration limit is not reached: 2 y^3 / sqrt(J) - T y^2 + D = 0 with y = sqrt(V).
+    // If the acceleration limit is not reached: 2 y^3 / sqrt(J) - T y^2 + D = 0 with y = sqrt(V).
     const double root_J = std::sqrt(J);
     const auto f = [&](double y) { return D - y * y * (T - 2.0 * y / root_J); };
     const double lo = std::sqrt(D / T), hi = 0.25 * T * root_J;
@@ -206,7 +210,8 @@ std::optional<JerkProfile> jerk_limited_in_time(const AxisState& from, double to
   const AxisState tamed = tame(from, limits, profile);
   const AxisState s = mirrored(tamed, to, sign);
   const double time = T - profile.duration();
-  // What is left for the cruise at speed w: its length, and its length as the time wants it.
+  // For a constant speed w between the ramps: the remaining distance, minus the distance travelled
+  // in the remaining time. It is zero for the right w.
   const auto missing = [&](double w) {
     const Ramp up = make_ramp(s.v, s.a, w, A, J);
     const Ramp down = make_ramp(w, 0.0, 0.0, A, J);

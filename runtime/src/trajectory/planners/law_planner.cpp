@@ -21,7 +21,7 @@ void check_ends(double first, double last) {
       fmt::format("A law leads from 0 to 1; this one leads from {} to {}.", first, last));
 }
 
-// The pieces for one joint: the law, `travel` high and T long.
+// The pieces of one joint: the law, scaled to the distance `travel` and the time T.
 JointPath path_along(const ScalarLaw& law, double q0, double travel, double T) {
   JointPath path{.q_end = q0 + travel};
   for (Segment piece : law) {
@@ -38,13 +38,13 @@ JointPath path_along(const ScalarLaw& law, double q0, double travel, double T) {
   return path;
 }
 
-// The highest derivatives of a law.
+// The peaks of the derivatives of a law.
 struct Peaks {
   double speed, acceleration;
-  double jerk;  // 0 where the acceleration jumps: no duration limits it then
+  double jerk;  // 0 if the acceleration jumps, so that jerk does not limit the duration
 };
 
-// The joint that needs longest for a law with these peaks, and why.
+// The joint that needs the longest time for a law with these peaks, and the limit that decides it.
 TooFast slowest_joint(const MoveRequest& request, const Peaks& peaks) {
   TooFast slowest{.limit = limits_of(request, 0).speed};
   const auto consider = [&](int i, LimitKind kind, double least, double limit) {
@@ -105,7 +105,8 @@ ScalarLaw law_of_values(std::span<const double> s) {
   const double h = 1.0 / static_cast<double>(n - 1);
   std::vector<double> x(n);
   for (std::size_t k = 0; k < n; ++k) x[k] = k + 1 == n ? 1.0 : static_cast<double>(k) * h;
-  // The derivative at the end of the quintic through six values; what rounding leaves is rest.
+  // The derivative at the end of the quintic through six values; a value as small as rounding
+  // errors counts as zero.
   constexpr double kRest = 1e-4;
   const auto slope = [&](std::size_t end, int step) {
     static constexpr double kWeights[] = {-137.0 / 60.0, 5.0, -5.0, 10.0 / 3.0, -1.25, 0.2};
@@ -118,7 +119,8 @@ ScalarLaw law_of_values(std::span<const double> s) {
 
 Planner planner_of_law(ScalarLaw law) {
   const Trajectory unit({JointPath{.segments = law, .q_end = 1.0}}, 1.0);
-  constexpr double kJump = 0.02;  // of the highest acceleration: more is no error of interpolation
+  // Of the highest acceleration; a larger jump is not an error of interpolation.
+  constexpr double kJump = 0.02;
   const bool is_smooth = unit.continuity(0, kJump) >= 2;
   const Peaks peaks{unit.peak(0, 1), unit.peak(0, 2), is_smooth ? unit.peak(0, 3) : 0.0};
   return [law = std::move(law), peaks](const MoveRequest& request) {

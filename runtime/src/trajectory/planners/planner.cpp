@@ -17,7 +17,7 @@ namespace {
 using LeastTimeLaw = LeastTime (*)(double travel, const AxisLimits& limits);
 using PathLaw = std::vector<Segment> (*)(double q0, double q1, double T, const AxisLimits& limits);
 
-// One axis law: how long it needs at least, and its pieces for a given time.
+// The law of one axis: its least time, and its pieces for a given time.
 struct AxisLaw {
   LeastTimeLaw least_time;
   PathLaw pieces;
@@ -66,9 +66,9 @@ void check_request(const MoveRequest& request) {
   if (!request.durations.empty()) check_durations(request);
 }
 
-// The request whose speed limits are the fraction asked for. A motion that is the fastest within
-// these limits keeps the fraction; one that is only run slower need not: a trapezoid whose ramps
-// become longer cruises faster.
+// The request with its speed limits multiplied by the requested fraction. The fastest motion within
+// these limits keeps the fraction. A motion that is only slowed down may not: a trapezoid with
+// longer ramps has a higher constant speed.
 MoveRequest with_scaled_speeds(MoveRequest request) {
   if (!request.speed) return request;
   for (AxisLimits& limits : request.limits) limits.speed *= *request.speed;
@@ -76,7 +76,7 @@ MoveRequest with_scaled_speeds(MoveRequest request) {
   return request;
 }
 
-// The joint that needs longest, and why.
+// The joint that needs the longest time, and the limit that decides it.
 TooFast slowest_joint(const MoveRequest& request, const AxisLaw& law) {
   TooFast slowest{.joint = 0, .limit = limit_value(limits_of(request, 0), LimitKind::kSpeed)};
   for (int i = 0; i < request.q0.size(); ++i) {
@@ -92,8 +92,9 @@ TooFast slowest_joint(const MoveRequest& request, const AxisLaw& law) {
   return slowest;
 }
 
-// Plans every joint with `law`. Synchronous: all take the whole time. Otherwise each takes the time
-// it needs, multiplied by how much the slowest was stretched.
+// Plans every joint with `law`. Synchronous motions take the same time for all joints. Otherwise
+// the time of each joint is its own least time, multiplied by the factor by which the slowest one
+// was stretched.
 Plan plan_by_law(const MoveRequest& request, const AxisLaw& law, bool synchronous) {
   if (stands_still(request)) {
     return {.trajectory = Trajectory::at_rest(request.q1, request.time.value_or(0.0))};
@@ -107,7 +108,7 @@ Plan plan_by_law(const MoveRequest& request, const AxisLaw& law, bool synchronou
     const AxisLimits& limits = limits_of(request, i);
     const double travel = travel_of(request, i);
     double T = chosen.T;
-    // A joint without limits needs no time of its own; it takes the whole.
+    // A joint without limits has no least time, so it takes the time of the whole motion.
     if (!synchronous && slowest.least_time > 0.0) {
       const double own = law.least_time(travel, limits).time;
       if (own > 0.0) T = std::max(chosen.T * (own / slowest.least_time), kShortestMotion);
@@ -148,7 +149,7 @@ constexpr AxisLaw kTrapezoid{trapezoid_least_time, trapezoid_path};
 constexpr AxisLaw kSeptic{septic_least_time, septic_path};
 constexpr AxisLaw kCycloid{cycloid_least_time, cycloid_path};
 
-// Limits of the scalar s in q = q0 + s (q1 - q0): what the most demanding joint leaves.
+// Limits of the scalar s in q = q0 + s (q1 - q0): for each, that of the most restrictive joint.
 AxisLimits scalar_limits(const MoveRequest& request) {
   AxisLimits scalar;
   for (int i = 0; i < request.q0.size(); ++i) {
@@ -160,7 +161,7 @@ AxisLimits scalar_limits(const MoveRequest& request) {
   return scalar;
 }
 
-// The joint whose limit decides about the scalar law.
+// The joint whose limit determines the scalar law.
 TooFast scalar_bottleneck(const MoveRequest& request, const AxisLimits& scalar) {
   const LeastTime least = trapezoid_least_time(1.0, scalar);
   TooFast bottleneck{.least_time = least.time, .kind = least.limit};
@@ -195,7 +196,7 @@ Plan plan_lin(const MoveRequest& request) {
   return {.trajectory = Trajectory(std::move(joints), chosen.T), .too_fast = chosen.too_fast};
 }
 
-// As quick as the law allows, all joints together or each for itself.
+// The fastest motion of the law, for all joints together or for each by itself.
 template <const AxisLaw& kLaw, bool kTogether>
 Plan plan_law(const MoveRequest& request) {
   return plan_by_law(request, kLaw, kTogether);

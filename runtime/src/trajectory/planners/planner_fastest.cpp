@@ -1,4 +1,4 @@
-// The planner Fastest: one curve through all points, run as fast as the limits allow everywhere.
+// The planner Fastest: one curve through all points, at each position as fast as the limits allow.
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,12 @@ namespace armlet {
 namespace {
 
 constexpr double kSamePoint = 1e-12;  // rad or m
-// Positions at which speeds are found: with them the motion takes 0.5 % longer than it had to, at
-// most.
+// The number of positions at which speeds are computed. With it the motion takes at most 0.5 %
+// longer than the shortest one.
 constexpr int kIntervalsPerLeg = 60;
 constexpr int kFewestIntervals = 240;
 
-// The points without those that repeat the one before.
+// The points without repetitions of the one before.
 std::vector<Eigen::VectorXd> different_points(const MoveRequest& request) {
   std::vector<Eigen::VectorXd> points = {request.q0};
   const auto add = [&](const Eigen::VectorXd& q) {
@@ -30,16 +30,16 @@ std::vector<Eigen::VectorXd> different_points(const MoveRequest& request) {
   return points;
 }
 
-// Whether a point lies on the line from one point in a direction of length 1.
+// Whether a point is on the line from a point in a direction of unit length.
 bool is_on_line(const Eigen::VectorXd& p, const Eigen::VectorXd& from, const Eigen::VectorXd& way) {
   const Eigen::VectorXd off = p - from;
   return (off - way * way.dot(off)).cwiseAbs().maxCoeff() <= kSamePoint;
 }
 
-// The points of which the path is made. Where all joints move in proportion it is straight, so only
-// the first and the last point count, and those at which it turns back; a spline over such points
-// would go beyond these, and would all but stand still where points are close to each other.
-// Otherwise one piece has all points.
+// The points through which the path is made. Where all joints move in proportion the path is
+// straight, so only the first and the last point and those at which it reverses are needed. A
+// spline through all points would overshoot these, and would become very slow where points are
+// close to each other. Otherwise one piece has all points.
 std::vector<std::vector<Eigen::VectorXd>> pieces_of(const std::vector<Eigen::VectorXd>& points) {
   const Eigen::VectorXd& from = points.front();
   const auto far = std::ranges::max_element(
@@ -59,7 +59,7 @@ std::vector<std::vector<Eigen::VectorXd>> pieces_of(const std::vector<Eigen::Vec
   return pieces;
 }
 
-// Nothing if motors cannot hold the arm somewhere.
+// Empty if the motors cannot hold the arm at some position.
 std::optional<Trajectory> run_fastest(const MoveRequest& request,
                                       const std::vector<Eigen::VectorXd>& points,
                                       std::span<const AxisLimits> limits, bool by_motors) {
@@ -90,8 +90,8 @@ Plan plan_fastest(const MoveRequest& request) {
   std::vector<AxisLimits> limits = limits_beside_motors(request);
   std::optional<Trajectory> strongest;
   if (request.motors != nullptr) strongest = run_fastest(request, points, limits, true);
-  // Where motors cannot hold the arm, the motion is planned with acceleration limits, and shows by
-  // how much they are too weak.
+  // If the motors cannot hold the arm, the motion is planned with acceleration limits, so that the
+  // verification reports by how much the motors are too weak.
   if (!strongest) limits = request.limits;
   const Trajectory fastest =
       strongest ? *std::move(strongest) : *run_fastest(request, points, limits, false);

@@ -1,4 +1,4 @@
-// Planners that treat the joints one after another, or one by one with limited jerk.
+// Planners that move the joints one after another, or each by itself with limited jerk.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,7 @@ TooFast named(const MoveRequest& request, int joint, LimitKind kind) {
           .limit = limit_value(limits_of(request, joint), kind)};
 }
 
-// The limit that the fastest motion over D runs into, if it can be only one: the one it holds for a
-// while.
+// The limit that the fastest motion over the distance D holds for some time, if there is only one.
 LimitKind held_limit(double D, const AxisLimits& limits) {
   const double V = limits.speed, A = limits.acceleration, J = limits.jerk;
   const double up = V * J >= A * A ? A / J + V / A : 2.0 * std::sqrt(V / J);
@@ -42,7 +41,8 @@ TooFast slowest_of_limited_jerk(const MoveRequest& request, std::span<const Axis
   return named(request, slowest, held_limit(D, limits_of(request, slowest)));
 }
 
-// More time makes the whole slower. Nothing if motors cannot hold the arm.
+// If more time is requested, the whole motion is slowed down. Empty if the motors cannot hold the
+// arm at some position.
 std::optional<Plan> plan_with_motors(const MoveRequest& request) {
   std::optional<Trajectory> fastest = limited_jerk_with_motors(request);
   if (!fastest) return {};
@@ -69,7 +69,7 @@ Plan plan_one_by_one(const MoveRequest& request) {
     JointPath path{.q_end = request.q1[i]};
     if (D != 0.0) {
       const LeastTime least = quintic_least_time(D, limits_of(request, i));
-      // A joint without limits gets a second's share of the time.
+      // A joint without limits takes one second, scaled like the other joints.
       const double share = least.time > 0.0 ? least.time : 1.0;
       if (T > 0.0) path.segments.push_back(standing(request.q0[i], T));
       path.segments.push_back(quintic_segment({.q = request.q0[i]}, {.q = request.q1[i]}, share));
@@ -129,7 +129,7 @@ Plan plan_limited_jerk(const MoveRequest& request) {
     return {.trajectory = move.trajectory().stretched(chosen.T / move.T),
             .too_fast = chosen.too_fast};
   }
-  // More time lowers the speeds; accelerations and jerks stay what they are.
+  // If more time is requested, the speeds are reduced; accelerations and jerks stay the same.
   move.T = chosen.T;
   for (std::size_t i = 0; i < move.to.size(); ++i) {
     const AxisLimits& limits = request.limits[i];

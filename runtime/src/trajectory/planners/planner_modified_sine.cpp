@@ -1,4 +1,5 @@
-// The planner ModSine: of the smooth laws the one that changes its load most gently.
+// The planner ModSine: the modified sine law, whose acceleration changes least abruptly among the
+// smooth laws.
 
 #include "armlet/math/angles.hpp"
 #include "armlet/math/det_math.hpp"
@@ -23,13 +24,13 @@ AxisState modified_sine(double x) {
   const double frequency = in_between ? kSlow : kQuick;
   const auto [sine, cosine] = det::sincos(in_between ? kSlow * x + kPi / 3.0 : kQuick * x);
   const double lead = x <= 0.125 ? 0.0 : in_between ? 2.0 / kPi : 4.0 / kPi;
-  const double ratio = kQuick / frequency;  // of the periods
+  const double ratio = kQuick / frequency;  // ratio of the two periods
   return {.q = kPeak / kQuick * (x + lead - ratio * ratio * sine / kQuick),
           .v = kPeak / kQuick * (1.0 - ratio * cosine),
           .a = kPeak * sine};
 }
 
-// As 64 pieces of degree 5, which stray from it by less than 1e-10.
+// The law as 64 pieces of degree 5, with errors below 1e-10.
 ScalarLaw modified_sine_law() {
   constexpr int kPieces = 64;
   ScalarLaw law;

@@ -14,11 +14,11 @@
 namespace armlet {
 namespace {
 
-constexpr int kCells = 64;          // of the speed along a path
-constexpr int kIntervals = 100;     // where it is known without limits on jerk
+constexpr int kCells = 64;          // pieces of the speed along a path
+constexpr int kIntervals = 100;     // intervals for the motion without jerk limits
 constexpr double kRounding = 1e-9;  // relative
 
-// Slowed down as a whole until motors can do it; nothing if none is slow enough.
+// The motion, slowed down until the motors suffice; empty if no factor is sufficient.
 std::optional<Trajectory> slowed(const Robot& motors, Trajectory motion) {
   const double slower = motion_forces(motors, motion).slower;
   if (!std::isfinite(slower)) return {};
@@ -26,7 +26,7 @@ std::optional<Trajectory> slowed(const Robot& motors, Trajectory motion) {
   return motion.stretched(slower);
 }
 
-// Each joint with its limits on speed and jerk and, where its motor is known, that of its motor.
+// The limits of each joint on speed and jerk, with that of its motor if the motor is known.
 class MotorRuns {
  public:
   explicit MotorRuns(const MoveRequest& request)
@@ -36,7 +36,7 @@ class MotorRuns {
     const Trajectory by_acceleration = phased_move(request_, request_.limits).trajectory();
     const Trajectory free = without_accelerations();
     std::optional<Trajectory> best = slowed(motors_, free);
-    // No motion is faster than one that speeds and jerks alone limit.
+    // No motion is faster than one that only the limits on speed and jerk restrict.
     if (best && best->duration() <= free.duration() * (1.0 + kRounding)) return best;
     take_shorter(best, slowed(motors_, by_acceleration));
     take_shorter(best, along(free, evenly(free)));
@@ -49,7 +49,7 @@ class MotorRuns {
     if (other && (!best || other->duration() < best->duration())) best = std::move(other);
   }
 
-  // From rest to its highest speed and back no joint comes to more than sqrt(V J).
+  // A joint that accelerates from rest to its highest speed V and back exceeds sqrt(V J) nowhere.
   [[nodiscard]] Trajectory without_accelerations() const {
     std::vector<AxisLimits> limits = limits_;
     for (AxisLimits& l : limits) {
@@ -58,7 +58,7 @@ class MotorRuns {
     return phased_move(request_, limits).trajectory();
   }
 
-  // The path of a motion, run as it is.
+  // The path of a motion, with its positions in the order of time.
   static SpeedAlongPath evenly(const Trajectory& motion) {
     SpeedAlongPath speed;
     for (int k = 0; k <= kIntervals; ++k) {
@@ -76,7 +76,7 @@ class MotorRuns {
     return slowed(motors_, std::move(run.motion));
   }
 
-  // All joints in proportion.
+  // All joints move in proportion.
   [[nodiscard]] std::optional<Trajectory> straight() const {
     const std::vector<Eigen::VectorXd> points = {request_.q0, request_.q1};
     const Trajectory path = path_through(points);

@@ -1,4 +1,4 @@
-// Planners that lay one curve through all points and then run it as fast as asked.
+// Planners that make one curve through all points, and then scale its time to the request.
 
 #include <fmt/format.h>
 
@@ -16,9 +16,9 @@ namespace {
 using Curve = std::vector<Segment> (*)(std::span<const double> t, std::span<const double> q,
                                        const PathEnds& ends);
 
-// curve       the pieces through given points at given times.
-// three_legs  it is made of lift-off, travel and set-down.
-// smooth      its acceleration is continuous from rest to rest, so that a limit on jerk counts.
+// curve       makes the pieces through given points at given times.
+// three_legs  whether it consists of lift-off, travel and set-down.
+// smooth      whether its acceleration is continuous from rest to rest, so that jerk limits apply.
 struct Shape {
   const char* name;
   Curve curve;
@@ -44,8 +44,8 @@ std::vector<Eigen::VectorXd> points_of(const MoveRequest& request, const Shape& 
   return points;
 }
 
-// Times of the points, from 0. What is not given is divided by how long the legs take at the speed
-// limits; a leg without travel gets a hundredth.
+// The times of the points, from 0. Times that are not given are distributed in proportion to the
+// durations of the segments at the speed limits; a segment without travel gets a hundredth.
 std::vector<double> times_of(const MoveRequest& request, const Shape& shape,
                              const std::vector<Eigen::VectorXd>& points) {
   std::vector<double> legs(points.size() - 1, 1.0);
@@ -83,7 +83,7 @@ Trajectory lay(const Shape& shape, const std::vector<double>& t,
   return {std::move(joints), t.back()};
 }
 
-// The least time of this curve, and what decides it.
+// The least time of this curve, and the limit that decides it.
 TooFast slowest_joint(const MoveRequest& request, const Trajectory& motion, bool smooth) {
   TooFast slowest{.limit = limits_of(request, 0).speed};
   const auto consider = [&](int i, LimitKind kind, double stretch) {

@@ -11,7 +11,8 @@
 namespace armlet {
 namespace {
 
-// A time computed from a limit may be given back as a time: rounding must not make it too short.
+// A time that was computed from a limit may be requested again, so rounding errors must not make it
+// too short.
 constexpr double kTimeSlack = 1e-9;
 constexpr double kNoTravel = 1e-12;  // rad or m
 
@@ -35,7 +36,7 @@ double limit_value(const AxisLimits& limits, LimitKind kind) {
     case LimitKind::kJerk:
       return limits.jerk;
     case LimitKind::kForce:
-      return 0.0;  // a motor's, which is not one of the axis
+      return 0.0;  // the limit of a motor, which is not one of the axis
   }
   return 0.0;
 }
@@ -106,7 +107,7 @@ TooFast tightest_joint(const MoveRequest& request, std::span<const AxisLimits> a
 
 namespace {
 
-// The joint that comes nearest to its speed limit.
+// The joint that comes closest to its speed limit.
 TooFast busiest_joint(const MoveRequest& request, const Trajectory& motion) {
   TooFast busiest{.limit = limits_of(request, 0).speed};
   double highest = 0.0;

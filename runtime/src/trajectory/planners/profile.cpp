@@ -80,10 +80,11 @@ namespace {
 // The four derivatives of a curve at one end of a piece, in units of the piece's length.
 using Ends = std::array<double, 4>;
 
-// The polynomial of degree 7 on [0, 1] with these values, first, second and third derivatives.
+// The polynomial of degree 7 on [0, 1] with these values and first, second and third derivatives at
+// its ends.
 std::array<double, 8> septic_between(const Ends& a, const Ends& b) {
   std::array<double, 8> c{a[0], a[1], 0.5 * a[2], a[3] / 6.0};
-  // What the upper four coefficients must add at x = 1.
+  // The values that the upper four coefficients must add at x = 1.
   const double p = b[0] - (c[0] + c[1] + c[2] + c[3]);
   const double v = b[1] - (c[1] + 2.0 * c[2] + 3.0 * c[3]);
   const double s = b[2] - (2.0 * c[2] + 6.0 * c[3]);
@@ -169,7 +170,7 @@ Trapezoid fastest_trapezoid(double travel, const AxisLimits& limits) {
   const double D = std::abs(travel);
   const double V = limits.speed;
   const double A = limits.acceleration;
-  // Without an acceleration limit there is no ramp, without either limit no time at all.
+  // Without an acceleration limit the motion has no ramps; without any limit it takes no time.
   if (D == 0.0 || (std::isinf(V) && std::isinf(A))) return {};
   if (std::isinf(A)) return {.ramp = 0.0, .speed = V, .duration = D / V};
   if (std::isinf(V) || D < V * V / A) {
@@ -190,9 +191,9 @@ std::optional<Trapezoid> trapezoid_in_time(double travel, double T, double A) {
   const double D = std::abs(travel);
   if (std::isinf(A)) return Trapezoid{.ramp = 0.0, .speed = D / T, .duration = T};
   const double discriminant = A * T * A * T - 4.0 * A * D;
-  // A triangle that fits exactly may miss by rounding.
+  // Rounding errors may make a triangle that fits exactly seem too long.
   if (discriminant < -1e-12 * A * T * A * T) return std::nullopt;
-  // The smaller root of V^2 - A T V + A D = 0, written so that nothing cancels.
+  // The smaller root of V^2 - A T V + A D = 0, in the form without cancellation.
   const double V = 2.0 * A * D / (A * T + std::sqrt(std::max(discriminant, 0.0)));
   return Trapezoid{.ramp = V / A, .speed = V, .duration = T};
 }
@@ -207,7 +208,7 @@ std::vector<Segment> trapezoid_segments(double q, double travel, const Trapezoid
   const double v = std::copysign(shape.speed, travel);
   const double cruise = shape.duration - 2.0 * shape.ramp;
   const double covered = 0.5 * v * shape.ramp;
-  // Pieces shorter than the clock's resolution carry nothing but rounding.
+  // Pieces shorter than the clock's resolution contain only rounding errors.
   constexpr double kShortest = 1e-12;
   std::vector<Segment> pieces;
   double t = 0.0;

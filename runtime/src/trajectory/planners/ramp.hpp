@@ -1,4 +1,4 @@
-// From one speed to another with limited acceleration and jerk.
+// Changes of speed with limited acceleration and jerk.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,8 @@
 
 namespace armlet {
 
-// From (v, a) to another speed without acceleration: jerk, hold, jerk of the other sign.
+// A change from (v, a) to another speed with no acceleration: a phase of constant jerk, one of
+// constant acceleration, and one of jerk with the other sign.
 struct Ramp {
   double jerk = 0.0;  // of the first step, with sign
   double rise = 0.0;  // s
@@ -18,10 +19,10 @@ struct Ramp {
   [[nodiscard]] double duration() const { return rise + hold + fall; }
 };
 
-// The shortest one. |a| <= A.
+// The shortest ramp, for |a| <= A.
 inline Ramp make_ramp(double v, double a, double v_goal, double A, double J) {
   const double need = v_goal - v;
-  // Bringing the acceleration straight to zero changes the speed by a |a| / 2 J.
+  // Reducing the acceleration directly to zero changes the speed by a |a| / 2 J.
   const double direction = need >= a * std::abs(a) / (2.0 * J) ? 1.0 : -1.0;
   const double x = direction * a;
   const double gain = direction * need;
@@ -35,14 +36,14 @@ inline Ramp make_ramp(double v, double a, double v_goal, double A, double J) {
       .jerk = direction * J, .rise = std::max(peak - x, 0.0) / J, .hold = hold, .fall = peak / J};
 }
 
-// The state t seconds later under constant jerk.
+// The state after t seconds of constant jerk.
 inline AxisState after(const AxisState& s, double jerk, double t) {
   return {.q = s.q + t * (s.v + t * (0.5 * s.a + t * jerk / 6.0)),
           .v = s.v + t * (s.a + 0.5 * t * jerk),
           .a = s.a + t * jerk};
 }
 
-// The state at time t of a ramp that begins in s; after its end the speed is held.
+// The state at time t of a ramp that begins in the state s; after its end the speed is constant.
 inline AxisState along(const AxisState& s, const Ramp& ramp, double t) {
   const double rise = std::clamp(t, 0.0, ramp.rise);
   const double hold = std::clamp(t - ramp.rise, 0.0, ramp.hold);

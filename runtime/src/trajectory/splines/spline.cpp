@@ -26,8 +26,8 @@ void check_points(std::span<const double> t, std::span<const double> q) {
 
 namespace {
 
-// Speeds at the points from continuity of acceleration: a tridiagonal system, diagonally dominant,
-// so elimination needs no pivots.
+// The speeds at the points follow from the continuity of the acceleration. The system is
+// tridiagonal and diagonally dominant, so elimination needs no pivots.
 std::vector<double> point_speeds(std::span<const double> t, std::span<const double> q,
                                  double v_start, double v_end) {
   const std::size_t last = t.size() - 1;
@@ -65,7 +65,8 @@ std::vector<Segment> cubic_spline(std::span<const double> t, std::span<const dou
 std::vector<Segment> natural_spline(std::span<const double> t, std::span<const double> q) {
   check_points(t, q);
   const std::size_t last = t.size() - 1;
-  // Accelerations at the points; continuity of speed is a tridiagonal system.
+  // The accelerations at the points follow from the continuity of the speed, by a tridiagonal
+  // system.
   std::vector<double> upper(t.size(), 0.0);
   std::vector<double> a(t.size(), 0.0);
   for (std::size_t i = 1; i < last; ++i) {

@@ -1,5 +1,5 @@
-// Splines of degree 4 and 5, and the paths of lift-off, travel and set-down; their sources are
-// named in spline.hpp (de Boor 1963; Fu, Gonzalez, Lee 1987).
+// Splines of degree 4 and 5, and the paths of lift-off, travel and set-down; spline.hpp names the
+// sources (de Boor 1963; Fu, Gonzalez, Lee 1987).
 
 #include <fmt/format.h>
 
@@ -27,7 +27,8 @@ void check_four(std::span<const double> t, std::span<const double> q) {
   }
 }
 
-// A quartic that ends with the acceleration to.a, made as its mirror image in time.
+// The quartic that ends with the acceleration to.a, made as the mirror image in time of one that
+// begins with it.
 Segment quartic_ending(const AxisState& from, const AxisState& to, double T, double start) {
   return reversed(
       quartic_segment({.q = to.q, .v = -to.v, .a = to.a}, {.q = from.q, .v = -from.v}, T), start);
@@ -46,7 +47,8 @@ std::vector<Segment> two_quartics(std::span<const double> q, double T, const Pat
           quartic_ending(middle, {.q = q[1], .v = ends.v_end, .a = ends.a_end}, h, h)};
 }
 
-// Speeds at the points from continuity of acceleration; tridiagonal and diagonally dominant.
+// The speeds at the points follow from the continuity of the acceleration; the system is
+// tridiagonal and diagonally dominant.
 std::vector<double> quartic_speeds(std::span<const double> t, std::span<const double> q,
                                    const PathEnds& ends) {
   const std::size_t last = t.size() - 1;
@@ -165,7 +167,7 @@ std::vector<Segment> path_353(std::span<const double> t, std::span<const double>
                               const PathEnds& ends) {
   check_four(t, q);
   const double T1 = t[1], T2 = t[2] - t[1], T3 = t[3] - t[2];
-  // A cubic from a whole state to a position; its other end from the mirror image.
+  // The cubic from a complete state to a position; the one to a complete state is its mirror image.
   const auto lift = [](double q0, double v0, double a0, double q1, double T) {
     const double jerk_part = (q1 - q0 - T * (v0 + 0.5 * a0 * T)) / (T * T * T);
     return Segment{.duration = T, .degree = 3, .c = {q0, v0, 0.5 * a0, jerk_part}};
@@ -182,10 +184,10 @@ std::vector<Segment> path_five_cubics(std::span<const double> t, std::span<const
   check_four(t, q);
   const double h = 0.5 * t[1], H = t[2] - t[1], k = 0.5 * (t[3] - t[2]);
   const double a0 = ends.a_start, a5 = ends.a_end;
-  // The free points are X + h^2 a / 6 and Y + k^2 a / 6 with the accelerations there.
+  // The free points are X + h^2 a / 6 and Y + k^2 a / 6, with the accelerations a at these points.
   const double X = q[0] + h * ends.v_start + h * h * a0 / 3.0;
   const double Y = q[3] - k * ends.v_end + k * k * a5 / 3.0;
-  // Continuity of speed at the two given points holds their accelerations only.
+  // The continuity of speed at the two given points contains only their accelerations.
   const double slope = (q[2] - q[1]) / H;
   const double r1 = slope - (q[1] - X) / h;
   const double r2 = (Y - q[2]) / k - slope;

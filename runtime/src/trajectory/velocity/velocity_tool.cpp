@@ -27,12 +27,11 @@ constexpr double kAllButAll = 0.99;
 // Part of the limits that is used in choosing a law: when the command is planned again in the
 // middle, the polynomials differ a little.
 constexpr double kWithin = 0.995;
-// Fractions by which the tool may exceed the fastest velocity still being reached: during the
-// take-up, while the joints come to rest after it, and while they decelerate because another
-// velocity cannot be reached otherwise; a larger one means that the velocity being reached is not
-// the one given. So a deceleration that was possible after one command is mostly possible for the
-// next.
-// possible for the next.
+// Fractions by which the tool may exceed the fastest velocity that it is still reaching: during the
+// take-up; while the joints come to rest after it; and while they decelerate because another
+// velocity cannot be reached otherwise. A larger excess means that the velocity which the tool is
+// reaching is not the commanded one. With these fractions a deceleration that was possible after
+// one command is mostly possible after the next.
 constexpr double kCalm = 0.002;
 constexpr double kCalmStop = 0.005;
 constexpr double kCalmBrake = 0.008;
