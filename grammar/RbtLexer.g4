@@ -1,8 +1,8 @@
 // The tokens of the .rbt language (docs/language.md, section 3).
 //
-// The lexer never fails: text that is no token becomes BADNUM, BADSTR or ERR, which are reported in the words of the
-// program before the parser runs. Line breaks are tokens on a channel of their own; interpreter/src/syntax/line_ends
-// makes ends of statements of them, so that the parser sees only SEMI.
+// The lexer never fails: invalid text becomes a token BADNUM, BADSTR or ERR, which is reported with the words of the
+// program before the parser runs. Line breaks are tokens on a channel of their own; syntax/tokens/line_ends.cpp of the
+// interpreter replaces those that end a statement by SEMI, so that the parser sees no line breaks.
 lexer grammar RbtLexer;
 
 options { language = Cpp; }
@@ -107,7 +107,7 @@ fragment UNIT
   ;
 
 // ---------------------------------------------------------------- text and names
-// Between three quotes a text spans lines. Such a text that is never closed holds the rest of the program.
+// A text in three quotes may have several lines. Without closing quotes it contains the rest of the program.
 FSTRING : 'f' '"' (~["\\\r\n] | '\\' ~[\r\n])* '"' | 'f' '"""' LONG_PART* '"""' ;
 STRING
   : '"' (~["\\\r\n] | '\\' ~[\r\n])* '"'
@@ -167,7 +167,7 @@ PERCENT : '%' ;
 BSLASH : '\\' ;
 CARET : '^' ;
 
-// ---------------------------------------------------------------- what the parser does not see
+// ---------------------------------------------------------------- comments, blanks and line breaks
 BLOCK_COMMENT : '/*' .*? '*/' -> channel(HIDDEN) ;
 LINE_COMMENT : '//' ~[\r\n]* -> channel(HIDDEN) ;
 NL : ('\r'? '\n' | '\r') -> channel(LINE_BREAKS) ;

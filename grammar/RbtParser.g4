@@ -1,8 +1,8 @@
 // The syntax of the .rbt language (docs/language.md, section 4).
 //
-// Free of ambiguities: a test runs random sentences through it with ANTLR's exact ambiguity detection. The traps that
-// shaped it are listed in grammar/README.md. Contexts carry their depth of nesting (guarded_parser.hpp), because the
-// generated parser is recursive and its stack is not endless.
+// The grammar has no ambiguities: a test parses random sentences with ANTLR's exact ambiguity detection. grammar/README.md
+// lists the pitfalls that determined its form. Contexts have their depth of nesting (guarded_parser.hpp), because the
+// generated parser is recursive and its stack is limited.
 parser grammar RbtParser;
 
 options {
@@ -56,7 +56,7 @@ stmt
   | closedStmt
   ;
 
-// return p.corner;      (what may be the unbraced body of an `if`, so that no `else` can be misread)
+// return p.corner;      (the statements that may be an `if` body without braces, so that each `else` has one `if`)
 closedStmt
   : exprStmt SEMI
   | waitStmt SEMI

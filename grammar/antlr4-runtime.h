@@ -1,7 +1,7 @@
 #pragma once
-// Stands in front of ANTLR's header of the same name. clang refuses a constructor in ANTLR 4.9 that
-// g++ accepts: the const members of Vocabulary have no initialisers, so its default constructor is
-// deleted. Here they get some.
+// Replaces ANTLR's header of the same name. clang rejects a constructor in ANTLR 4.9 that g++
+// accepts: the const members of Vocabulary have no initialisers, so its default constructor is
+// deleted. This header gives them initialisers.
 
 #ifdef __clang__
 #define _literalNames \

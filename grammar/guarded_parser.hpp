@@ -1,20 +1,20 @@
 #pragma once
-// Base classes of the generated parser that count nesting: its functions call each other once per
-// level of the text, so without a limit a text of a few hundred kilobytes would overflow the stack.
+// Base classes of the generated parser with limits of nesting. The functions of the parser are
+// recursive, so a text of a few hundred kilobytes could overflow the stack.
 
 #include <cstddef>
 
 #include "antlr4-runtime.h"
 
-// A context that knows how deep it is nested.
+// A parse tree context with its depth of nesting.
 class GuardedCtx : public antlr4::ParserRuleContext {
  public:
   GuardedCtx() = default;
   GuardedCtx(antlr4::ParserRuleContext* parent_context, size_t state)
       : antlr4::ParserRuleContext(parent_context, state), level(level_of(parent_context)) {}
 
-  // Labelled alternatives are made through copyFrom; without this they would start again at level
-  // 0.
+  // Contexts of labelled alternatives are made by copyFrom; without this declaration their depth
+  // would begin at 0 again.
   using antlr4::ParserRuleContext::copyFrom;
   void copyFrom(antlr4::ParserRuleContext* other) override {
     antlr4::ParserRuleContext::copyFrom(other);
@@ -26,19 +26,20 @@ class GuardedCtx : public antlr4::ParserRuleContext {
   }
 
   size_t level = 0;
-  size_t chain = 0;  // operators and suffixes that follow each other: 1 + 2 + 3 has two
+  size_t chain = 0;  // consecutive operators and suffixes: 1 + 2 + 3 has two
 };
 
-// Throws ParseCancellationException where the nesting exceeds `max_level`, or a chain `max_chain`.
+// Throws ParseCancellationException if the nesting exceeds `max_level`, or a chain exceeds
+// `max_chain`.
 class GuardedParser : public antlr4::Parser {
  public:
   using antlr4::Parser::Parser;
 
   size_t max_level = 200;
   size_t max_chain = 1000;
-  bool chain_too_long = false;  // which of the two it was
+  bool chain_too_long = false;  // which of the two limits was exceeded
 
-  // Whether entering `rule` is one level more.
+  // Whether `rule` is a level of nesting.
   virtual bool opensLevel(size_t rule) const = 0;
 
   void enterRule(antlr4::ParserRuleContext* context, size_t state, size_t rule) override {
@@ -53,7 +54,7 @@ class GuardedParser : public antlr4::Parser {
     enter_level(context, rule);
   }
 
-  // `1 + 2` found after `1`: the new context stands where the old one stood.
+  // `1 + 2`, parsed after `1`: the new context replaces the old one as the parent.
   void pushNewRecursionContext(antlr4::ParserRuleContext* context, size_t state,
                                size_t rule) override {
     auto* grown = static_cast<GuardedCtx*>(context);

@@ -1,6 +1,7 @@
-// Writes generated/RbtTables.h: what the generated lexer and parser find out while they run, found
-// out beforehand. ANTLR interprets its grammar and remembers what it has seen in automata; here it
-// is asked for these automata, so that a short program neither builds the grammar nor the automata.
+// Writes generated/RbtTables.h: the automata of the generated lexer and parser, made in advance. At
+// run time ANTLR would interpret the grammar and build the automata from the texts that it has
+// seen. This program lets ANTLR build them, so that a short program needs neither the grammar nor
+// the automata.
 //
 // usage: make_tables > grammar/generated/RbtTables.h
 
@@ -25,7 +26,7 @@ using namespace antlr4;
 using namespace antlr4::atn;
 using dfa::DFAState;
 
-// Numbers are written this wide.
+// The width of a line of numbers, characters.
 constexpr std::size_t kLineWidth = 100;
 
 void print_list(const char* type, const std::string& name, const std::vector<std::string>& items) {
@@ -50,7 +51,7 @@ void print_numbers(const char* type, const std::string& name, const std::vector<
 
 // ---------------------------------------------------------------- the lexer
 
-// Opens what the simulator keeps to itself.
+// Makes protected members of the simulator accessible.
 class LexerAutomaton : public LexerATNSimulator {
  public:
   using LexerATNSimulator::LexerATNSimulator;
@@ -71,7 +72,7 @@ class LexerAutomaton : public LexerATNSimulator {
 constexpr std::size_t kCharacters = 0x110000;
 constexpr std::size_t kAscii = 128;
 
-// The first characters of the intervals that the grammar distinguishes.
+// The first characters of the character intervals that the grammar distinguishes.
 std::vector<std::size_t> intervals_of(const ATN& atn) {
   std::set<std::size_t> firsts{0};
   for (const ATNState* state : atn.states) {
@@ -89,11 +90,11 @@ std::vector<std::size_t> intervals_of(const ATN& atn) {
   return {firsts.begin(), firsts.end()};
 }
 
-// States by number and interval of characters; nothing leaves state 0, and 1 is the first.
+// Transitions by state and character interval. State 0 has no transitions, state 1 is the first.
 struct LexerTable {
-  std::vector<std::size_t> firsts;  // of the intervals
+  std::vector<std::size_t> firsts;  // of the character intervals
   std::vector<std::vector<std::size_t>> next{std::vector<std::size_t>(firsts.size())};
-  std::vector<std::size_t> token{0};  // that ends in the state
+  std::vector<std::size_t> token{0};  // the token that ends in the state
 
   explicit LexerTable(const ATN& atn) : firsts(intervals_of(atn)) {
     std::vector<dfa::DFA> automata;
@@ -125,7 +126,7 @@ void write_lexer() {
   const LexerTable table(lexer.getATN());
   const std::vector<std::size_t>& firsts = table.firsts;
   std::map<std::vector<std::size_t>, std::size_t> classes;
-  std::vector<std::size_t> class_of;  // of each interval
+  std::vector<std::size_t> class_of;  // by interval
   std::vector<std::vector<std::size_t>> columns;
   for (std::size_t i = 0; i < firsts.size(); ++i) {
     std::vector<std::size_t> column;
@@ -160,7 +161,7 @@ void write_lexer() {
 
 // ---------------------------------------------------------------- the parser
 
-// Kinds of tokens, one after the other.
+// A stream of tokens given by their kinds.
 class Kinds : public TokenStream {
  public:
   explicit Kinds(std::vector<std::size_t> kinds = {}) : kinds_(std::move(kinds)), token_(1) {}
@@ -198,19 +199,19 @@ class ParserAutomaton : public RbtParser {
 
   ParserATNSimulator& simulator() { return *getInterpreter<ParserATNSimulator>(); }
 
-  // Fills the automaton of the decision as far as these tokens lead.
+  // Extends the automaton of the decision by these tokens.
   void predict(std::size_t decision, const std::vector<std::size_t>& kinds) {
     Kinds input(kinds);
     try {
       simulator().adaptivePredict(&input, decision, nullptr);
-    } catch (const NoViableAltException&) {  // no program goes on like this
+    } catch (const NoViableAltException&) {  // no program continues with these tokens
     }
   }
   void set_precedence(int precedence) { _precedenceStack = {precedence}; }
 };
 
-constexpr std::size_t kLookAhead = 5;     // tokens; beyond it ANTLR is asked
-constexpr std::size_t kEnd = 0;           // the kind of the end of the text
+constexpr std::size_t kLookAhead = 5;     // tokens; for more of them ANTLR predicts
+constexpr std::size_t kEnd = 0;           // the kind of the token for the end of the text
 constexpr int kPrecedences = 16;          // of operators: 0 to 15
 constexpr std::size_t kAccepts = 0x8000;  // + 256 * precedence + alternative
 
@@ -261,7 +262,8 @@ class DecisionWriter {
     std::vector<std::size_t> path;
   };
 
-  // The states behind `start`, by number; the number of `start`, 0 if it decides nothing.
+  // Numbers the states that are reachable from `start`; returns the number of `start`, or 0 if it
+  // decides nothing.
   std::size_t explore(std::size_t decision, DFAState* start) {
     if (start == nullptr || start->isAcceptState) return 0;
     const std::size_t base = first_edge_.size();
@@ -317,7 +319,8 @@ class DecisionWriter {
     }
   }
 
-  // What may come next in a block: asked before every statement.
+  // Writes the kinds of tokens that may begin a statement of a block, or end it; the parser checks
+  // them before every statement.
   void write_block() {
     const ATN& atn = parser_.simulator().atn;
     std::vector<std::size_t> kinds;

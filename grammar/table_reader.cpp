@@ -11,8 +11,8 @@ using namespace antlr4;
 using namespace antlr4::atn;
 using misc::IntervalSet;
 
-// The version of the format and its identity, 59627784-3BE5-417A-B9EB-8131A7286089, as
-// tables begin.
+// The beginning of a table: the version of the format and its identity,
+// 59627784-3BE5-417A-B9EB-8131A7286089.
 constexpr std::uint16_t kFormat[] = {0x0003, 0x608b, 0xa72a, 0x8133, 0xb9ed,
                                      0x417c, 0x3be7, 0x7786, 0x5964};
 constexpr std::size_t kNone = 0xFFFF;
@@ -26,7 +26,7 @@ bool is_block_start(std::size_t type) {
          type == ATNState::STAR_BLOCK_START;
 }
 
-// The words of a table, one after the other. All but the first are stored with 2 added.
+// Reads the words of a table in their order. All but the first are stored with 2 added.
 class Words {
  public:
   explicit Words(const std::vector<std::uint16_t>& table) : at_(table.data() + std::size(kFormat)) {
@@ -98,7 +98,7 @@ void read_rules(Words& words, ATN& atn) {
   }
 }
 
-// `wide`: characters of two words.
+// `wide`: characters consist of two words.
 void read_sets(Words& words, bool wide, std::vector<IntervalSet>& sets) {
   const auto character = [&words, wide] {
     const std::size_t low = words.next();
@@ -132,7 +132,7 @@ void read_edges(Words& words, ATN& atn) {
   }
 }
 
-// From the end of a rule prediction goes on behind each of its calls.
+// After the end of a rule, prediction continues after each call of the rule.
 void add_returns(ATN& atn) {
   for (ATNState* state : atn.states) {
     for (Transition* transition : state->transitions) {
@@ -164,7 +164,7 @@ void connect_loops(ATN& atn) {
   }
 }
 
-// Where a left-recursive rule decides whether another operator follows.
+// Marks the decisions in left-recursive rules whether another operator follows.
 void mark_precedence_decisions(ATN& atn) {
   for (ATNState* state : atn.states) {
     if (!is(state, ATNState::STAR_LOOP_ENTRY)) continue;

@@ -1,7 +1,8 @@
 #pragma once
-// Reads the tables of a generated parser or lexer, as antlr4::atn::ATNDeserializer does, in a third
-// of the time: every start of a program pays for it. ANTLR's own reader asks each state for its
-// class again and again; here the type says it. The tables are part of the program and trusted.
+// Reads the tables of a generated parser or lexer, like antlr4::atn::ATNDeserializer, but in a
+// third of the time, which is a part of every start of a program. ANTLR's reader determines the
+// class of each state repeatedly by casts; this one uses the type in the table. The tables are part
+// of the program, so they are not checked.
 
 #include <antlr4-runtime.h>
 

@@ -194,7 +194,7 @@ bool Laboratory::State::advance_run() {
   return goes_on;
 }
 
-// A look that is under way begins again, in the log that the run has then.
+// A running look begins again, with the new log of the run.
 void Laboratory::State::forget_look(int run) {
   if (!looker.is_at(run)) return;
   looker.forget();

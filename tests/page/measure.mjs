@@ -64,7 +64,7 @@ async function keyTo(page, type, key, back) {
   return median(times);
 }
 
-// What the page does after each step of a drag over the bar of time, and until its next picture is there.
+// What the page does after each step of a drag over the time bar, and until its next picture is there.
 async function drag(page) {
   const times = await page.evaluate(async () => {
     const bar = document.querySelector(".bar");
@@ -149,7 +149,7 @@ try {
   await untilStatus(page, /60\.00 s/);
   await page.waitForTimeout(2000);
   const [handled, whole] = await drag(page);
-  console.log(`drag of the bar of time, 3 robots, 50 objects, 20 plots: ${handled.toFixed(1)} ms of script, ${ms(whole)} to the picture, drawn as this machine can`);
+  console.log(`drag of the time bar, 3 robots, 50 objects, 20 plots: ${handled.toFixed(1)} ms of script, ${ms(whole)} to the picture, drawn as this machine can`);
   await ended(page);
 } finally {
   large.close();

@@ -17,7 +17,8 @@ inline constexpr int kVideoRate = 25;                        // pictures a secon
 class VideoSink {
  public:
   virtual ~VideoSink() = default;
-  // Once it is known that the program runs. The texts are files that it must not take the place of.
+  // Called once it is known that the program runs. The texts are files that the video must not
+  // overwrite.
   // The exit status, after a message if nothing can be written.
   virtual int open(const std::vector<std::string>& texts) = 0;
   // The exit status as above; after a failure there is nothing more to do.

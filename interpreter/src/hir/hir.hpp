@@ -1,7 +1,7 @@
 #pragma once
 // The checked program: every name resolved, every type known, every conversion written out.
 //
-// The checker makes this tree from the syntax tree; the compiler turns it into bytecode. Overloads,
+// The checker makes this tree from the syntax tree; the compiler makes bytecode of it. Overloads,
 // named and default arguments, x.f(a), units, ambient values and block declarations are gone. A
 // function without declared parameter types appears here once for each combination of argument
 // types. Nodes live in the program's arena and are read-only after checking; they stay alive with

@@ -14,7 +14,7 @@ static Reg part_ends(Lowering& in, std::span<const PartEnds> ends);
 
 namespace {
 
-// The bits that tell PART and PUTPART which of the index positions are single indices.
+// The bits of the instructions PART and PUTPART that mark the index positions with a single index.
 std::uint32_t single_places(const PartEnds& rows, const PartEnds& cols) {
   return (rows.is_range ? 0U : 1U) | (cols.is_range ? 0U : 2U);
 }

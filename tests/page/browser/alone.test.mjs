@@ -139,7 +139,7 @@ test("in one file the program is laid out, mended with one click, gone through i
     await typeAtEnd(page, "arm.movej(posJ(0deg, 0deg, 0mm, 0deg), time: 1s)\n");
     await page.getByRole("button", { name: /^Fix:/ }).first().click();
     await untilStatus(page, /4 moves, 4\.00 s/);
-    // The bar of time is dragged; the tool goes along.
+    // The time bar is dragged; the tool goes along.
     const hand = page.locator("output.where");
     const end = await hand.innerText();
     const bar = await page.locator(".bar").boundingBox();

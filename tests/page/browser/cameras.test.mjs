@@ -1,4 +1,4 @@
-// Windows of cameras: the picture at the instant of the bar of time, what is marked in it, and the pyramid in the 3D view.
+// Windows of cameras: the picture at the instant of the time bar, what is marked in it, and the pyramid in the 3D view.
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";

@@ -1,5 +1,5 @@
 #pragma once
-// Tells whether the contents of a number register or reference register are still needed.
+// Finds out whether the contents of a number register or reference register are still needed.
 
 #include <optional>
 #include <vector>
