@@ -3,12 +3,14 @@
 
 usage: snippets.py COMMAND ROOT
 
-A block after a line `<!-- fails: CODE -->` must fail with that message. All others must run. A block marked text after a line
-`<!-- prints -->` is all that the program before it prints, moves and messages included; after `<!-- prints a part -->` its lines are
-among these, in this order. One after `<!-- prompt -->` is a dialogue with the prompt of the command, which is repeated. A table with a
-column "in Armlet" is a program too: the code of that column from top to bottom, after the last block of its section, if there is one
-that runs. Blocks of C++ in
-docs/embedding.md must stand in the hosts that they are taken from, which are built and run by tests of their own.
+A block after a line `<!-- fails: CODE -->` must fail with that message. All others must run. A table with a column "in Armlet" is a
+program too: the code of that column from top to bottom, after the last block of its section, if there is one that runs.
+
+Blocks marked text are compared with what is printed, moves and messages included. After `<!-- prints -->` a block is all that the
+program before it prints; after `<!-- prints a part -->` its lines are among these, in this order; after `<!-- reports -->` it is what
+`armlet test` prints. After `<!-- prompt -->` it is a dialogue with the prompt of the command, which is repeated.
+
+Blocks of C++ in docs/embedding.md must stand in the hosts that they are taken from, which are built and run by tests of their own.
 """
 import difflib
 import os
@@ -21,10 +23,10 @@ import sys
 import tempfile
 
 BLOCK = re.compile(r"(?:<!-- fails: (\w+) -->\n)?```rbt\n(.*?)```", re.DOTALL)
-SHOWN = re.compile(r"<!-- (prints|prints a part|prompt) -->\n```text\n(.*?)```", re.DOTALL)
+SHOWN = re.compile(r"<!-- (prints|prints a part|reports|prompt) -->\n```text\n(.*?)```", re.DOTALL)
 TABLE = re.compile(r"(?:^\|.*\n)+", re.MULTILINE)
 COLUMN = "in Armlet"
-FILE = re.compile(r"(?<= --> )\S+\.rbt(?=:)")
+FILE = re.compile(r"(?:(?<= --> )|^)\S+\.rbt(?=:|$)", re.MULTILINE)
 PROMPT = "rbt> "
 CPP = re.compile(r"```cpp\n(.*?)```", re.DOTALL)
 HOSTS = ("tests/embed", "tests/unit/host", "tests/unit/stdlib", "examples/embed")
@@ -61,11 +63,11 @@ def programs_of_tables(text):
         yield "\n".join([*blocks[-1:], *code]) + "\n"
 
 
-def printed(command, folder, text):
-    """All that a program prints, in the order of a terminal."""
+def printed(command, verb, folder, text):
+    """All that `run` or `test` prints for a program, in the order of a terminal."""
     path = pathlib.Path(folder) / "shown.rbt"
     path.write_text(text)
-    run = subprocess.run([command, "run", path.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, cwd=folder)
+    run = subprocess.run([command, verb, path.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, cwd=folder)
     return run.stdout
 
 
@@ -104,8 +106,8 @@ def check_shown(command, folder, document):
         if kind == "prompt":
             found = dialogue(command, folder, [line[len(PROMPT):] for line in wanted if line.startswith(PROMPT)])
         else:
-            programs = list(BLOCK.finditer(text, 0, match.start()))
-            found = printed(command, folder, programs[-1][2])
+            program = list(BLOCK.finditer(text, 0, match.start()))[-1][2]
+            found = printed(command, "test" if kind == "reports" else "run", folder, program)
         found = FILE.sub("FILE", found).splitlines()
         if not (is_part(wanted, found) if kind == "prints a part" else wanted == found):
             line = text.count("\n", 0, match.start()) + 1

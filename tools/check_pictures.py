@@ -31,6 +31,9 @@ PICTURES = {
     "tutorial/positions.jpg": ("docs/tutorial/02-positions.md#5", SCENE),
     "tutorial/grasping.jpg": ("docs/tutorial/03-objects-and-grasping.md#1", SCENE),
     "tutorial/around.jpg": ("docs/tutorial/04-why-it-refuses.md#9", SCENE),
+    "tutorial/arc_and_line.svg": ("docs/tutorial/05-lines-and-paths.md#1", FIGURES),
+    "tutorial/planners.svg": ("docs/tutorial/05-lines-and-paths.md#2", FIGURES),
+    "tutorial/tray.jpg": ("docs/tutorial/06-functions-and-tests.md#1", SCENE),
     "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
 }
 
