@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that what comments and documents cite exists: sections, rulings, decisions, message codes and files.
+"""Checks that what comments and documents cite exists: sections, decisions, message codes and files.
 
 usage: check_citations.py [FILE...]
 
@@ -23,7 +23,6 @@ NUMBER = r"\d{1,2}(?:\.\d{1,2})?"
 LIST = rf"{NUMBER}(?:(?:,| and| to|;)\s+{NUMBER}(?![\d.]*\s*(?:mm|deg|s|%)\b))*"
 SECTION = re.compile(rf"\b[Ss]ections?\s+({LIST})")
 BARE = re.compile(rf"\breference,\s+({NUMBER})\b")
-RULING = re.compile(r"\b[Rr]ulings?\s+(\d+(?:(?:,| and| to)\s+\d+)*)")
 DECISION = re.compile(r"\b[Dd]ecisions?\s+(\d+(?:(?:,| and|, and)\s+\d+)*)\b")
 CODE = re.compile(r"\b([ERW]\d{4})\b")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
@@ -73,9 +72,7 @@ class Checker:
     def __init__(self):
         self.files = tracked()
         self.codes = catalogue() | MADE_UP
-        reference = (ROOT / REFERENCE).read_text()
-        self.sections = headings(reference)
-        self.rulings = set(re.findall(r"^(\d+)\. ", reference[reference.index("\n## 24"):], re.M))
+        self.sections = headings((ROOT / REFERENCE).read_text())
         self.decisions = {int(m[1]) for f in self.files if (m := re.match(r"docs/decisions/(\d{4})-", f))}
         self.suffixes = {}
         for file in self.files:
@@ -99,10 +96,6 @@ class Checker:
             for number in re.findall(NUMBER, m[1]):
                 if number not in self.sections | own:
                     self.fault(path, at(m), f"there is no section {number}")
-        for m in RULING.finditer(flat):
-            for number in re.findall(r"\d+", m[1]):
-                if number not in self.rulings:
-                    self.fault(path, at(m), f"there is no ruling {number}")
         for m in DECISION.finditer(flat):
             for number in re.findall(r"\d+", m[1]):
                 if int(number) not in self.decisions:
