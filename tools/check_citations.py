@@ -3,8 +3,8 @@
 
 usage: check_citations.py [FILE...]
 
-"Section 13.2" means docs/language.md, or the document that says it if that has numbered headings; a section of a book stands
-behind its year. CHANGELOG.md is about the past and is left out.
+Rules of the language are cited by the section of their subject. "Section 13.2" means docs/language.md, or the document that
+says it if that has numbered headings; a section of a book stands behind its year. CHANGELOG.md is about the past and is left out.
 """
 import pathlib
 import re
@@ -23,6 +23,7 @@ NUMBER = r"\d{1,2}(?:\.\d{1,2})?"
 LIST = rf"{NUMBER}(?:(?:,| and| to|;)\s+{NUMBER}(?![\d.]*\s*(?:mm|deg|s|%)\b))*"
 SECTION = re.compile(rf"\b[Ss]ections?\s+({LIST})")
 BARE = re.compile(rf"\breference,\s+({NUMBER})\b")
+RULING = re.compile(r"\b[Rr]ulings?\s+\d+")
 DECISION = re.compile(r"\b[Dd]ecisions?\s+(\d+(?:(?:,| and|, and)\s+\d+)*)\b")
 CODE = re.compile(r"\b([ERW]\d{4})\b")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
@@ -96,6 +97,8 @@ class Checker:
             for number in re.findall(NUMBER, m[1]):
                 if number not in self.sections | own:
                     self.fault(path, at(m), f"there is no section {number}")
+        for m in RULING.finditer(flat):
+            self.fault(path, at(m), f"{m[0]}: cite the section of {REFERENCE} that has the rule")
         for m in DECISION.finditer(flat):
             for number in re.findall(r"\d+", m[1]):
                 if int(number) not in self.decisions:

@@ -1,6 +1,6 @@
 #pragma once
 // The sub-commands of armlet. Each returns the exit status of the process (language reference,
-// ruling 25).
+// section 22).
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// What fails, with the words and lines of the reference (section 20, ruling 21).
+// What fails, with the words and lines of the reference (sections 11 and 20).
 
 #include "armlet/interpreter/messages/catalog.hpp"
 #include "evaluator.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-// Values as text (language reference, section 6 and rulings 3 and 4), written without a look at the
-// machine's code.
+// Values as text (language reference, sections 3.2 and 8.7), written without a look at the code of
+// the virtual machine.
 
 #include <string>
 

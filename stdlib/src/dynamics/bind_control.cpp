@@ -1,4 +1,4 @@
-// Control laws, for simulate and torqueJ (language reference, ruling 65).
+// Control laws, for simulate and torqueJ (language reference, section 13.5).
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Robots under forces: without the clock, and on it (language reference, ruling 65).
+// Robots under forces: without the clock, and on it (language reference, section 13.5).
 
 #include <fmt/format.h>
 

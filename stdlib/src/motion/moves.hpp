@@ -70,8 +70,8 @@ struct MoveSettings {
 // The robot that a call plans with.
 [[nodiscard]] const Robot& model_of(Vm& vm, const MoveCall& call);
 
-// The components of a target that count for this arm (rulings 14 and 54). Empty if the arm cannot
-// have its orientation for any joint values.
+// The components of a target that count for this arm (language reference, section 13.2). Empty if
+// the arm cannot have its orientation for any joint values.
 [[nodiscard]] std::optional<IkTask> task_of(const Robot& robot, const PosC& target);
 
 // Joint values for a target in the world, near `seed`.

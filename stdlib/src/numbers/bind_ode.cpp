@@ -1,4 +1,4 @@
-// ode: differential equations (language reference, section 19; ruling 33).
+// ode: differential equations (language reference, section 19.1).
 
 #include <fmt/format.h>
 

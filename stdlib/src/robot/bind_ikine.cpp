@@ -1,4 +1,4 @@
-// Inverse kinematics and its explanations (language reference, section 19).
+// Inverse kinematics and its explanations (language reference, section 13.6).
 
 #include <fmt/format.h>
 

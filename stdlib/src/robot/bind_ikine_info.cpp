@@ -1,5 +1,5 @@
 // ikineInfo: the contents of the messages of inverse kinematics, as values (language reference,
-// section 19).
+// section 13.6).
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// The state of robots and their kinematics (language reference, section 19).
+// The state of robots and their kinematics (language reference, sections 13.6 and 19).
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
-// Files of a program: only below the folder that the host allows (language reference, ruling 34).
+// Files of a program: only below the folder that the host allows (language reference,
+// section 17.1).
 
 #include "armlet/core/files.hpp"
 

@@ -37,7 +37,7 @@ struct PosJ {
 [[nodiscard]] PosJ make_posj(const Robot& robot, const Eigen::VectorXd& q);
 
 // A position and orientation in the world. A pose made from a position only has no orientation of
-// its own (ruling 14).
+// its own (language reference, section 8.6).
 struct PosC {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   bool has_orientation = false;

@@ -16,7 +16,8 @@ Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter);
 // W0723 if the object intersects another one, once for each statement of the program.
 void report_overlap(Vm& vm, const std::string& name);
 
-// Whether the shape shows the rotation of a body: a round one shows only its axis (ruling 14).
+// Whether the shape shows the rotation of a body: a round one shows only its axis
+// (language reference, section 8.6).
 [[nodiscard]] bool has_orientation(const Object& object);
 
 // W0744: there is no colour with that name; gray is used.

@@ -176,7 +176,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("kinds and codes are those of ruling 21") {
+TEST_CASE("kinds and codes are those of the language reference, section 11") {
   const std::pair<const char*, const char*> kinds[] = {
       {"Unreachable", "R0601"}, {"JointLimit", "R0602"},
       {"TooFast", "R0604"},     {"NothingToGrasp", "R0605"},

@@ -1,5 +1,5 @@
-// The nearest pose of a failure is the nearest in place over all branches (ruling 55), against a
-// dense search over the joint space with code of its own.
+// The nearest pose of a failure is the nearest in place over all branches (language reference,
+// section 13.6), against a dense search over the joint space with code of its own.
 #include <doctest/doctest.h>
 
 #include <algorithm>

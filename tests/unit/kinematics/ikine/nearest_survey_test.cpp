@@ -1,5 +1,6 @@
 // Goals at singular positions and next to them, for every kind of arm: the nearest joint values are
-// taken (ruling 53). ARMLET_SURVEY=20000 ARMLET_SEED=1 runs it over so many goals of each arm.
+// taken (language reference, section 13.6). ARMLET_SURVEY=20000 ARMLET_SEED=1 runs it over so many
+// goals of each arm.
 #include <doctest/doctest.h>
 
 #include <cmath>

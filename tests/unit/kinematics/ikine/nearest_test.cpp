@@ -1,5 +1,5 @@
-// Of the joint values that reach a goal the nearest ones are taken (ruling 53),
-// against a dense search over the joint that the goal leaves free. The search
+// Of the joint values that reach a goal the nearest ones are taken (language reference,
+// section 13.6), against a dense search over the joint that the goal leaves free. The search
 // has its own code: it fixes that joint and finds the others by division of
 // what two joints share, or by Newton's method.
 #include <doctest/doctest.h>
