@@ -29,7 +29,7 @@ namespace {
 // The results of functions; docs/wasm.md has those of armlet_run.
 enum Answer : int { kDone = 0, kFailed = 1, kPaused = 2, kCancelled = 3, kMisused = -1 };
 
-// What armlet_take returns and then empties; the hash stays.
+// The results of armlet_take. Each is emptied when it is taken, except the hash.
 enum class What : int { kOutput, kMessages, kMessagesAsJson, kEvents, kHash };
 
 // A session and its output since it was taken last.

@@ -118,7 +118,7 @@ class Evaluator {
   // depth  how much deeper the calls are nested afterwards.
   [[nodiscard]] Value call(const lang::hir::Function& function, Values arguments,
                            const Captures& captures, Span where, std::uint32_t depth = 1);
-  // By a function of the library.
+  // A call of a function value by a function of the library.
   [[nodiscard]] Value call_back(const Value& function, Values arguments, Span where);
   // Functions that take functions; false: it is none of them.
   [[nodiscard]] bool higher_order(const lang::hir::CallNativeExpr& e, Values& arguments,

@@ -1,5 +1,5 @@
 #pragma once
-// What a program needs before it runs, from the command line: robot, world, packages and meshes.
+// Prepares the run of a program from the command line: robot, world, packages and meshes.
 
 #include <memory>
 #include <string>

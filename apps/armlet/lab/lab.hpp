@@ -1,5 +1,5 @@
 #pragma once
-// What the program armlet-lab does.
+// The program armlet-lab: its options, and the functions that serve or save a laboratory.
 
 #include <string>
 

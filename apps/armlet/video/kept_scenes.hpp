@@ -1,5 +1,5 @@
 #pragma once
-// What a cell looks like over time.
+// The scenes of a cell at the instants of a run, for the pictures of a video.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// Where the pictures of a video go: into one file, or each into a file of its own.
+// Writes the pictures of a video: into one video file, or each into its own picture file.
 
 #include <memory>
 #include <string>

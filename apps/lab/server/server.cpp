@@ -19,7 +19,8 @@ namespace armlet::lab {
 namespace {
 
 constexpr std::int64_t kMostWork_ns = 10'000'000'000;
-// Of an incomplete frame: more than a message may have, and the bytes that are read ahead.
+// The limit of an incomplete WebSocket frame: more bytes than a message may have, and the bytes
+// that are read ahead.
 constexpr std::size_t kMostFrameBytes = kMostMessageBytes + 64'000;
 
 std::string_view text_of(const char* text) { return text == nullptr ? "" : text; }
@@ -39,7 +40,7 @@ std::string_view reason(int status) {
   }
 }
 
-// What pages may load and run: only parts of themselves.
+// The HTTP headers that allow a page to load and run only parts of itself.
 std::string security_headers(std::string_view host, std::string_view page) {
   return fmt::format(
       "Content-Security-Policy: default-src 'none'; {1}; style-src 'unsafe-inline'; "

@@ -97,8 +97,7 @@ struct KeptNames {
   PersistentMap<std::vector<const KeptFile*>> imported;  // by name of the file
   std::shared_ptr<const std::vector<KeptAmbient>> ambient;
   std::shared_ptr<const BlockNames> blocks;
-  // By use_key: the names of the functions, tasks and lambdas that use a variable or call a
-  // function.
+  // The functions, tasks and lambdas that use a variable or call a function, by its use_key.
   PersistentMap<std::vector<std::string_view>> users;
   std::uint32_t functions = 0;  // count of numbers in use
   std::uint32_t globals = 0;

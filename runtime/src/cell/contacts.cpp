@@ -273,7 +273,8 @@ void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_
     if (!free.at(now_ns)) {
       Solid body = feeler.solid;
       body.T = frames[static_cast<std::size_t>(feeler.frame)] * feeler.solid.T;
-      // What remains of the distance measured last, or a new measurement.
+      // The distance that was measured last, minus the motion since then; if that is too small, a
+      // new measurement.
       const double moved =
           (body.T.translation() - known_room.T_world_feeler.translation()).norm() +
           (body.T.linear() - known_room.T_world_feeler.linear()).norm() * body.reach();

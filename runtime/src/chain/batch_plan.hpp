@@ -31,8 +31,8 @@ inline BatchArm batch_arm(const WalkPlan& plan) {
           .twist = reinterpret_cast<const unsigned char*>(plan.twist.data())};
 }
 
-// Of the same kernels for three instruction sets those for `set`. For fewer items than lanes a
-// smaller set is used: the bits are the same.
+// Selects one of the versions of a kernel for three instruction sets: that for `set`, or for fewer
+// items than lanes that of a smaller set. The results have the same bits.
 template <class Kernels>
 const Kernels& kernels_for(InstructionSet set, std::size_t count, const Kernels& avx512,
                            const Kernels& avx2, const Kernels& baseline) {

@@ -216,8 +216,8 @@ std::vector<Solid> pedestal_of(const Robot& robot) {
   return pedestal;
 }
 
-// With half the thickness. Shapes made from a joint table are thicker than most arms: a real
-// forearm passes a column that the drawn one would cut.
+// The bodies with half their thickness. Shapes made from a joint table are thicker than most arms:
+// a real forearm passes a column that the drawn one would cut.
 std::vector<ArmSolid> slimmed(std::vector<ArmSolid> bodies) {
   for (ArmSolid& each : bodies) {
     if (each.given) continue;

@@ -34,7 +34,8 @@ class ScenePose {
   [[nodiscard]] std::size_t slot(const BodyRef& ref) const;
   const ArmPose& pose_of(int arm);
   [[nodiscard]] double travel_of(const BodyRef& ref);
-  // By the joints beyond frame `from`, while those before it are at rest.
+  // The largest displacement of a body by the joints after frame `from`, while the joints before it
+  // are at rest.
   [[nodiscard]] double travel_behind(const BodyRef& ref, int from);
 
   const MotionScene& scene_;

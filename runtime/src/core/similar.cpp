@@ -56,7 +56,7 @@ std::optional<std::string_view> most_similar(std::string_view name,
                         (candidate.size() > 2 && name.starts_with(candidate));
     if (begins) distance = std::min(distance, kBeginning);
     if (!begins && distance > similar_enough(name)) continue;
-    // Of equally near candidates the one that begins like the name.
+    // Among equally near candidates, one that begins like the name is better.
     const bool begins_better = best && distance == best_distance &&
                                candidate.starts_with(name.substr(0, 1)) &&
                                !best->starts_with(name.substr(0, 1));

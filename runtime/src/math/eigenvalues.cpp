@@ -14,8 +14,8 @@
 #include "math/decompose_checks.hpp"
 #include "math/solvers.hpp"
 
-// What Eigen asks before every rotation, so that a long decomposition passes checkpoints. The
-// matrix is real, so there is nothing else to do.
+// A specialisation that Eigen calls before every rotation. It makes a checkpoint, so that a long
+// decomposition can be stopped. The matrix is real, so the function has nothing else to do.
 template <>
 struct Eigen::internal::svd_precondition_2x2_block_to_be_real<
     Eigen::MatrixXd, Eigen::ColPivHouseholderQRPreconditioner, false> {

@@ -29,7 +29,7 @@ struct Shells {
   std::size_t count = 0;
 };
 
-// Of a closed surface.
+// The connected shells of a closed surface.
 Shells shells_of(std::span<const Corners> triangles);
 
 }  // namespace armlet

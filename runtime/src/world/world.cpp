@@ -129,7 +129,7 @@ std::vector<std::string> World::stacked_on(std::string_view name) const {
   return names;
 }
 
-// Of the bodies that move along, the first one that another body is carried on.
+// The first of the bodies that move along on which another body is carried.
 const World::Body& World::lower_in(const std::set<std::uint32_t>& stack, const Body& upper) const {
   std::vector<std::uint32_t> ids = touching(upper.object);
   for (const std::string* on :

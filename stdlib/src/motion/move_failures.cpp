@@ -29,7 +29,7 @@ double lean_of(const Vector3d& line) {
   return det::atan2(line.head<2>().norm(), std::abs(line.z()));
 }
 
-// With enough digits to show that it is not zero.
+// The text of an angle, with enough digits to show that it is not zero.
 std::string lean_text(double angle) {
   const double degrees = angle * (180.0 / kPi);
   int digits = 1;

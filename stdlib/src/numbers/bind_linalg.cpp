@@ -37,7 +37,8 @@ Obj* to_list(Vm& vm, const VectorXd& v) {
 
 // ---- checks and results ------------------------------------------------------------------------
 
-// What a function requires of its matrix, and its cost in units of n^3 operations and in copies.
+// The requirements of a function on its matrix, and its cost in units of n^3 operations and in
+// copies.
 struct Task {
   std::string_view name;
   bool square = false;

@@ -24,7 +24,7 @@ class Journal {
   // entry      is filled in here; it must not move until the next one begins.
   // has_later  further entries are known.
   void begin(LoggedEntry& entry, bool has_later);
-  // Back at the end of an entry: the next one was rolled back.
+  // Continues at the end of an entry, because the next one was rolled back.
   void resume(LoggedEntry& entry, bool has_later);
   // The entries that were known after this one belong to another run.
   void forget_later() { has_later_ = false; }

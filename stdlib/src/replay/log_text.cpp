@@ -332,7 +332,7 @@ class Reader {
   bool has_limits_ = false;
 };
 
-// What is wrong with the file as a whole; empty: nothing.
+// The error in the file as a whole; empty if there is none.
 std::string fault_of(std::string_view bytes) {
   const std::string_view line = bytes.substr(0, bytes.find('\n'));
   if (!line.starts_with(kMagic))

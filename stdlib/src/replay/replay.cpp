@@ -271,7 +271,7 @@ bool Session::take_up(std::size_t run) {
   const std::size_t last = entries.size() - 1;
   const std::int64_t t_ns = entries.back().logged.end.t_ns;
   const auto go = [this, last, t_ns] { return run_again_to(last, t_ns); };
-  // Of the other run, listeners know only the begin event, so all later events are undone.
+  // Listeners know only the begin event of the other run, so all later events are undone.
   if (!take_again(std::move(entries), go, 1)) return false;
   runs_[run] = std::move(present);
   submitted_.reset();

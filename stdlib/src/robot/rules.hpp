@@ -17,12 +17,12 @@
 
 namespace armlet::bind {
 
-// What is known of a robot before the run: at least its joints.
+// Knowledge about a robot before the run: at least its joints.
 struct RobotFact : Fact {
   std::string name;
   std::vector<bool> turns;  // one per joint: true: revolute, false: prismatic
-  // One per joint, lower and upper, SI; empty elements are unknown, and the list is empty if all
-  // are.
+  // Joint limits, one per joint, lower and upper, SI; unknown limits are empty, and the list is
+  // empty if none is known.
   std::vector<std::optional<std::array<double, 2>>> limits;
   // If all of it is known; and whether its base or its tool may also be tilted.
   std::shared_ptr<const Robot> model{};

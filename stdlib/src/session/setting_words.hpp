@@ -30,7 +30,7 @@ inline constexpr std::array<std::string_view, 5> kServoLaws = {"current", "desir
 // In the order of HandEyeMethod.
 inline constexpr std::array<std::string_view, 4> kHandEyeMethods = {"tsai", "park", "horaud",
                                                                     "daniilidis"};
-// Of a camera: with shading and shadows, or without.
+// The settings of the light of a camera: with shading and shadows, or without.
 inline constexpr std::array<std::string_view, 2> kLightWords = {"key", "flat"};
 
 // The use of the shape of a link, in the order of LinkSolidUse.

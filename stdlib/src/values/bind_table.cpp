@@ -136,7 +136,7 @@ class Growth {
     constexpr std::size_t kStep = std::size_t{1} << 14U;
     if (size < counted_ + kStep) return true;
     if (!charge_work(vm_, kCost * (size - counted_))) return false;
-    // Doubled, since a string doubles its capacity when it is full.
+    // The memory counts twice, since a string doubles its capacity when it is full.
     if (2 * size > (scratch_ ? granted_ : 0)) {
       scratch_.reset();
       granted_ = 4 * size;

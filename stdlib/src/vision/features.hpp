@@ -20,7 +20,7 @@ Answer<void> searchable(Vm& vm, const Image& image);
 // The detector of that name; R0681 if there is none.
 Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter);
 
-// What was found of wanted points: one row for each, those that are lost without a meaning.
+// The positions found for wanted points: one row for each; the rows of lost points have no meaning.
 struct FoundCorners : FailureDetail {
   FoundCorners(PlanePoints found, std::vector<int> missing, double px)
       : points(std::move(found)), lost(std::move(missing)), within(px) {}

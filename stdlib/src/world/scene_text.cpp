@@ -154,7 +154,7 @@ class UrdfText {
   }
 
  private:
-  // What a link is fixed to: an object, or the world.
+  // The body that a link is fixed to: an object, or the world.
   struct Known {
     std::string object;  // empty: none
     Isometry3d T_world_obj = Isometry3d::Identity();

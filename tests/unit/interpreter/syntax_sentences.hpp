@@ -19,7 +19,7 @@ class SentenceWriter {
   [[nodiscard]] Tokens program();
   // Words and signs of those kinds.
   [[nodiscard]] std::string text(const Tokens& tokens);
-  // Rules of the grammar.
+  // The count of the rules of the grammar.
   [[nodiscard]] std::size_t rules() const;
 
  private:

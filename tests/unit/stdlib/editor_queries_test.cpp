@@ -323,7 +323,7 @@ static std::string type_in(const std::string& text, const std::string& name) {
 }
 
 TEST_CASE("what a text does not say yet has the type that it most likely gets") {
-  // Calls that are not written to their end.
+  // Incomplete calls.
   CHECK(type_in("let p = xyz(1mm, ", "p") == "p: posC");
   CHECK(type_in("fn at(i: int, up: length) -> posC { return xyz(z: up) }\nlet p = at(1, ", "p =") ==
         "p: posC");

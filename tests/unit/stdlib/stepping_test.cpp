@@ -115,7 +115,7 @@ TEST_CASE("a run goes statement by statement, through calls and tasks, and back"
   for (const int each : lines) shown += std::to_string(each) + " ";
   CHECK(shown == expected);
   CHECK(run.printed == "12\n");
-  // Back over all of them.
+  // Steps back over all statements.
   for (std::size_t left = lines.size(); left > 1; --left) {
     REQUIRE(run->step_back());
     CHECK(run.line() == lines[left - 1]);

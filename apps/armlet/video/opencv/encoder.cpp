@@ -16,7 +16,7 @@
 namespace armlet::cli {
 namespace {
 
-// What cannot be done, as it goes on from other words.
+// The reason why a video cannot be made, as the end of a sentence.
 struct VideoRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

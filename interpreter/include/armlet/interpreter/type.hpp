@@ -146,7 +146,8 @@ class TypePool {
   std::list<Type> types_;
   std::unordered_multimap<std::size_t, const Type*> interned_;  // by their structure
   std::map<Columns, const Type*> tables_;                       // by the fields of their rows
-  // With unknown columns, and those joined with them.
+  // The tables with unknown columns, and those whose columns were joined with them, by their
+  // record.
   std::unordered_map<const RecordInfo*, std::vector<Type*>> tables_of_;
   std::list<RecordInfo> records_;
   std::list<EnumInfo> enums_;

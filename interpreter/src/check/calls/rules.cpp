@@ -142,7 +142,7 @@ class Call final : public CheckCall {
   const std::vector<Argument>& arguments_;
   const Fit& fit_;
   hir::CallNativeExpr& call_;
-  // Of the parameters that a rule has asked for.
+  // The items of the parameters that a rule has asked for.
   mutable std::map<int, std::vector<const hir::Expr*>> items_;
 };
 

@@ -268,7 +268,7 @@ void look_ahead(Checker& checker, const ast::Block& program) {
     if (const HostType* host = is_new ? ambient_type(checker, type, init) : nullptr)
       checker.names.add_ambient(host->name, name.text);
   };
-  // That a type of block has in one of its declarations.
+  // The names of the rows of block declarations, with the type of their block.
   std::set<std::pair<std::string, std::string_view>> rows;
   for (const ast::Stmt* stmt : program.body) {
     if (stmt->kind == ast::StmtKind::kVar) {

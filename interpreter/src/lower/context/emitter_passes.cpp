@@ -45,7 +45,8 @@ void Emitter::edit(const Edits& edits) {
   if (!removes && edits.insertions.empty()) return;
   std::vector<WideInstr> code;
   code.reserve(code_.size() + edits.insertions.size());
-  // By old position: the new position of the code there, and of a loop that begins there.
+  // For each old position of an instruction: its new position, and that of a loop that begins
+  // there.
   std::vector<std::uint32_t> moved(code_.size() + 1);
   std::vector<std::uint32_t> moved_loops(code_.size() + 1);
   auto next = edits.insertions.begin();

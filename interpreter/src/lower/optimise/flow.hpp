@@ -14,10 +14,10 @@ struct CodeFlow {
   static constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
   static constexpr std::uint32_t kLongestLoop = 300;  // instructions
 
-  // By position: whether a jump or a handler leads here.
+  // For each position: whether a jump or a handler leads to it.
   std::vector<bool> targets;
-  // By position of the first instruction of a loop: the position of its only LOOP instruction.
-  // kNone if there are several, or if the loop is too long.
+  // For each position where a loop begins: the position of its only LOOP instruction; kNone if
+  // there are several, or if the loop is too long.
   std::vector<std::uint32_t> loop_ends;
 };
 [[nodiscard]] CodeFlow find_flow(const std::vector<WideInstr>& code, const CodeShape& shape);

@@ -100,8 +100,8 @@ class RepeatFinder {
     top_number_ = 0;
   }
 
-  // By block: the count of blocks, apart from the next one, that begin with the values known at its
-  // end.
+  // Counts for each block the blocks, apart from the next one, that begin with the values known at
+  // its end.
   void count_followers() {
     const auto& blocks = liveness_.blocks();
     followers_.assign(blocks.size(), 0);

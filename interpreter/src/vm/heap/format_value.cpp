@@ -80,7 +80,7 @@ std::string measured_text(double value) {
   return plain_number(value, is_whole, kMostQuantityDigits);
 }
 
-// With a number of digits; "-0.00" is written "0.00".
+// The text of a number with a number of digits. Zero has no sign: "0.00", not "-0.00".
 std::string number_with_digits(double value, int digits, char style) {
   if (!std::isfinite(value)) return bare_number_text(value);
   const auto format = style == 'e'   ? std::chars_format::scientific

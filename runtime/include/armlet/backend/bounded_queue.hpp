@@ -16,7 +16,7 @@
 
 namespace armlet {
 
-// What a queue has dropped to bound its size.
+// Counts of the items that a queue has dropped to bound its size.
 struct Thinned {
   std::uint64_t joint_samples = 0;
   std::uint64_t object_samples = 0;

@@ -57,7 +57,7 @@ class Cell {
   // interval is divided into calls.
   void advance_to(std::int64_t t_ns);
 
-  // What happened since the last call, in order.
+  // The events since the last call, in order.
   std::vector<CellEvent> take_events();
 
   // --- robots ---------------------------------------------------------------------------------
@@ -152,8 +152,8 @@ class Cell {
   // until a gripper takes it or its pose is set; a frame of the world only gives it its first pose.
   // throws  ArgumentError if there is no such mount.
   void insert(Object object, const Mount& on);
-  // What rested on the object falls down to the first surface; returns what fell, the lowest first.
-  // throws  ArgumentError if a gripper holds the object.
+  // Removes an object. Objects that rested on it fall down to the first surface; returns them, the
+  // lowest first. throws  ArgumentError if a gripper holds the object.
   std::vector<Fall> remove(std::string_view name);
   std::vector<Fall> set_pose(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 

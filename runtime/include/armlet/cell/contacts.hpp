@@ -63,7 +63,7 @@ class Contacts {
   // An object was moved or a robot has another gripper: ends the contacts with it.
   void forget_object(std::string_view name);
   void forget_robot(int robot);
-  // What grippers carry has changed since `settle`.
+  // Must be called when the objects that grippers carry have changed since `settle`.
   void look_again() { seen_.clear(); }
 
   // The contacts of a robot, in the order of its bodies: carried ones first, then gripper and

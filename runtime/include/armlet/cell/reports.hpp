@@ -1,4 +1,4 @@
-// What a cell reports about motions and about events without a command.
+// The reports of a cell about motions, and about events that no command caused.
 #pragma once
 
 #include <cstdint>

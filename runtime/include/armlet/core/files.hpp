@@ -37,8 +37,8 @@ class NewFile {
   bool write(std::string_view bytes);
   // The next write overwrites the bytes from `offset` on. False as from `write`.
   bool seek(std::uint64_t offset);
-  // Where the unfinished file is, with the ending of its name, for libraries that write files by
-  // name; empty after `finish` and on platforms without a file system.
+  // The path of the unfinished file, with the ending of its final name, for libraries that write
+  // files by name; empty after `finish` and on platforms without a file system.
   [[nodiscard]] std::string path() const;
   // Completes the file; returns the reason if it could not be written completely and renamed.
   [[nodiscard]] std::optional<Error> finish();

@@ -203,7 +203,7 @@ void Shader::shade_ground(const PixelRun& run, std::uint8_t* out) const {
     F4 light = F4{} + ground_key_;
     if (!shadows_.is_empty()) light *= lights.at(k, depth);
     light += ground_sky_;
-    // What is left of the ground between half of `far` and all of it.
+    // The ground fades out between half of `far` and `far`.
     const F4 fade = within(2.0F - far * depth * 2.0F, 0.0F, 1.0F);
     const auto mixed = [&](float plain, float drawn, float behind) {
       return (plain + line * (drawn - plain)) * light * fade + behind * (1.0F - fade);

@@ -93,7 +93,8 @@ Unfinished* remember(int folder, const std::string& name) {
   return nullptr;
 }
 
-// With the ending of the final name, from which libraries know the format.
+// The name of the unfinished file. It has the ending of the final name, from which libraries
+// determine the format.
 std::string temporary_name(std::string_view name) {
   static std::atomic<unsigned> count{0};
   constexpr std::size_t kLongestEnding = 8;

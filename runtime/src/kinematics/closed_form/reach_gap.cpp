@@ -27,7 +27,7 @@ struct Reading {
   int link(int row) const { return rows.reversed ? joint(row + 1) : joint(row); }
 };
 
-// Of several solutions, the smallest gap; nothing if one solution has none.
+// Collects the smallest gap of several solutions; empty if one of the solutions has no gap.
 class LeastGap {
  public:
   void add(const ReachGap& gap) {

@@ -135,7 +135,8 @@ void stay_if_there(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   result.solver = kStands;
 }
 
-// By closed form or by search: sets the first or the nearest solution. False if there is none.
+// Finds a solution by closed form or by search, and stores the first or the nearest one. Returns
+// false if there is none.
 bool find_into(const Robot& robot, const IkGoal& goal, const IkOptions& options, IkResult& result) {
   switch (formula_into(robot, goal, options, result)) {
     case FormulaAnswer::kSome:

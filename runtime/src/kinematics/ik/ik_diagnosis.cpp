@@ -115,7 +115,7 @@ void put_at_position(const Robot& robot, const IkGoal& goal, const IkOptions& op
   near = {q, IkSolver(robot, goal).error_of(q)};
 }
 
-// Of the configurations with this position, the one with the nearest orientation.
+// Among the configurations with this position, finds the one with the nearest orientation.
 void orient_at_position(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                         const JointArray& q_failed, int starts, Nearest& best) {
   IkGoal there = goal;

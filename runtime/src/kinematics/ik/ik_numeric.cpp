@@ -42,7 +42,7 @@ IkSolver::IkSolver(const Robot& robot, const IkGoal& goal, const IkPace& pace)
       plain_(!selective_ && !goal.in_tool_axes && coupling_ == nullptr),
       pace_(pace) {}
 
-// With the approximation of the iteration's kernel, or exact.
+// The rotation error, with the approximation of the iteration's kernel or exactly.
 Eigen::Vector3d IkSolver::rotation_error(const double* T_world_tool, bool exact) const {
   double twice_cosine = -1.0;
   double w[3] = {};

@@ -77,8 +77,8 @@ JointArray start_around(const Robot& robot, const WishedJoints& wished, double c
   return q;
 }
 
-// Of the solutions of a redundant arm, the one of least cost that is reached from starts around the
-// desired values: each better one reduces the region in which others can lie.
+// Finds the solution of least cost of a redundant arm by searches from starts around the desired
+// values. Each better solution reduces the region in which others can be.
 void search_around(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                    const WishedJoints& wished, IkResult& result) {
   IkSolver solver(robot, goal);

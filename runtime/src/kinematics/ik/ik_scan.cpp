@@ -134,7 +134,7 @@ class Scan {
       }
       const double change = change_of(settled.q, options_.seed);
       sample.cost = beyond > kSlightly ? kOutside + beyond : change;
-      // Of equal costs the first wins, which is the one near to the present value.
+      // Among solutions of equal cost the first is kept; it is the one near to the present value.
       if (sample.cost < best_[branch].cost - 1e-12) best_[branch] = {sample.cost, settled};
       least_ = std::min(least_, sample.cost);
     }

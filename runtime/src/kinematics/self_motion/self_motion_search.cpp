@@ -115,7 +115,7 @@ class CurveSearch {
     change_ = change;
   }
 
-  // Of two halves the more promising one first.
+  // Divides an arc into halves, and searches the more promising one first.
   void halve(const Arc& arc) {
     double width = 0.0;
     for (std::size_t i = 0; i < n_; ++i)

@@ -61,7 +61,7 @@ Error refused(const Mechanism& m, int body) {
                         at.joint_name, m.name(), drives, before)};
 }
 
-// Of the rows that an actuator moves, the row that becomes its joint.
+// Among the rows that an actuator moves, the row that becomes its joint.
 std::size_t own_row(const Mechanism& m, const std::vector<int>& chain,
                     const std::vector<RowActuator>& rows, Eigen::Index actuator) {
   const std::string& name = m.actuators()[static_cast<std::size_t>(actuator)].name;

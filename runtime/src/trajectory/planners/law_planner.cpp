@@ -119,7 +119,8 @@ ScalarLaw law_of_values(std::span<const double> s) {
 
 Planner planner_of_law(ScalarLaw law) {
   const Trajectory unit({JointPath{.segments = law, .q_end = 1.0}}, 1.0);
-  // Of the highest acceleration; a larger jump is not an error of interpolation.
+  // The largest jump of the acceleration, as a fraction of the highest one, that may be an error of
+  // interpolation.
   constexpr double kJump = 0.02;
   const bool is_smooth = unit.continuity(0, kJump) >= 2;
   const Peaks peaks{unit.peak(0, 1), unit.peak(0, 2), is_smooth ? unit.peak(0, 3) : 0.0};

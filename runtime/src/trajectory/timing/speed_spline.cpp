@@ -144,7 +144,7 @@ bool SpeedSpline::add_force_barriers(const Point& point, double mu,
     if (!(above > 0.0 && below > 0.0)) return false;
     const double p = 1.0 / above, q = 1.0 / below;
     const double by_b = force.yb + 0.5 * force.v / root;
-    // Of the curvature of friction only the part that makes a barrier more convex.
+    // Only the part of the curvature of friction that makes a barrier more convex.
     const double bent = 0.25 * std::abs(force.v) / (b[0] * root) * (force.v > 0.0 ? q : p);
     const double slope = mu * (p - q), curve = mu * (p * p + q * q);
     g_[0] += slope * by_b;

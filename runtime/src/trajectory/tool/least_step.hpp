@@ -17,8 +17,9 @@ struct StepTask {
   Eigen::VectorXd b;
 };
 
-// That step with lower <= x <= upper: joints that would go beyond are held at their bound, the one
-// that would go farthest first, and the others make up for them. Nothing where too few are left.
+// The step of least cost with lower <= x <= upper: joints that would go beyond are held at their
+// bound, the one that would go farthest first, and the others compensate for them. Empty if too few
+// joints are left.
 //
 // source  F. Flacco, A. De Luca, O. Khatib, Motion control of redundant robots under joint
 //         constraints: saturation in the null space, ICRA 2012; least squares with equality

@@ -11,7 +11,7 @@
 
 namespace armlet {
 
-// Which picture is requested: its number, from 0, among the pictures that this camera takes, the
+// A request for a picture: its number, from 0, among the pictures that this camera takes, the
 // present time, and its size in pixels.
 struct FrameRequest {
   std::string_view camera;

@@ -85,9 +85,9 @@ class LabControls {
   [[nodiscard]] Result<Eigen::VectorXd> joints_for_hand(std::string_view sliders,
                                                         const std::vector<double>& values) const;
 
-  // What a plot, a table or a text shows now, or the features of a view. The run does not change.
-  // Joint values and poses are lists of numbers with their units; an error says why there is
-  // nothing to show.
+  // The present contents of a plot, a table or a text, or the features of a view. The run does not
+  // change. Joint values and poses are lists of numbers with their units; an error has the reason
+  // if there is nothing to show.
   [[nodiscard]] Result<Value> read(std::string_view row);
   // The picture of a computed image, or of a view, with its marks. The run does not change,
   // either.

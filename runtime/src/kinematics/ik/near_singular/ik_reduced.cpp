@@ -286,7 +286,7 @@ class ReducedSearch {
   IkSolver solver_;
   Eigen::Index n_;
   std::vector<Eigen::Index> rows_;
-  // Of the piece.
+  // The origin of the current piece, and the two directions there.
   VectorXd origin_;
   VectorXd lost_;  // direction of the tool
   VectorXd idle_;  // direction of the joints
