@@ -20,7 +20,7 @@ inline PlainPose to_plain(const Eigen::Isometry3d& T) {
   return plain;
 }
 
-// The same arm in Orocos KDL.
+// The arm as a chain of Orocos KDL, to compare times.
 inline KdlArm make_peer(const Robot& robot) {
   const Chain& chain = robot.chain();
   const auto alpha = [&](std::size_t i) {

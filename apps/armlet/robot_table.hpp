@@ -14,7 +14,7 @@ std::string kinds_of(const Robot& robot);
 // Rows, limits, reach and kinematics, in degrees and millimetres.
 std::string robot_text(const Robot& robot);
 
-// The same as one line of JSON, in SI units.
+// The table of a robot as one line of JSON, in SI units.
 std::string robot_json(const Robot& robot);
 
 // The actuators of a hand with fingers, and the joints that they move.

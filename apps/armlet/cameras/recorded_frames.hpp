@@ -20,7 +20,7 @@ int check_recorded_frames(const HostFrames& frames, const Session& session);
 // The folder of --frames; it is made if it does not exist.
 class FrameFolder {
  public:
-  // An empty path: no pictures are written.
+  // path  empty: no pictures are written.
   // next  receives the pictures with the names of their files; null: nobody does.
   void choose(const std::string& path, Backend* next);
   // Called once the program is known to run. Returns the exit status, after a message if the folder

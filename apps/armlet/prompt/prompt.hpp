@@ -60,8 +60,8 @@ class Prompt {
   // "t = 0.00 s"
   [[nodiscard]] std::string time() const;
   void quit() { is_done_ = true; }
-  // The same as enter() for a text made by a command: its value is not shown, and it is not part of
-  // the program.
+  // Runs a text that a command of the prompt has made, like enter(): its value is not shown, and it
+  // is not part of the program.
   bool enter_aside(const std::string& text);
   // Undoes, or redoes, this number of typed entries. Returns their texts, oldest first.
   std::vector<std::string> undo(std::size_t count);

@@ -18,7 +18,8 @@ class Storyboard {
   // Returns the exit status, after a message if this is no name of a picture; empty: no storyboard.
   int choose(const std::string& path);
   [[nodiscard]] bool is_wanted() const { return file_.is_wanted(); }
-  // The same as for OutputFile.
+  // Called once it is known that the program runs. The texts are files that the picture must not
+  // overwrite. Returns the exit status, after a message if the picture cannot be written.
   int open(const std::vector<std::string>& texts);
   // Stores the state of the cell at the end of a move. If there are more moves than a sheet can
   // show, every second, fourth ... one is stored.

@@ -23,7 +23,8 @@ class Video {
   // The exit status, after a message if no video is called so; empty: none is wanted.
   int choose(const std::string& path);
   [[nodiscard]] bool is_wanted() const { return sink_ != nullptr; }
-  // As OutputFile does.
+  // Called once it is known that the program runs. The texts are files that the video must not
+  // overwrite. Returns the exit status, after a message if the video cannot be written.
   int open(const std::vector<std::string>& texts);
   // To be called before time goes on from an instant, at least at each multiple of 10 ms, when all
   // that happens there has happened (HostOptions::pace).

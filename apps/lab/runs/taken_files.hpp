@@ -24,7 +24,7 @@ class TakenFiles {
   std::map<std::string, std::string> paths_;  // of imported files, by their names
 };
 
-// The same options with a loader that adds imports to `files`, which sessions share.
+// Session options with a loader that adds imports to `files`, which sessions share.
 [[nodiscard]] SessionOptions noting(SessionOptions options, std::shared_ptr<TakenFiles> files);
 
 }  // namespace armlet::lab

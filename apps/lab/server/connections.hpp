@@ -35,8 +35,8 @@ class Connection {
   bool receive(std::string_view piece, bool is_last);
   // After this nothing is sent or received.
   void close();
-  // The same, without waiting for a message that is being sent; from any thread. Whether it was
-  // open.
+  // Closes the connection without waiting for a message that is being sent; may be called from any
+  // thread. Returns whether it was open.
   bool give_up();
 
   // ---- the thread of the laboratory

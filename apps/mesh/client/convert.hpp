@@ -39,7 +39,7 @@ struct ConvertOptions {
 [[nodiscard]] Result<std::string> convert_mesh(const Folder& folder, const std::string& path,
                                                const std::string& name,
                                                const ConvertOptions& options = {});
-// The same for a file that the user named; links in its path are followed.
+// Converts a file that the user named; links in its path are followed.
 [[nodiscard]] Result<std::string> convert_mesh(const std::string& file,
                                                const ConvertOptions& options = {});
 

@@ -273,7 +273,8 @@ class CellScene {
     }
   }
 
-  // Like takes_here, for an object that is carried on a link.
+  // Whether the gripper takes an object that is carried on a link, or has released it, at an end of
+  // the motion.
   [[nodiscard]] bool takes_along(const std::string& name, int frame) const {
     Object object = cell_.world().at(name);
     if (takes_here(object)) return true;

@@ -293,7 +293,8 @@ void Contacts::for_each_contact(const Scene& scene, int robot, std::int64_t now_
   }
 }
 
-// The same for one feeler. Returns the clearance around it, m: its smallest gap, or a lower bound.
+// Visits the contacts of one feeler. Returns the clearance around it, m: its smallest gap, or a
+// lower bound.
 template <class Visit>
 double Contacts::look_around(const Scene& scene, int robot, const Feeler& feeler, const Solid& body,
                              const Vector3d& across, std::int64_t now_ns, Visit&& visit) {

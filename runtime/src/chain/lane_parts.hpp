@@ -21,7 +21,7 @@ template <class V>
   __builtin_memcpy(p, &v, sizeof v);
 }
 
-// The same number in every lane; subtracting 0 keeps the sign of -0.
+// A vector with the same number in every lane; subtracting 0 keeps the sign of -0.
 template <class V>
 [[gnu::always_inline]] inline V all_lanes(double value) {
   return value - V{};
@@ -80,7 +80,7 @@ template <class V>
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// The same vector in every lane.
+// A 3D vector with the same components in every lane.
 template <class V>
 [[gnu::always_inline]] inline Parts<V> all_lanes_of(const double* vector) {
   return {all_lanes<V>(vector[0]), all_lanes<V>(vector[1]), all_lanes<V>(vector[2])};

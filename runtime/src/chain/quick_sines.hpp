@@ -6,7 +6,7 @@
 
 namespace armlet {
 
-// The same sines and cosines as in a batch, for one configuration: two joints at a time, as in
+// Sines and cosines with the bits of a batch, for one configuration: two joints at a time, as in
 // JointSines, beginning with those that the recursion needs first.
 template <int N, bool from_tool>
 class QuickJointSines {

@@ -5,7 +5,7 @@
 
 namespace armlet {
 
-// Like gap_between and is_farther, for bodies of which at least one is not convex.
+// Distances, as of gap_between and is_farther, for bodies of which at least one is not convex.
 Gap mesh_gap(const Solid& a, const Solid& b);
 bool is_mesh_farther(const Solid& a, const Solid& b, double distance);
 

@@ -85,7 +85,7 @@ struct CompositeBody {
   }
 };
 
-// The same if only rotations about the axis matter (DynamicsPlan::flat).
+// A composite body if only rotations about the axis matter (DynamicsPlan::flat).
 struct FlatBody {
   double mass, hx, hy;
   double inertia;  // about the axis
@@ -140,7 +140,8 @@ struct ColumnPair {
       n.z = n.z + link.a * f.y;
     }
   }
-  // The same for parallel axes: n.x and n.y are not updated.
+  // Transforms to the frame of the joint before if the axes are parallel: n.x and n.y are not
+  // updated.
   [[gnu::always_inline]] void walk_in_flat(const PlanLink& link, double sine, double cosine) {
     f = turn_in_z<double>(sine, cosine, f);
     if (link.has_a) n.z = n.z + link.a * f.y;

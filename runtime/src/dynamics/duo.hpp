@@ -98,7 +98,7 @@ template <class V, class T, class Link>
   return {cosine * v.x + sine * y, cosine * y - sine * v.x, z};
 }
 
-// The same for a vector along z.
+// Transforms a vector along z from the axes of frame i-1 to those of frame i.
 template <class V, class T, class Link>
 [[gnu::always_inline]] inline Triple<T> turn_axis_out(const Link& link, V sine, V cosine,
                                                       const T& axis) {

@@ -23,7 +23,7 @@ inline Pair two_sum(double a, double b) {
   return {s, (a - (s - b_part)) + (b - b_part)};
 }
 
-// The same, for |a| >= |b| (Dekker).
+// a + b exactly, for |a| >= |b| (Dekker).
 inline Pair fast_two_sum(double a, double b) {
   const double s = a + b;
   return {s, b - (s - a)};

@@ -17,7 +17,7 @@ using Lanes = double __attribute__((vector_size(16)));
 template <class V>
 using LaneBits = decltype(V{} < V{});
 
-// The same without sign: nothing overflows.
+// Unsigned integers of the same width, whose arithmetic does not overflow.
 template <class V>
 struct PlainBits {
   typedef std::uint64_t type __attribute__((vector_size(sizeof(V))));

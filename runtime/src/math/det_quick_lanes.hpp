@@ -121,7 +121,7 @@ template <class V>
           in_quadrant(sine.d, root(square.d), shifted.d)};
 }
 
-// The same for one vector.
+// Sines and cosines of the lanes of one vector.
 template <class V>
 [[gnu::always_inline]] inline LaneSinCos<V> quick_sincos(V angle, QuickCheck<V>& check,
                                                          const QuickTable<V>& c) {

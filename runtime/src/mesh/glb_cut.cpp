@@ -88,7 +88,7 @@ class NodeCut {
     return {{"primitives", parts}};
   }
 
-  // Like read_glb_things: points and lines are left out.
+  // Whether a mesh has triangles. Points and lines are left out, as in read_glb_things.
   static bool has_triangles(const Json& given) {
     const std::uint64_t mode = Document::number(given, "mode", glb::kTriangles);
     return mode >= glb::kTriangles && mode <= 6;

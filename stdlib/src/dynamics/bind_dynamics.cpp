@@ -133,7 +133,7 @@ Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
   });
 }
 
-// As exchange_model, but also for an arm that moves under torques.
+// Replaces the model of an arm, as exchange_model does, also if the arm moves under torques.
 template <class Make>
 Answer<void> exchange_masses(Vm& vm, const RobotRef& r, const Make& make) {
   if (state_of(vm, r).forces.size() == 0) return exchange_model(vm, r, make);

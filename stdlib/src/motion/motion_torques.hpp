@@ -13,9 +13,9 @@ namespace armlet::bind {
 // this motion: as advice, or as R0642. Returns the factor by which it has to be slower, >= 1.
 Answer<double> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion);
 
-// The same for a velocity command of this duration. It cannot be made slower: it is refused where a
-// move would be slowed. Of commands that follow each other directly, those are checked during which
-// the clock reaches a multiple of 5 ms (the sampling of moves), and the first.
+// Checks the motor torques of a velocity command of this duration. It cannot be made slower: it is
+// refused where a move would be slowed. Of commands that follow each other directly, those are
+// checked during which the clock reaches a multiple of 5 ms (the sampling of moves), and the first.
 Answer<void> check_velocity_torques(Vm& vm, const MoveCall& call, const Trajectory& motion,
                                     std::int64_t during_ns);
 

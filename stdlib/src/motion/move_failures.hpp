@@ -10,7 +10,7 @@ namespace armlet::bind {
 
 // The target tilts the tool, which this robot cannot do.
 Failed fail_tilted(Vm& vm, const MoveCall& call, const PosC& target);
-// The same as half a sentence.
+// The reason that the target tilts the tool, as half a sentence.
 std::string tilt_reason(const Robot& robot);
 // `start`: joint values at the beginning of the line.
 Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start, const PosC& target,

@@ -44,7 +44,7 @@ struct CollectedPath {
 Started collect(Vm& vm, MoveCall call, const PosC& target, const MoveSettings& settings,
                 std::optional<Eigen::Vector3d> p_world_via = {});
 
-// The same for a joint move; the target is used only for a position.
+// Adds a joint move to the path around it; the target is used only for a position.
 Started collect_joints(Vm& vm, MoveCall call, const PosC& target, JointGoal goal,
                        const MoveSettings& settings);
 

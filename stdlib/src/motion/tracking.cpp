@@ -13,7 +13,7 @@ TrackedLine exactly(LinePlan plan) {
   return {.motion = std::move(plan.motion), .fault = std::move(plan.fault), .length = plan.length};
 }
 
-// The same path as a path of one move, which slows down only where a limit requires it.
+// The line as a path of one move, which slows down only where a limit requires it.
 TrackedLine slowly(const Robot& robot, const LineMove& move,
                    const std::optional<Eigen::Vector3d>& p_world_via, bool only_position) {
   PathMove path{.q0 = move.q0,

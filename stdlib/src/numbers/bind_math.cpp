@@ -45,7 +45,7 @@ ListObj* each(Vm& vm, std::span<const double> xs) {
   return checked_items(vm, xs.size(), kFunctionCost, compute);
 }
 
-// The same with whole numbers as results.
+// A rounding function applied to every element of a list, with ints as results.
 template <Real1 kRound>
 ListObj* each_to_int(Vm& vm, std::span<const double> xs) {
   const auto compute = [&](Slot& to, std::size_t i) -> Answer<void> {

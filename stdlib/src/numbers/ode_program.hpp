@@ -46,7 +46,7 @@ class RateOfProgram {
   StateArgument y_;
 };
 
-// The same if the state and its rates are structs of quantities, field by field.
+// The program's f(t, y) if the state and its rates are structs of quantities, field by field.
 class RateOfStructs {
  public:
   RateOfStructs(Vm& vm, Obj* f, const Type& state) : vm_(vm), f_(f), y_(vm, &state) {}
@@ -88,7 +88,7 @@ class WitnessesOfProgram {
 
 // An OdeSolution with memory for the state at `rows` times and no events; null: it failed.
 [[nodiscard]] RecordObj* new_solution(Vm& vm, std::uint32_t rows, std::uint32_t columns);
-// The same solution without the rows from `rows` on.
+// A solution without the rows from `rows` on.
 [[nodiscard]] RecordObj* shortened(Vm& vm, const RecordObj& solution, std::uint32_t rows);
 // Stores the events that happened.
 Answer<void> set_crossings(Vm& vm, RecordObj& solution, const std::vector<OdeCrossing>& crossings);

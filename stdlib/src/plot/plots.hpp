@@ -52,8 +52,8 @@ struct PlotUnits {
 [[nodiscard]] Answer<void> add_series(Vm& vm, Figure& figure, Series series,
                                       const PlotUnits& units);
 
-// The same with one series for each unit; `each` holds a unit for every value, or nothing if the
-// units are unknown.
+// Adds one series for each unit; `each` holds a unit for every value, or nothing if the units are
+// unknown.
 [[nodiscard]] Answer<void> add_by_unit(Vm& vm, Figure& figure, Series series, PlotUnits units,
                                        const std::vector<std::string>& each);
 

@@ -48,7 +48,8 @@ class Journal {
   // ---- questions of the run
   // The reply in the log; otherwise that of `outside`, which is recorded.
   Reply ask(std::string question, const std::function<Reply()>& outside);
-  // The same for saving a file; if it is not written, the run can load it nevertheless.
+  // The reply to saving a file, from the log or from outside; if the file is not written, the run
+  // can load it nevertheless.
   Reply save(std::string_view name, std::string_view content,
              const std::function<Reply()>& outside);
   Reply load(const std::string& name, const std::function<Reply()>& outside);

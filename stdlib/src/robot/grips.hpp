@@ -11,7 +11,7 @@ void advise_slip(Vm& vm, const CellEvent& event);
 
 // R0637: the motion was stopped because the contact force on a hand or finger exceeded its limit.
 Answer<void> check_overload(Vm& vm, const MoveCall& call, const MotionReport& report);
-// The same, also for the contact force after the end of the motion.
+// Fails with R0637 as above, also for the contact force after the end of the motion.
 Answer<void> check_presses(Vm& vm, const MoveCall& call, const MotionReport& report);
 
 }  // namespace armlet::bind

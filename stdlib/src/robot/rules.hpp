@@ -73,7 +73,7 @@ void note_model(CheckCall& call, RobotFact& fact, const std::vector<Joint>& join
 // W0702: radians that look like degrees, in a list of joint values known from the text.
 void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>& items,
                     const RobotFact* robot);
-// The same for a parameter that takes joint values as a list.
+// Reports W0702 for a parameter that takes joint values as a list.
 template <int kParameter>
 void check_joint_list(CheckCall& call);
 
@@ -94,9 +94,10 @@ void set_robot_fact(CheckCall& call, std::shared_ptr<const Robot> robot, std::st
 // E0534: known joint values that are beyond known limits.
 void check_joint_values(CheckCall& call, const RobotFact& robot, const PositionFact& position,
                         Span used);
-// The same for a parameter, a posJ or a list of them, of a call whose first parameter is the robot.
+// Reports E0534 for a parameter, a posJ or a list of them, of a call whose first parameter is the
+// robot.
 void check_joint_limits(CheckCall& call, int parameter);
-// The same for a posJ, whose number of values is checked too: E0302.
+// Reports E0534 for a posJ, and E0302 for a wrong number of values.
 void check_joint_target(CheckCall& call, int parameter);
 template <int kParameter>
 void check_joints_of(CheckCall& call) {

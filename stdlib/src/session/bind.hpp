@@ -91,7 +91,7 @@ Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t
 Failed failure(Vm& vm, KnownCode code, std::string message, int parameter = -1,
                std::string why = {}, std::string fix = {});
 
-// The same with the sentence of a broken precondition as its argument.
+// A failure whose headline has the sentence of a broken precondition as its argument.
 Failed failure_of(Vm& vm, MessageCode<1> code, const std::exception& error, int parameter = -1,
                   std::string fix = {});
 

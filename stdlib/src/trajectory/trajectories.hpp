@@ -71,8 +71,8 @@ Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& star
 // The joint values of every posJ of a list, checked for their number.
 Answer<std::vector<Eigen::VectorXd>> joint_points(Vm& vm, MoveCall& call,
                                                   const HostList<PosJ>& list);
-// The same for poses in the world: for each the solution nearest to the one before, for the first
-// the one nearest to `seed`.
+// The joint values for poses in the world: for each the solution nearest to the one before, for the
+// first the one nearest to `seed`.
 Answer<std::vector<Eigen::VectorXd>> solved_points(Vm& vm, const MoveCall& call,
                                                    const std::vector<PosC>& places,
                                                    Eigen::VectorXd seed);

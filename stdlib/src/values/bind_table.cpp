@@ -212,7 +212,7 @@ Failed cannot_load(Vm& vm, std::string_view file, std::string why, std::string f
   return fail(vm, std::move(f));
 }
 
-// The same double as the literal of this number and unit.
+// The SI value of a number with a unit, the same double as that of the literal in a program.
 double in_unit(double number, const std::string& unit) {
   const double size = std::abs(number);
   const double si = si_of(fmt::format("{}", size), unit).value_or(size * parse_unit(unit)->factor);

@@ -13,7 +13,8 @@ namespace armlet::bind {
 
 // Operations charged for reading, computing and writing an element that is cheap to compute.
 inline constexpr unsigned kCost = 4;
-// The same if a function such as the sine is computed, or a number is converted to text.
+// Operations charged for an element if a function such as the sine is computed, or a number is
+// converted to text.
 inline constexpr unsigned kFunctionCost = 32;
 
 // A new list of `count` elements, each set by make(slot, i); reference counts are updated here.
@@ -34,13 +35,13 @@ template <class F>
   return nullptr;
 }
 
-// The same for numbers, which have no reference counts.
+// A new list of numbers, each set by make(slot, i); numbers have no reference counts.
 template <class F>
 [[nodiscard]] ListObj* numbers_of(Vm& vm, std::size_t count, F make, unsigned cost = kCost) {
   return list_of(vm, count, false, make, cost);
 }
 
-// The same for numbers that set(slot, i) computes; it may fail.
+// A new list of numbers that set(slot, i) computes; set may fail.
 template <class F>
 [[nodiscard]] ListObj* checked_items(Vm& vm, std::size_t count, unsigned cost, F set) {
   ListObj* list = new_list(vm, static_cast<std::uint32_t>(count), false);

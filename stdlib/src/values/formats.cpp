@@ -86,7 +86,7 @@ std::string format_vector_in(const Eigen::Vector3d& v, const NumberStyle& style,
                      style.text(v[1] / unit.factor), style.text(v[2] / unit.factor), unit.name);
 }
 
-// The same as orientation_text without a format.
+// The text of an orientation in a format; without one it is orientation_text.
 std::string format_orientation(const Eigen::Matrix3d& R, const NumberStyle& style) {
   const Eigen::Vector3d phi = rotation_log(R);
   const double angle = phi.norm();

@@ -12,8 +12,8 @@ namespace armlet::bind {
 // applies to the position, a unit of angle to the orientation; the other numbers are in mm and
 // deg.
 [[nodiscard]] std::string format_posc(const PosC& p, std::string_view style, std::string_view unit);
-// The same for revolute and prismatic joints. If the kinds of the joints are unknown, all numbers
-// are in the unit, or in SI without a unit.
+// The text of joint values of revolute and prismatic joints. If the kinds of the joints are
+// unknown, all numbers are in the unit, or in SI without a unit.
 [[nodiscard]] std::string format_posj(const PosJ& q, std::string_view style, std::string_view unit);
 
 }  // namespace armlet::bind

@@ -59,7 +59,7 @@ Answer<double> depth_at(Vm& vm, const Image& image, std::int64_t x, std::int64_t
 
 constexpr int kStored = 3;  // index of the parameter with the stored value
 
-// The same value if it has no other owner, otherwise a copy.
+// The picture itself if it has no other owner, otherwise a copy of it.
 PictureValue* own_picture(Vm& vm, Slot& slot) {
   auto& value = *static_cast<PictureValue*>(static_cast<HostObj*>(slot.o)->payload());
   if (slot.o->refs == 1 && value.kept.use_count() == 1) {

@@ -18,7 +18,7 @@ void check_rate(CheckCall& call, int camera);
 // The RGB picture at this instant, counted and reported to listeners. from: pose of the tool point
 // (for cameras on robots) or of the camera.
 Answer<Image> capture(Vm& vm, const CameraRef& camera, const PosC* from);
-// The same with the next frame of a camera with a rate; at once if it has no rate.
+// The next frame of a camera with a rate; a picture at once if it has no rate.
 Answer<std::unique_ptr<Waiting>> capture_next(Vm& vm, const CameraRef& camera, const PosC* from);
 
 }  // namespace armlet::bind

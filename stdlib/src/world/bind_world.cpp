@@ -96,7 +96,8 @@ Answer<PosC> pose_of(Vm& vm, const ObjectRef& o) {
   return PosC{(*object)->T_world_obj, has_orientation(**object)};
 }
 
-// The same; also fails while a gripper holds it, when it can be neither moved nor removed.
+// The object of a handle. Fails if it was removed, or while a gripper holds it, since it can then
+// be neither moved nor removed.
 Answer<const Object*> free_object(Vm& vm, const ObjectRef& o, std::string_view what) {
   auto object = object_of(vm, o);
   if (!object) return object;

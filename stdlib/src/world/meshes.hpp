@@ -29,7 +29,7 @@ Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<doubl
 Result<std::shared_ptr<const std::string>> load_link_glb(Vm& vm, const std::string& file,
                                                          const std::string& mesh,
                                                          double unit = 0.0);
-// The same with its triangles.
+// The mesh of a link with its triangles.
 //
 // unit, scale  length of one unit of the file, m, 0: as it says; and the scale factor, > 0.
 struct LinkMeshSize {

@@ -1,4 +1,4 @@
-// Engines and programs are shared by threads; each machine belongs to one.
+// Several threads share engines and programs; each virtual machine belongs to one thread.
 
 #include <doctest/doctest.h>
 

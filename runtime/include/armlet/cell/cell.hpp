@@ -137,7 +137,7 @@ class Cell {
 
   // Brings a robot to rest on its path within its limits: see motion.hpp.
   void stop(int robot);
-  // Like stop(), but reported as a stop requested from outside of the motion.
+  // Stops a robot like stop(), but the stop is reported as requested from outside of the motion.
   void halt(int robot);
   [[nodiscard]] const MotionReport& report(int motion) const;
   // The instant up to which the course of a motion is known, at most its end; time has to pass

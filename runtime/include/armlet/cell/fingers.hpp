@@ -31,7 +31,7 @@ struct FingerContact {
 //
 // throws  ArgumentError unless the robot is a hand with fingers.
 std::vector<FingerContact> finger_contacts(const Cell& cell, int hand);
-// The same with the joint values q of the palm.
+// The present contacts of a hand whose palm has the joint values q.
 std::vector<FingerContact> finger_contacts(const Cell& cell, int hand, const Eigen::VectorXd& q);
 
 // The normal force of one finger, summed over its links, N.
@@ -53,8 +53,9 @@ GraspQuality hand_quality(const Cell& cell, int hand, std::string_view object);
 double carried_part(const Cell& cell, int arm, std::span<const FingerContact> contacts,
                     std::string_view object);
 
-// The same for the object that the fingers on an arm hold and what lies on it, with its weight and
-// its inertia in the present motion; 1: all of it. Objects lighter than a gram count as at rest.
+// The part of the load that the contacts carry, for the object that the fingers on an arm hold and
+// the objects on it. The load is the weight and the inertia forces of the present motion; 1: all of
+// it. Objects lighter than a gram count as at rest.
 double carried_in_motion(const Cell& cell, int arm);
 
 // The finger of a hand with the largest force, from 0, or -1 if none is in contact; that force, N,
@@ -83,11 +84,10 @@ struct Closing {
 //         systems, 1996, chapter 2.
 Closing close_finger(const Cell& cell, int finger, double force);
 
-// The same for all fingers of a hand, which bend equally fast. Two fingers that come within 0.01 mm
-// of each other both stop; fingers that touch at the start and separate continue.
+// Closes all fingers of a hand, which bend equally fast. Two fingers that come within 0.01 mm of
+// each other both stop; fingers that touch at the start and separate continue.
 //
-// throws  ArgumentError unless the robot is a hand with fingers.
-// source  as close_finger.
+// throws  ArgumentError unless the robot is a hand with fingers. source  as close_finger.
 std::vector<Closing> close_hand(const Cell& cell, int hand, double force);
 
 }  // namespace armlet

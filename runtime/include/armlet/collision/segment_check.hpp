@@ -43,8 +43,9 @@ class SegmentCheck {
   // Whether the arm keeps its clearance at q.
   [[nodiscard]] bool is_free(const Eigen::VectorXd& q);
 
-  // The same for the whole straight segment in joint space between two configurations: certain,
-  // without sampling. It halves the segment until no point can travel as far as the gap.
+  // Whether the arm keeps its clearance on the whole straight segment in joint space between two
+  // configurations: certain, without sampling. It halves the segment until no point can travel as
+  // far as the gap.
   //
   // source  as for check_motion.
   [[nodiscard]] bool is_free(const Eigen::VectorXd& q0, const Eigen::VectorXd& q1);

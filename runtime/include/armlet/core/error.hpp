@@ -15,8 +15,8 @@ class ArgumentError : public std::invalid_argument {
   explicit ArgumentError(const std::string& message) : std::invalid_argument(message) {}
 };
 
-// Throws it. Headers that call this instead of `throw` can be used by hosts compiled without
-// exceptions.
+// Throws an ArgumentError. Headers that call this instead of `throw` can be used by hosts compiled
+// without exceptions.
 [[noreturn]] void refuse_argument(const std::string& message);
 
 // Why there is no answer.

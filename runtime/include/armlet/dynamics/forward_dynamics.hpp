@@ -22,7 +22,8 @@ JointMatrix mass_matrix(const Robot& robot, JointsIn q);
 //         not positive definite: it names the joint without inertia.
 JointVector forward_dynamics(const Robot& robot, JointsIn q, JointsIn qd, JointsIn tau);
 
-// The same by the articulated-body algorithm, whose cost grows with n and not with its cube.
+// Forward dynamics by the articulated-body algorithm, whose cost grows with n and not with its
+// cube.
 //
 // source  R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 7.1.
 JointVector articulated_body(const Robot& robot, JointsIn q, JointsIn qd, JointsIn tau);

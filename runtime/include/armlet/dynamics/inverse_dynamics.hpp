@@ -20,8 +20,8 @@ namespace armlet {
 //         manipulators, Journal of Dynamic Systems, Measurement, and Control 102, 1980.
 JointVector inverse_dynamics(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd);
 
-// The same with a wrench [f; m] that the environment exerts on the tool point, in world axes, N and
-// N m.
+// Inverse dynamics with a wrench [f; m] that the environment exerts on the tool point, in world
+// axes, N and N m.
 JointVector inverse_dynamics(const Robot& robot, JointsIn q, JointsIn qd, JointsIn qdd,
                              const Vector6d& wrench);
 

@@ -50,8 +50,8 @@ struct GraspQuality {
 GraspQuality grasp_quality(std::span<const GraspContact> contacts, const Eigen::Vector3d& center,
                            double scale);
 
-// The same for a body in the plane z = 0: forces along x and y, moments about z, and friction in
-// the plane alone, where the cone is exact.
+// The quality of a grasp for a body in the plane z = 0: forces along x and y, moments about z, and
+// friction in the plane alone, where the cone is exact.
 GraspQuality planar_grasp_quality(std::span<const GraspContact> contacts,
                                   const Eigen::Vector2d& center, double scale);
 

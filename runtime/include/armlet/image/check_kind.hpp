@@ -10,7 +10,7 @@ namespace armlet {
 // message that the picture has no pixels.
 void check_grey(std::string_view function, const Image& image);
 
-// The same unless the picture is grey or coloured.
+// Throws ArgumentError, with such a message, unless the picture is grey or coloured with 8 bits.
 void check_8_bit(std::string_view function, const Image& image);
 
 }  // namespace armlet

@@ -26,11 +26,10 @@ Eigen::Isometry3d link_frame(const Robot& robot, JointsIn q, int k);
 // forward().
 std::vector<Eigen::Isometry3d> link_frames(const Robot& robot, JointsIn q);
 
-// The same frames, written to an array of the caller without allocation.
+// The frames of all joints, written to an array of the caller without allocation.
 //
-// frames   receives n poses.
-// returns  the pose of the tool point in the world.
-// throws   as forward(), and ArgumentError unless there are n frames.
+// frames   receives n poses. returns  the pose of the tool point in the world. throws   as
+// forward(), and ArgumentError unless there are n frames.
 Eigen::Isometry3d link_frames(const Robot& robot, JointsIn q, std::span<Eigen::Isometry3d> frames);
 
 }  // namespace armlet

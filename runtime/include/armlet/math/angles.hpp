@@ -12,7 +12,8 @@ inline constexpr double kPi = std::numbers::pi;
 constexpr double deg_to_rad(double angle_deg) { return angle_deg * (kPi / 180.0); }
 constexpr double rad_to_deg(double angle) { return angle * (180.0 / kPi); }
 
-// The same direction in (-pi, pi]. std::remainder is exact, so its bits are the same everywhere.
+// The angle in (-pi, pi] with the same direction. std::remainder is exact, so the bits are the same
+// on every machine.
 inline double wrap_angle(double angle) {
   const double wrapped = std::remainder(angle, 2.0 * kPi);
   return wrapped <= -kPi ? kPi : wrapped;

@@ -55,8 +55,8 @@ struct SvdParts {
   Eigen::MatrixXd V;
 };
 SvdParts singular_values(const Eigen::MatrixXd& A);
-// The same with U and V square: the additional columns span the complements of the range and of the
-// row space of A.
+// The singular value decomposition with square U and V: the additional columns span the complements
+// of the range and of the row space of A.
 SvdParts full_singular_values(const Eigen::MatrixXd& A);
 
 // Eigenvalues in ascending order of their real parts, then of their imaginary parts; all

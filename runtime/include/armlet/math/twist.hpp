@@ -18,7 +18,7 @@ Eigen::Matrix3d hat(const Eigen::Vector3d& a);
 // Inverse of hat; the antisymmetric part of W is used.
 Eigen::Vector3d vee(const Eigen::Matrix3d& W);
 
-// The same twist in other axes: both halves rotated by R_a_b, the reference point unchanged.
+// A twist in other axes: both halves rotated by R_a_b, the reference point unchanged.
 Vector6d rotate_twist(const Eigen::Matrix3d& R_a_b, const Vector6d& twist_b);
 
 // Twist of a body at another of its points: v_q = v_p + w x (q - p), in the same axes.
@@ -26,7 +26,7 @@ Vector6d rotate_twist(const Eigen::Matrix3d& R_a_b, const Vector6d& twist_b);
 // p_q_from_p  vector from the present reference point to the new one, m.
 Vector6d move_twist(const Vector6d& twist, const Eigen::Vector3d& p_q_from_p);
 
-// The same wrench taken about another point: m_q = m_p - (q - p) x f, in the same axes.
+// A wrench taken about another point: m_q = m_p - (q - p) x f, in the same axes.
 Vector6d move_wrench(const Vector6d& wrench, const Eigen::Vector3d& p_q_from_p);
 
 // Adjoint of a pose: maps a twist at the origin of b in the axes of b to the same motion at the

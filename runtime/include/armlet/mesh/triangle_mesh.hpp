@@ -97,11 +97,11 @@ class TriangleMesh {
   [[nodiscard]] const MeshSource& source() const { return source_; }
   void set_source(std::shared_ptr<const std::string> glb) { source_ = {.bytes = std::move(glb)}; }
 
-  // The same triangles, scaled along each axis; the orientation of mirrored triangles is corrected.
+  // The mesh, scaled along each axis; the orientation of mirrored triangles is corrected.
   //
   // throws  ArgumentError as the constructor.
   [[nodiscard]] TriangleMesh scaled(const Eigen::Vector3d& factors) const;
-  // The same triangles, moved.
+  // The mesh, moved.
   [[nodiscard]] TriangleMesh moved(const Eigen::Isometry3d& T) const;
 
  private:

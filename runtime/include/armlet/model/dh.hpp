@@ -36,7 +36,7 @@ SinCos snapped_sin_cos(double angle);
 
 // No function of this header throws.
 
-// The same arm in the modified convention: modified rows, and a pose to put before the tool.
+// An arm in the modified convention: modified rows, and a pose to put before the tool.
 struct ModifiedDh {
   std::vector<DhRow> rows;
   Eigen::Isometry3d T_last_flange = Eigen::Isometry3d::Identity();

@@ -61,8 +61,8 @@ inline constexpr double kDefaultTimeToAccel = 0.1;                 // s
 // A joint's value, rad or m, in readable units: "152.4 deg" for a revolute joint, "37.2 mm" for a
 // prismatic one.
 std::string format_joint_value(JointKind kind, double value);
-// The same with as many decimals as distinguish it from another value: "140.03 deg" beside "140
-// deg".
+// A joint's value with as many decimals as distinguish it from another value: "140.03 deg" beside
+// "140 deg".
 std::string format_joint_value(JointKind kind, double value, double beside);
 
 // "turn" or "slide".

@@ -101,8 +101,8 @@ class Robot {
 
   // How the rows follow from the joint values of an arm with mimic joints; null: there are none.
   const JointCoupling* coupling() const { return coupling_.get(); }
-  // The same arm with an independent joint for each row; *this if there are no mimic joints. Shapes
-  // and collisions, which depend on rows alone, are computed for it.
+  // The arm with an independent joint for each row; *this if there are no mimic joints. Shapes and
+  // collisions, which depend on rows alone, are computed for it.
   const Robot& uncoupled() const;
 
   const Eigen::Isometry3d& T_world_base() const { return spec_.T_world_base; }

@@ -43,7 +43,8 @@ struct Figure {
   std::vector<Series> series{};
   // Labels below x = 0, 1, 2, ... instead of values.
   std::vector<std::string> names{};
-  // Shown instead of series: grey or RGB, shared by all copies of the figure. Below it stands `note`.
+  // Shown instead of series: grey or RGB, shared by all copies of the figure. Below it stands
+  // `note`.
   std::shared_ptr<const Image> picture{};
   std::string note{};
   // Drawn one below the other over one x axis; the figure itself then has only a title.
@@ -68,7 +69,7 @@ PlotUnit plot_unit(const std::string& si_unit, double largest);
 
 // Whether a value can be drawn: finite, and small enough for computations.
 bool is_drawable(double value);
-// The same on this axis.
+// Whether a value can be drawn on this axis.
 inline bool is_drawable(double value, const Axis& axis) {
   return is_drawable(value) && (!axis.log || value >= 1e-307);
 }

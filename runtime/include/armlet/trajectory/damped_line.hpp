@@ -43,10 +43,9 @@ struct DampedLine {
 DampedLine plan_damped_line(const Robot& robot, const LineMove& move,
                             double damping = kUsualDamping);
 
-// The same along the circle of plan_arc.
+// A motion along the circle of plan_arc, damped near singularities.
 //
-// p_world_via  in the world, m.
-// returns      nothing if there is no arc over the three positions.
+// p_world_via  in the world, m. returns      nothing if there is no arc over the three positions.
 // throws       as plan_damped_line.
 std::optional<DampedLine> plan_damped_arc(const Robot& robot, const Eigen::Vector3d& p_world_via,
                                           const LineMove& move, double damping = kUsualDamping);

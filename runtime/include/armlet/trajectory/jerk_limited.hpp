@@ -56,11 +56,11 @@ class JerkProfile {
 //           target states, RSS 2021, for targets at rest.
 JerkProfile fastest_jerk_limited(const AxisState& from, double to, const AxisLimits& limits);
 
-// The same motion in exactly T seconds, with a lower speed between the same accelerations and
-// jerks; nothing if there is none (T too short, or a start that must first decelerate).
+// The motion of jerk_limited in exactly T seconds, with a lower speed between the same
+// accelerations and jerks; nothing if there is none (T too short, or a start that must first
+// decelerate).
 //
-// T        s.
-// fastest  of the same from, to and limits.
+// T        s. fastest  of the same from, to and limits.
 std::optional<JerkProfile> jerk_limited_in_time(const AxisState& from, double to,
                                                 const AxisLimits& limits, double T,
                                                 const JerkProfile& fastest);

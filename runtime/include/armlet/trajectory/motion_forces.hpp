@@ -47,9 +47,9 @@ struct MotionForces {
 //         Systems, Measurement, and Control 106, 1984.
 MotionForces motion_forces(const Robot& robot, const Trajectory& motion);
 
-// The same for a part of a velocity command, which may be sent up to a thousand times a second:
-// from one time to another, s, at instants at most 5 ms apart and on both sides of the pieces.
-// `slower` is computed only if a joint is beyond its limit.
+// The joint forces of a part of a velocity command, which may be sent up to a thousand times a
+// second: from one time to another, s, at instants at most 5 ms apart and on both sides of the
+// pieces. `slower` is computed only if a joint is beyond its limit.
 MotionForces command_forces(const Robot& robot, const Trajectory& motion, double from,
                             double until);
 

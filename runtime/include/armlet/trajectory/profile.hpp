@@ -64,7 +64,7 @@ Segment septic_segment(double q0, double q1, double T);
 // source  Biagiotti, Melchiorri 2008, section 2.2.
 std::vector<Segment> cycloid_segments(double q0, double q1, double T);
 
-// The same polynomial reversed in time: q(T - t), starting at `start`, s.
+// A piece reversed in time: q(T - t), starting at `start`, s.
 Segment reversed(const Segment& piece, double start);
 
 // Least time from rest to rest over `travel`, D = |travel|, under limits V, A and J: from the

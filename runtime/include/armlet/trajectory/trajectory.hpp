@@ -78,7 +78,7 @@ class Trajectory {
   };
   [[nodiscard]] Range range(int i) const;
 
-  // The same path, executed `factor` times slower: duration and knots are multiplied by it, the
+  // The motion, executed `factor` times slower: duration and knots are multiplied by it, the
   // k-th derivative is divided by its k-th power.
   // throws  ArgumentError unless factor is finite and above zero.
   // source  J. M. Hollerbach, Dynamic scaling of manipulator trajectories, Journal of Dynamic
@@ -89,7 +89,7 @@ class Trajectory {
   // throws  ArgumentError if the numbers of joints differ or a joint would jump more than 1e-9.
   [[nodiscard]] Trajectory then(const Trajectory& next) const;
 
-  // The same path in the opposite direction, with the same duration.
+  // The motion in the opposite direction, with the same path and duration.
   [[nodiscard]] Trajectory reversed() const;
 
   // The start of a motion: from rest, or from a given state.

@@ -96,7 +96,7 @@ struct Object {
 // is out of range, a negative mass or friction, a stiffness that is not above zero, a matrix that
 // is not a pose.
 void check_object(const Object& object);
-// The same for the pose alone.
+// Throws ArgumentError with the object and the wrong number for an invalid pose.
 void check_place(std::string_view name, const Eigen::Isometry3d& T_world_obj);
 
 // Centre of mass in its own frame, m. For uniform density it is the origin, except for a cone or

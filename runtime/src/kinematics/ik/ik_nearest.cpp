@@ -56,8 +56,8 @@ void search_curves(const Robot& robot, const IkGoal& goal, const IkOptions& opti
   if (nearer) solutions.insert(solutions.begin(), to_vector(q, robot.n()));
 }
 
-// The same where solutions form surfaces: many starts within the joint change of the nearest
-// solution, each moved as near as possible.
+// Searches the nearest solution where solutions form surfaces: many starts within the joint change
+// of the nearest solution, each moved as near as possible.
 void search_surfaces(const Robot& robot, const IkGoal& goal, const IkOptions& options,
                      std::vector<Eigen::VectorXd>& solutions) {
   IkSolver solver(robot, goal);

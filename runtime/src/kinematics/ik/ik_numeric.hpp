@@ -33,7 +33,7 @@ struct IkGoal {
   double position_tolerance = 1e-6;
   double rotation_tolerance = 1e-6;
 
-  // The same position with any orientation.
+  // A goal with the same position and any orientation.
   IkGoal without_orientation() const {
     IkGoal position_only = *this;
     position_only.weights.tail<3>().setZero();
@@ -62,7 +62,8 @@ class IkSolver {
   // keeps it fast. Returns whether q meets the tolerances, and then polishes it.
   bool solve_free(JointArray& q, int iterations);
 
-  // The same inside the limits: joints on a bound that the step would push out are frozen.
+  // Levenberg-Marquardt inside the limits: joints on a bound that the step would push out are
+  // frozen.
   bool solve_in_box(JointArray& q, int iterations);
 
   // Two steps from near a solution. Returns whether the error was below `error` after the first, m

@@ -49,7 +49,7 @@ Rates rates_of(const Segment& piece, double s) {
           2.0 * c[2] + 6.0 * u * c[3], 6.0 * c[3]};
 }
 
-// The same by u, if s is a function of u.
+// Derivatives by u of a cubic piece in s, if s is a function of u.
 Rates by_u(const Rates& r, const PathWarp::Along& p) {
   return {r.value, r.first * p.first, r.second * p.first * p.first + r.first * p.second,
           r.third * p.first * p.first * p.first + 3.0 * r.second * p.first * p.second +

@@ -38,9 +38,10 @@ TimedRun smooth_run(const Trajectory& path, std::span<const AxisLimits> limits,
                     const SpeedAlongPath& fastest, int cells, std::span<const SpeedZone> zones = {},
                     std::span<const Segment> travel = {});
 
-// The same with motors too: their limits are kept up to friction and the pieces between the tested
-// points, about 1e-3 of them. Joints with an infinite acceleration limit are limited by their
-// motors, their speed and their jerk. The path may also begin and end at rest, like t^3.
+// The fastest motion with the limits of motors too. These are kept up to friction and the pieces
+// between the tested points, about 1e-3 of them. Joints with an infinite acceleration limit are
+// limited by their motors, their speed and their jerk. The path may also begin and end at rest,
+// like t^3.
 //
 // returns  an empty motion also if motors cannot hold the arm somewhere.
 TimedRun smooth_run(const Course& course, const SpeedAlongPath& fastest, int cells);

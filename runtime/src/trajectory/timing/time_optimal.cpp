@@ -72,8 +72,8 @@ Room room_at(const SpeedGrid& grid, double x, double next, double twice) {
   return {upper - lower, upper_slope - lower_slope, std::abs(upper) + std::abs(lower)};
 }
 
-// The same by bisection, for bounds of very different size, for which Newton's method steps past
-// the zero.
+// The highest squared speed by bisection, for bounds of very different size, for which Newton's
+// method steps past the zero.
 double highest_by_halving(const SpeedGrid& grid, const SpeedStrips& strips, double next,
                           double twice) {
   double low = 0.0, high = std::max(next, 1e-12);

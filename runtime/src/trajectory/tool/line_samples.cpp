@@ -159,7 +159,7 @@ std::optional<Eigen::VectorXd> LineSamples::slide(const Eigen::Isometry3d& T_wor
   return std::nullopt;
 }
 
-// The same for a position: of the joint values with the tool there, those with the smallest
+// Solves for a position only: of the joint values with the tool there, those with the smallest
 // rotation of the tool from the solution before. Each step removes the position error to first
 // order, with the smallest rotation.
 std::optional<Eigen::VectorXd> LineSamples::slide_to_position(const Eigen::Vector3d& position,

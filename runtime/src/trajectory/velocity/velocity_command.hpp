@@ -52,7 +52,7 @@ class ToolCommand {
 
   // The joint speeds t seconds after the beginning, at q.
   [[nodiscard]] ToolRates at(double t, const Eigen::VectorXd& q) const;
-  // Their rate of change if the joints move with qd.
+  // The rate of change of these joint speeds if the joints move with qd.
   [[nodiscard]] Eigen::VectorXd slope(double t, const Eigen::VectorXd& q,
                                       const Eigen::VectorXd& qd) const;
 

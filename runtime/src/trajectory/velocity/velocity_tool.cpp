@@ -22,7 +22,8 @@ constexpr double kLackingAtStart = 1e-6;  // of the commanded velocity
 // for the change of joint directions during it. The first that suffices is used.
 constexpr double kShares[] = {0.9, 0.75, 0.6, 0.45, 0.3, 0.2, 0.12, 0.07};
 constexpr double kLeastShare = kShares[std::size(kShares) - 1];
-// The same if the joint directions do not change, because all joints only come to rest.
+// The part of the limits if the joint directions do not change, because all joints only come to
+// rest.
 constexpr double kAllButAll = 0.99;
 // Part of the limits that is used in choosing a law: when the command is planned again in the
 // middle, the polynomials differ a little.

@@ -208,8 +208,8 @@ class Host : public Timeline {
   // unit  length of one unit of the file, m; 0: as its format says.
   [[nodiscard]] Result<std::string> load_mesh(const std::string& file, const std::string& mesh,
                                               double unit = 0.0) const;
-  // The same for a mesh file of the program, from the file that load_file finds.
-  // unit  length of one unit of the file, m; 0: as its format says.
+  // The bytes as GLB of a mesh file of the program, from the file that load_file finds. unit
+  // length of one unit of the file, m; 0: as its format says.
   [[nodiscard]] Result<std::string> load_shape(const std::string& name, double unit) const;
   // The text of a file of the program; the same rule for `name`. Fails with the reason.
   // most  bytes; a larger file is refused.

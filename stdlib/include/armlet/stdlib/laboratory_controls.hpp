@@ -71,9 +71,9 @@ class LabControls {
   // also works for a robot without a `lab` row.
   [[nodiscard]] std::optional<Error> move_joints(std::string_view robot, const Eigen::VectorXd& q);
 
-  // The same by the pose of the tool, for a row `sliders hand(of: arm, as: "x y z roll")`: one
-  // value for each axis, m or rad in the world. Takes the solution nearest to the present joint
-  // values.
+  // Moves an idle robot at once to a pose of the tool, for a row `sliders hand(of: arm, as: "x y z
+  // roll")`: one value for each axis, m or rad in the world. Takes the solution nearest to the
+  // present joint values.
   [[nodiscard]] std::optional<Error> move_hand(std::string_view sliders,
                                                const std::vector<double>& values);
   // The present values of the sliders of the tool pose.

@@ -48,7 +48,7 @@ class Session {
   // including errors and advice of the world's text, are in problems(). If the compilation was
   // cancelled, R0629 is the only one. Discards the program and entries that were there before.
   bool compile(std::string text, std::string name);
-  // The same with a program that another session has compiled, without compiling it again: the
+  // Takes over a program that another session has compiled, without compiling it again: the
   // sessions share the program, and each has its own variables, cell and log.
   //
   // throws  ArgumentError if the other session has no whole program that can run, or if its engine,
@@ -78,7 +78,7 @@ class Session {
   //         then receive its end. An exception at the end of a run does not change the result of
   //         the run.
   Progress run(const Budget& budget);
-  // The same without a budget.
+  // Runs the next text, or continues a paused run, without a budget.
   [[nodiscard]] RunResult run();
   // Runs one of the program's tests in a fresh cell; a paused run is discarded.
   [[nodiscard]] RunResult run_test(std::size_t index);
@@ -149,9 +149,10 @@ class Session {
   //          session runs.
   bool go_to(std::int64_t t_ns);
   bool go_to(std::size_t entry, std::int64_t t_ns);
-  // The same with another text instead of the entry; the entries after it are dropped. The new text
-  // runs from its start, with the inputs of the host before that time except stop requests, and its
-  // events are compared with those of the earlier run, which becomes the last of runs() (edit.cpp).
+  // Goes to a virtual time like go_to, with another text instead of the entry; the entries after it
+  // are dropped. The new text runs from its start, with the inputs of the host before that time
+  // except stop requests, and its events are compared with those of the earlier run, which becomes
+  // the last of runs() (edit.cpp).
   //
   // throws  ArgumentError as go_to, and for a call.
   TextChange change(std::string text, std::int64_t t_ns);

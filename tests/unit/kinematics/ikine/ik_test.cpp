@@ -403,7 +403,7 @@ TEST_CASE("a position rotates the tool as little as possible where the arm must 
   CHECK((forward(scorbot, ik.q).translation() - p).norm() < 1e-6);
   const double angle = angle_between(forward(scorbot, ik.q), start);
   CHECK(angle < heading);
-  // No neighbour at the same position rotates it less.
+  // No neighbouring configuration with the same position has a smaller rotation error.
   for (double change = -0.2; change <= 0.2; change += 0.02) {
     const Eigen::Matrix3d R = rot_z(heading) * rot_y(change) * rot_z(-heading);
     const Isometry3d other = make_pose(R * forward(scorbot, ik.q).linear(), p);

@@ -127,7 +127,8 @@ class ReducedSearch {
     return false;
   }
 
-  // The same, but false if the curve bends away from its direction, or another curve was reached.
+  // Newton's method for the point at s; false if the curve bends away from its direction, or if
+  // another curve was reached.
   [[nodiscard]] bool reaches(double s, Point& point) {
     return settle(s, point) && (point.q - origin_).norm() * kAhead <= std::abs(s);
   }
