@@ -15,8 +15,7 @@ namespace {
 
 const std::string kGaveUp = "the oracle gave up: ";
 
-// The same checked program, compiled once more. The first program is no good for anything
-// afterwards.
+// The checked program, compiled a second time. The first program cannot be used afterwards.
 std::shared_ptr<const Program> compiled_again(const Program& first, lang::LowerOptions options) {
   auto& from = const_cast<Program::Code&>(first.compiled());
   lang::CheckedProgram to;

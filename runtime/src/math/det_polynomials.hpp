@@ -10,7 +10,8 @@ namespace armlet::det {
 
 inline constexpr double kTwoOverPi = 6.36619772367581382433e-01;
 
-// Adding and subtracting it rounds to the nearest integer, ties to even, below 2^51: 1.5 * 2^52.
+// 1.5 * 2^52: adding and subtracting this number rounds a double below 2^51 to the nearest integer,
+// ties to even.
 inline constexpr double kRoundingMagic = 6755399441055744.0;
 
 // The constants of range reduction and polynomials.

@@ -40,7 +40,7 @@ TEST_CASE("what a decomposition needs for itself counts as well") {
 }
 
 TEST_CASE("parts of records that cannot all be made leave nothing behind") {
-  // Caught again and again: a leak would fill the heap.
+  // The failure is caught many times, so that a leak would fill the heap.
   CHECK(code_of("let A = ones(100, 100)\nvar failed = 0\nlet ballast = zeros(56, 1000)\n"
                 "for (i in range(100)) { try { let q = lu(A) } catch (e) { failed += 1 } }\n"
                 "assert(failed == 100)\nlet B = ones(100, 100)",

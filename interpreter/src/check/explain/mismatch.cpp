@@ -80,7 +80,7 @@ Diagnostic whole_number_needed(const Checker& checker, const hir::Expr& value,
       Fix{.text = "write " + cut, .edits = {{value.span, cut}}, .confidence = Confidence::kMaybe};
   if (value.kind != hir::ExprKind::kBinary || value.as<hir::BinaryExpr>().op != hir::Op::kDivR)
     return out;
-  // i / 3.0 for an int i: the same with an int divisor.
+  // i / 3.0 for an int i: the fix is an int divisor.
   const auto& division = value.as<hir::BinaryExpr>();
   const std::string right = checker.text_of(division.right->span);
   if (division.left->kind != hir::ExprKind::kConvert || !right.ends_with(".0")) return out;

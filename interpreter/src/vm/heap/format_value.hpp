@@ -34,7 +34,8 @@ inline constexpr std::size_t kNoLimit = SIZE_MAX;
 // The text of a value in a format, which applies to every number in the value.
 [[nodiscard]] std::string format_value(Slot value, const Format& format,
                                        std::size_t limit = kNoLimit);
-// Appends it to a text of the program, counted as work. Returns false, with the failure set, if
+// Appends a value in a format to a text of the program, counted as work. Returns false, with the
+// failure set, if that fails.
 // that fails.
 [[nodiscard]] bool write_value(Vm& vm, TextMaker& text, Slot value, const Format& format);
 

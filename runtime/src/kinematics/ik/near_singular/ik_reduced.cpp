@@ -19,7 +19,7 @@ constexpr double kNearlySingular = 5e-3;  // least singular value, m or rad per 
 constexpr double kShallow = 2e-3;
 constexpr double kPiece = 0.1;           // rad or m
 constexpr double kShortestPiece = 1e-3;  // rad or m
-constexpr int kMostPieces = 300;         // in one direction
+constexpr int kMostPieces = 300;         // of a curve, in one direction
 // in one direction: after them the goal counts as met along the whole curve
 constexpr int kIdlePieces = 2;
 constexpr double kAhead = 0.9;       // cosine between the directions at both ends of a piece
