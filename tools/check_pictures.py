@@ -17,6 +17,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs" / "images"
 FIGURES, STORYBOARD = "savePlot(FILE)", None  # the line that saves the picture
 SCENE = "snapshot(FILE, width: 640, height: 480)"
+CLOSE = (
+    "camera shot { at: lookingAt(xyz(300mm, 20mm, 210mm), from: xyz(1800mm, -750mm, 1000mm)); size: [960, 480]; fov: 50deg }"
+    " snapshot(FILE, from: shot)"
+)
 PICTURES = {
     "laboratories/laboratory_13.svg": ("examples/figures/fig10_inverse_dynamics_payload.rbt", FIGURES),
     "laboratories/laboratory_14.svg": ("examples/figures/fig11_M_C_G_live.rbt", FIGURES),
@@ -35,6 +39,7 @@ PICTURES = {
     "tutorial/planners.svg": ("docs/tutorial/05-lines-and-paths.md#2", FIGURES),
     "tutorial/tray.jpg": ("docs/tutorial/06-functions-and-tests.md#1", SCENE),
     "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
+    "pick_and_place.jpg": ("README.md#1", CLOSE),
 }
 
 
