@@ -49,8 +49,9 @@ function runInModule(files, program) {
   return { ...result, written };
 }
 
-// Paths around obstacles are searched by a library that the module does not have.
-const needsLibrary = (ran) => ran.status === exitStatus[Answer.failed] && /error R06(46|91)/.test(ran.messages);
+// The module has neither the library that searches paths around obstacles, nor OpenCV, nor the readers of picture files.
+const needsLibrary = (ran) => ran.status === exitStatus[Answer.failed] &&
+  /error R06(46|91)|error R0680: [^\n]*not in a page by itself/.test(ran.messages);
 
 // What a program differs in; nothing if it does not.
 function difference(folder, files, program) {
@@ -61,7 +62,7 @@ function difference(folder, files, program) {
   const native = runNatively(folder, program);
   const here = runInModule(files, program);
   if (needsLibrary(here)) {
-    console.log(`${program}: not compared, the module says that it lacks a library (R0646, R0691)`);
+    console.log(`${program}: not compared, the module says that it lacks a library (R0646, R0680, R0691)`);
     return null;
   }
   for (const what of ['status', 'output', 'messages', 'hash'])
