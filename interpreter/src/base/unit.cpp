@@ -255,7 +255,7 @@ std::optional<double> decimal(std::string_view text) {
   return value;
 }
 
-// The same, with the decimal point moved by `shift` digits before the number is rounded.
+// Parses a decimal number whose point is moved by `shift` digits before the number is rounded.
 std::optional<double> shifted_decimal(std::string text, int shift) {
   int exponent = 0;
   if (const std::size_t e = text.find_first_of("eE"); e != std::string::npos) {

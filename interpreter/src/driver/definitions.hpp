@@ -16,7 +16,7 @@ namespace armlet::lang {
 // from the C++ function, or a name in it is not a valid name.
 [[nodiscard]] std::vector<std::string> faults_of(const Registry& registry,
                                                  const NativeFunction& function);
-// The same for all functions and records of a registry.
+// The reasons why functions and records of a registry are invalid, as clauses.
 [[nodiscard]] std::vector<std::string> check_signatures(const Registry& registry);
 // Adds a type and its functions, and keeps them as long as the registry.
 //

@@ -33,8 +33,8 @@ class UnsetElements {
   // Whether a value of this type may contain, at any depth, an element without a value. The answer
   // is stored for all types in it.
   [[nodiscard]] bool may_be_in(const Type* type);
-  // The same for a type that may_be_in was called for, or for a type in one for which the answer
-  // was yes.
+  // The stored answer of may_be_in, for a type that it was called for, or that is part of a type
+  // for which the answer was yes.
   [[nodiscard]] bool is_known_in(const Type* type) const {
     if (sets_ == nullptr) return false;
     const auto found = sets_->known.find(type);

@@ -308,7 +308,7 @@ class Front {
     read_quietly(*std::move(whole), false);
   }
 
-  // The same for a text with invalid tokens or with brackets that do not match.
+  // Builds as much as possible from a text with invalid tokens or with brackets that do not match.
   void mend_all(Tokens tokens) {
     read_quietly(insert_line_ends(balanced(source_, without_errors(std::move(tokens)))), true);
   }

@@ -200,7 +200,7 @@ struct Definition {
   std::shared_ptr<const void> kept;
 };
 
-// The same for a function, a function pointer, or a lambda with captures.
+// The definition for a function, a function pointer, or a lambda with captures.
 //
 // throws  ArgumentError if the pointer is null.
 template <class F>

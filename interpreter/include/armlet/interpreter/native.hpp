@@ -55,8 +55,8 @@ struct NativeFunction {
   std::string_view help;     // one or two sentences
   std::string_view example;  // one line that runs
   Thunk thunk{};             // null for map, filter ..., which are compiled to loops
-  // The same function for direct calls, if its result depends only on its arguments: repeated calls
-  // may be removed. If it returns no number the thunk is called, which may fail.
+  // The function for direct calls, if its result depends only on its arguments: repeated calls may
+  // be removed. If it returns no number the thunk is called, which may fail.
   double (*real1)(double) = nullptr;
   double (*real2)(double, double) = nullptr;
   void (*check)(CheckCall& call) = nullptr;  // a rule, which checks calls before the program runs

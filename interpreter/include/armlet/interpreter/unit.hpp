@@ -20,7 +20,7 @@ struct Dim {
 
   bool operator==(const Dim&) const = default;
   [[nodiscard]] bool is_none() const { return *this == Dim{}; }
-  // The same dimension without its angle part.
+  // The dimension without its angle part.
   [[nodiscard]] Dim without_angle() const { return {length, mass, time, 0}; }
   // Whether it is a power of an angle, or none.
   [[nodiscard]] bool is_only_angle() const { return length == 0 && mass == 0 && time == 0; }

@@ -58,7 +58,7 @@ class Scopes {
 
   // The visible variable with that name and the function that it belongs to; null if there is none.
   [[nodiscard]] Local* find(std::string_view name, FunctionContext*& where);
-  // The same for the top level only, as other files use it.
+  // The variable of the top level with that name, as other files use it; null if there is none.
   [[nodiscard]] Local* find_top(std::string_view name, FunctionContext*& where);
   Local* add(hir::Variable* variable, Declared how, Span keyword);
   void open_block() { here_->blocks.push_back(here_->locals.size()); }

@@ -61,7 +61,7 @@ struct Checker {
   // ---- messages
   void report(Diagnostic diagnostic) { messages.report(std::move(diagnostic)); }
   hir::Expr* failed(Span span);
-  // The same with the type that the value most likely has, if types are guessed; null: none.
+  // A value that failed, with the type that it most likely has, if types are guessed; null: none.
   hir::Expr* guessed(Span span, const Type* type);
   [[nodiscard]] std::string text_of(Span span) const;
   [[nodiscard]] int line_of(Span span) const;

@@ -43,7 +43,8 @@ class Messages {
 
   // Whether a name has not been reported before.
   [[nodiscard]] bool is_first(std::string_view name) { return told_.emplace(name).second; }
-  // The same for an unknown name, which is not reported if statements are missing from the tree.
+  // Whether to report an unknown name: not if statements are missing from the tree, nor a second
+  // time.
   [[nodiscard]] bool is_news(std::string_view name) { return !syntax_failed_ && is_first(name); }
   [[nodiscard]] bool was_told(std::string_view name) const { return told_.contains(name); }
   void forget(std::string_view name) { told_.erase(std::string(name)); }

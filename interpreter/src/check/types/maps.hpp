@@ -19,7 +19,7 @@ namespace armlet::lang {
 
 // The entry m[k].
 [[nodiscard]] hir::Expr* entry_of(Checker& checker, const ast::IndexExpr& index, hir::Expr* map);
-// The same entry in an assignment target.
+// The entry m[k] in an assignment target.
 [[nodiscard]] std::optional<hir::Step> entry_step(Checker& checker, const ast::IndexExpr& index,
                                                   const Type* map);
 

@@ -19,7 +19,7 @@ namespace armlet::lang {
 [[nodiscard]] const Frame* innermost(const VmState& state);
 // The span and the expression of a frame's running instruction; null if unknown.
 [[nodiscard]] const CodeSpan* code_span(const Frame& frame);
-// The same for the innermost frame of the running task that is not a host frame.
+// The span and the expression of the innermost frame of the running task that is not a host frame.
 [[nodiscard]] const CodeSpan* code_span(const VmState& state);
 // The text of a span; empty for an empty one.
 [[nodiscard]] std::string source_text(const VmState& state, Span span);

@@ -22,7 +22,7 @@ inline constexpr std::size_t kNoLimit = SIZE_MAX;
 // The fewest digits that read back to the same value, at most 15, with a point or an exponent:
 // "2.0", "0.1", "1e-07".
 [[nodiscard]] std::string number_text(double value);
-// The same without ".0" at the end: "2", "0.1"; used before a unit.
+// The text of a number without ".0" at the end: "2", "0.1"; used before a unit.
 [[nodiscard]] std::string bare_number_text(double value);
 // The text of a quantity, whose unit is chosen by size: "20 mm", "90 deg", "1.5 s".
 [[nodiscard]] std::string quantity_text(double si, Dim dim);

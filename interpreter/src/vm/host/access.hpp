@@ -17,7 +17,7 @@ namespace armlet::lang {
 //
 // throws  ArgumentError if the program has none, or it has no value yet.
 [[nodiscard]] const hir::Variable& require_global(const VmState& state, std::string_view name);
-// The same for a variable that may be changed.
+// The global variable with this name, which must not be constant.
 [[nodiscard]] const hir::Variable& require_changeable(const VmState& state, std::string_view name);
 
 // The functions of the main file with this name: one for each combination of types with which the

@@ -16,7 +16,7 @@ CombinedUnit require_unit(std::string_view unit) {
                       "`; units are written as in programs: mm, deg/s, kg*m^2.");
 }
 
-// The same number that a program gets from a literal with this unit, rounded once.
+// The number that a program gets from a literal with this unit, rounded once.
 Value::Number quantity(double number, std::string_view unit) {
   const CombinedUnit known = require_unit(unit);
   const std::string literal = lang::bare_number_text(std::abs(number)) + std::string(unit);

@@ -28,7 +28,7 @@ struct Left {
 //         call.
 [[nodiscard]] Left interpret(VmState& state, Task& task, Frame* frame, Slot* base, const Instr* pc,
                              double last = 0.0);
-// The same from task.stack.top on. An exception becomes a failure of the program.
+// Runs the task from task.stack.top on. An exception becomes a failure of the program.
 [[nodiscard]] Left interpret(VmState& state, Task& task, double last = 0.0);
 // Continues in the handler of the failure state.fault.
 [[nodiscard, gnu::cold]] Left resume_failed(VmState& state, Task& task);

@@ -37,7 +37,7 @@ class TaskTree {
   [[nodiscard]] const std::vector<std::unique_ptr<Task>>& all() const { return tasks_; }
   // Creates a task that will run the closure. Returns null, with the failure set, if it cannot.
   [[nodiscard]] Task* create(Task& parent, Obj* closure);
-  // The same for a function in a variable, started by the host.
+  // Creates a task that will run the function in a variable, started by the host.
   [[nodiscard]] Task* create_started(Obj* closure, std::string_view variable);
   // Cancels the running tasks that the host started.
   void cancel_started();
@@ -69,8 +69,8 @@ class TaskTree {
   void cancel_bodies(Task& owner, std::size_t from, Reach reach);
   [[nodiscard]] static bool has_bodies(const Task& owner, std::size_t from);
   void close_regions(Task& owner, std::size_t from);
-  // Activates the watches at the top level of the program again, in their order, before the next entry
-  // of a session. Watches that have failed stay disarmed.
+  // Activates the watches at the top level of the program again, in their order, before the next
+  // entry of a session. Watches that have failed stay disarmed.
   void wake_watches();
   // Removes the watches from number `first` on, which an entry that failed had armed.
   void forget_watches(std::size_t first);

@@ -60,7 +60,8 @@ class Scheduler {
   // Whether a condition that became true still holds after other tasks have run. If not, the task
   // continues to wait.
   bool still_holds(Task& task);
-  // The same for the body of a `when` that has not begun, which is then dropped.
+  // Whether the condition of a `when` still holds before its body begins; if not, the body is
+  // dropped.
   bool still_triggered(Task& body);
   // The results of one pass over the tasks.
   struct Pass {

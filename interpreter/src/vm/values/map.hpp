@@ -15,7 +15,7 @@ namespace armlet::lang {
 // Finds the entry with a key; null if there is none. Returns false, with the failure set, if the
 // program has to stop.
 [[nodiscard]] bool find_entry(VmState& state, const MapObj& map, Slot key, MapEntry*& entry);
-// The same for a key with a known hash.
+// Finds the entry with a key whose hash is known.
 [[nodiscard]] bool find_entry(VmState& state, const MapObj& map, Slot key, std::uint32_t hash,
                               MapEntry*& entry);
 // Finds the entry with a key, or adds one with a value of zero bits. The map must have one owner.

@@ -34,8 +34,8 @@ class DimsFact : public Fact {
   std::vector<NumberDim> dims;
 };
 
-// The same for dimensions that follow from those of an argument of the call, which may be a
-// parameter of the function with the call.
+// The dimensions of numbers as far as they follow from those of an argument of the call, which may
+// be a parameter of the function with the call.
 //
 // dims  none: the dimensions do not follow from this fact.
 class DimsOfArgumentFact : public Fact {

@@ -47,10 +47,10 @@ class ReadyFunction {
   // throws  ArgumentError while the Vm is running, in another thread or in the host function that
   //         makes this call; and if the entry of a session that declares the function has failed.
   Outcome run(std::span<const Slot> arguments, Slot& result) const;
-  // The same with at most three arguments, which are passed in registers; arguments beyond the
-  // parameters are ignored.
+  // Calls the function with at most three arguments, which are passed in registers; arguments
+  // beyond the parameters are ignored.
   Outcome run(Slot first, Slot second, Slot third, Slot& result) const;
-  // The same for functions of at most three doubles that return a double.
+  // Calls a function of at most three doubles that returns a double.
   Outcome run_reals() const;
   Outcome run_reals(double only) const;
   Outcome run_reals(double first, double second, double third = 0.0) const;
