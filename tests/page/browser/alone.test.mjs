@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, wri
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test, { after } from "node:test";
-import { clock, closeBrowser, lineOf, ONE_MOVE, openPage, placeOf, typeAtEnd, until, untilStatus, viewTool, violations } from "../laboratory.mjs";
+import { clock, closeBrowser, goTo, lineOf, ONE_MOVE, openPage, placeOf, typeAtEnd, until, untilStatus, viewTool, violations, withLab } from "../laboratory.mjs";
 import { root } from "../modules.mjs";
 import { STEPS, stepThrough } from "../stepping.mjs";
 
@@ -163,6 +163,48 @@ test("in one file the program is laid out, mended with one click, gone through i
     await page.getByRole("tab", { name: /Runs/ }).click();
     assert.ok((await page.locator(".run").count()) >= 3);
   }));
+
+// The pixels of the first camera window at three instants, each once they no longer change.
+async function picturesOf(page) {
+  const canvas = page.locator(".element.camera canvas").first();
+  const pixels = () => canvas.evaluate((it) => {
+    const { data } = it.getContext("2d").getImageData(0, 0, it.width, it.height);
+    let hash = 2166136261;
+    for (const byte of data) hash = Math.imul(hash ^ byte, 16777619);
+    return `${it.width} x ${it.height} ${hash >>> 0}`;
+  });
+  const found = [];
+  for (const share of [0.05, 0.4, 0.95]) {
+    await goTo(page, share);
+    let last = "";
+    await until(async () => {
+      const now = await pixels(), known = found.at(-1);
+      const rests = now === last && now !== known;
+      last = now;
+      if (!rests) await new Promise((resolve) => setTimeout(resolve, 400));
+      return rests;
+    }, () => `the picture at ${share} does not come to rest`);
+    found.push(last);
+  }
+  return found;
+}
+
+test("in one file cameras show the pixels that a served laboratory shows", { skip }, async () => {
+  const text = readFileSync(join(root, "examples/24_camera_window.rbt"), "utf8");
+  let served, here;
+  await withLab(text, async (open) => {
+    const page = await open();
+    await untilStatus(page, /moves, [\d.]+ s/);
+    served = await picturesOf(page);
+  });
+  await alone(text, async (page) => {
+    await untilStatus(page, /moves, [\d.]+ s/);
+    here = await picturesOf(page);
+    if (process.env.ARMLET_PAGE_PICTURES) await page.screenshot({ path: join(process.env.ARMLET_PAGE_PICTURES, "camera_in_one_file.png") });
+  });
+  assert.deepEqual(here, served);
+  assert.equal(new Set(here).size, 3);
+});
 
 // What a program's texts would do if they were read as a page.
 const SCRIPT = '</script><script>hacked = 1</script><!--<script><img src=x onerror="hacked = 2">';
