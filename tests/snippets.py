@@ -8,7 +8,8 @@ program too: the code of that column from top to bottom, after the last block of
 
 Blocks marked text are compared with what is printed, moves and messages included. After `<!-- prints -->` a block is all that the
 program before it prints; after `<!-- prints a part -->` its lines are among these, in this order; after `<!-- reports -->` it is what
-`armlet test` prints. After `<!-- prompt -->` it is a dialogue with the prompt of the command, which is repeated.
+`armlet test` prints, and after `<!-- plays -->` what `armlet lab` prints with the inputs of the block marked json before it. After
+`<!-- prompt -->` it is a dialogue with the prompt of the command, which is repeated.
 
 Blocks of C++ in docs/embedding.md must stand in the hosts that they are taken from, which are built and run by tests of their own.
 """
@@ -23,9 +24,11 @@ import sys
 import tempfile
 
 BLOCK = re.compile(r"(?:<!-- fails: (\w+) -->\n)?```rbt\n(.*?)```", re.DOTALL)
-SHOWN = re.compile(r"<!-- (prints|prints a part|reports|prompt) -->\n```text\n(.*?)```", re.DOTALL)
+INPUTS = re.compile(r"```json\n(.*?)```", re.DOTALL)
+SHOWN = re.compile(r"<!-- (prints|prints a part|reports|plays|prompt) -->\n```text\n(.*?)```", re.DOTALL)
 TABLE = re.compile(r"(?:^\|.*\n)+", re.MULTILINE)
 COLUMN = "in Armlet"
+VERBS = {"reports": "test", "plays": "lab"}
 FILE = re.compile(r"(?:(?<= --> )|^)\S+\.rbt(?=:|$)", re.MULTILINE)
 PROMPT = "rbt> "
 CPP = re.compile(r"```cpp\n(.*?)```", re.DOTALL)
@@ -63,11 +66,15 @@ def programs_of_tables(text):
         yield "\n".join([*blocks[-1:], *code]) + "\n"
 
 
-def printed(command, verb, folder, text):
-    """All that `run` or `test` prints for a program, in the order of a terminal."""
+def printed(command, verb, folder, text, inputs):
+    """All that `run`, `test` or `lab` prints for a program, in the order of a terminal."""
     path = pathlib.Path(folder) / "shown.rbt"
     path.write_text(text)
-    run = subprocess.run([command, verb, path.name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, cwd=folder)
+    words = [verb, path.name]
+    if verb == "lab":
+        path.with_suffix(".jsonl").write_text(inputs)
+        words += ["--inputs", "shown.jsonl"]
+    run = subprocess.run([command, *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60, cwd=folder)
     return run.stdout
 
 
@@ -107,7 +114,8 @@ def check_shown(command, folder, document):
             found = dialogue(command, folder, [line[len(PROMPT):] for line in wanted if line.startswith(PROMPT)])
         else:
             program = list(BLOCK.finditer(text, 0, match.start()))[-1][2]
-            found = printed(command, "test" if kind == "reports" else "run", folder, program)
+            inputs = INPUTS.findall(text, 0, match.start())[-1:]
+            found = printed(command, VERBS.get(kind, "run"), folder, program, "".join(inputs))
         found = FILE.sub("FILE", found).splitlines()
         if not (is_part(wanted, found) if kind == "prints a part" else wanted == found):
             line = text.count("\n", 0, match.start()) + 1

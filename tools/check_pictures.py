@@ -38,6 +38,8 @@ PICTURES = {
     "tutorial/arc_and_line.svg": ("docs/tutorial/05-lines-and-paths.md#1", FIGURES),
     "tutorial/planners.svg": ("docs/tutorial/05-lines-and-paths.md#2", FIGURES),
     "tutorial/tray.jpg": ("docs/tutorial/06-functions-and-tests.md#1", SCENE),
+    "tutorial/picture.png": ("docs/tutorial/08-the-eye.md#1", "picture.save(FILE)"),
+    "tutorial/servo.svg": ("docs/tutorial/08-the-eye.md#2", FIGURES),
     "storyboard.png": ("examples/06_handover.rbt", STORYBOARD),
     "pick_and_place.jpg": ("README.md#1", CLOSE),
 }

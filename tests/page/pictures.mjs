@@ -1,8 +1,8 @@
-// Makes the pictures of docs/images: the demonstration, light, dark and on a phone, arms of several kinds, and each example with a lab block.
-import { mkdirSync, readFileSync, readdirSync } from "node:fs";
+// Makes the pictures of docs/images: the demonstration, light, dark and on a phone, arms of several kinds, the laboratory of the tutorial, and each example with a lab block.
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { root } from "./modules.mjs";
-import { smallPng } from "./small_png.mjs";
+import { readPng, smallPng } from "./small_png.mjs";
 import { boxGlb, gearGlb } from "./small_glb.mjs";
 import { closeBrowser, placeOf, untilStatus, withLab, viewTool } from "./laboratory.mjs";
 
@@ -16,14 +16,16 @@ async function settled(page) {
   await page.waitForTimeout(400);
 }
 
-// files  beside the program; `part` of the page, all of it if empty.
-async function picture(name, text, { files = {}, part = "", ...options } = {}, act = async () => {}) {
+// files  beside the program; `part` of the page, all of it if empty; few  whether 256 colours suffice.
+async function picture(name, text, { files = {}, part = "", few = false, ...options } = {}, act = async () => {}) {
   await withLab(text, async (open) => {
     const page = await open({ viewport: { width: 1280, height: 800 }, ...options });
     await settled(page);
     await act(page);
     await page.waitForTimeout(600);
-    await (part ? page.locator(part) : page).screenshot({ path: join(images, `${name}.png`) });
+    const taken = await (part ? page.locator(part) : page).screenshot();
+    const { width, height, data } = few ? readPng(taken) : {};
+    writeFileSync(join(images, `${name}.png`), few ? smallPng(width, height, data) : taken);
   }, files);
   console.log(`${name}.png`);
 }
@@ -82,6 +84,10 @@ left.moveJ(posJ(19deg, 40deg, 0mm, 0deg), time: 2s)
 right.moveJ(posJ(60deg, -30deg, 120mm, 0deg), time: 2s)
 `;
 
+// The text of a program of a document, counted from 1.
+function programOf(file, number) {
+  return [...readFileSync(join(root, file), "utf8").matchAll(/```rbt\n(.*?)```/gs)][number - 1][1];
+}
 
 const wanted = process.argv.slice(2);
 const make = async (name, ...rest) => (wanted.length && !wanted.includes(name) ? undefined : picture(name, ...rest));
@@ -106,6 +112,12 @@ try {
   await make("world_way", readFileSync(join(root, "examples/22_around_a_wall.rbt"), "utf8"), world, (page) => at(page, 0.43));
   await make("lab_handover", readFileSync(join(root, "examples/06_handover.rbt"), "utf8"), {}, half);
   await make("cameras/window", readFileSync(join(root, "examples/24_camera_window.rbt"), "utf8"), { viewport: { width: 1280, height: 760 }, colorScheme: "light" }, (page) => at(page, 0.43));
+  await make("tutorial/laboratory", programOf("docs/tutorial/07-a-laboratory.md", 2), { few: true, viewport: { width: 1060, height: 600 }, colorScheme: "light" }, async (page) => {
+    await page.getByRole("button", { name: "To the right" }).click();
+    await untilStatus(page, /6 moves/);
+    await page.waitForTimeout(1500);
+    await half(page);
+  });
   for (const folder of ["examples/figures", "examples/figures/cameras", "examples/labs", "examples/cameras", "examples"]) {
     for (const file of readdirSync(join(root, folder)).filter((name) => name.endsWith(".rbt"))) {
       const text = readFileSync(join(root, folder, file), "utf8");
