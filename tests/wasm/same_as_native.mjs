@@ -51,7 +51,7 @@ function runInModule(files, program) {
 
 // The module has neither the library that searches paths around obstacles, nor OpenCV, nor the readers of picture files.
 const needsLibrary = (ran) => ran.status === exitStatus[Answer.failed] &&
-  /error R06(46|91)|error R0680: [^\n]*not in a page by itself/.test(ran.messages);
+  /error R06(46|91)|error R0680: [^]*not in a page by itself/.test(ran.messages);
 
 // What a program differs in; nothing if it does not.
 function difference(folder, files, program) {
