@@ -126,7 +126,7 @@ class Innermost {
 // calls.
 class Changes {
  public:
-  // Empty if there is none.
+  // The change as text for a message; empty if there is none.
   std::string of(const Expr& root) {
     look(root, nullptr);
     return std::move(why_);

@@ -69,7 +69,7 @@ Chain make_chain(const RobotSpec& spec) {
     chain.q_to_theta[i] = joint.is_revolute() ? 1.0 : 0.0;
     chain.q_to_d[i] = 1.0 - chain.q_to_theta[i];
   }
-  // The X at the other end of the chain is the identity.
+  // A chain of DH rows has one link twist more than joints: the one at its unused end is zero.
   chain.cos_alpha[chain.standard ? 0 : spec.joints.size()] = 1.0;
   return chain;
 }

@@ -77,7 +77,7 @@ for (const name of names) {
       const before = await clock(page).innerText();
       await page.mouse.click(bar.x + 0.47 * bar.width, bar.y + 40);
       if (!before.endsWith("/ 0.00 s")) await until(async () => (await clock(page).innerText()) !== before, () => `the clock stays at ${before}`);
-      // What was in the view when it started is not what there is to see now.
+      // The view is fitted again, because the scene has changed since its start.
       await page.getByRole("button", { name: "Fit", exact: true }).click();
       await page.mouse.move(2, 2);
       await page.evaluate(() => document.activeElement?.blur());

@@ -66,8 +66,8 @@ Solid random_body(Random& random, const Vector3d& p) {
 
 }  // namespace
 
-// 5 mm are kept everywhere, with 5 % to spare; what is refused is nearer than that and a quarter
-// somewhere, but for what happens between samples.
+// A free segment keeps 5 mm in all samples, less 5 % of it. A blocked segment comes closer than 5
+// mm and a quarter in some sample, unless it does so only between two samples.
 TEST_CASE("segments that are free stay apart in dense samples, and others come near") {
   constexpr double kClearance = 0.005;
   Random random(6);

@@ -1,4 +1,5 @@
-// What tasks do, what signals are, what is pressed, and what only those who ask receive.
+// Intervals of tasks and signals in a recorded run, inputs by buttons, and messages that only pages
+// which asked for them receive.
 
 #include <doctest/doctest.h>
 
