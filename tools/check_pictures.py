@@ -22,6 +22,10 @@ CLOSE = (
     " snapshot(FILE, from: shot)"
 )
 PICTURES = {
+    "laboratories/laboratory_03.svg": ("examples/labs/03_workspace.rbt", FIGURES),
+    "laboratories/laboratory_07.svg": ("examples/labs/07_singularity.rbt", FIGURES),
+    "laboratories/laboratory_09.svg": ("examples/labs/09_integration.rbt", FIGURES),
+    "laboratories/laboratory_12.svg": ("examples/labs/12_straight_line.rbt", FIGURES),
     "laboratories/laboratory_13.svg": ("examples/figures/fig10_inverse_dynamics_payload.rbt", FIGURES),
     "laboratories/laboratory_14.svg": ("examples/figures/fig11_M_C_G_live.rbt", FIGURES),
     "laboratories/laboratory_15.svg": ("examples/labs/15_falling_arm.rbt", FIGURES),
