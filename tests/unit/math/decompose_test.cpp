@@ -163,6 +163,30 @@ TEST_CASE("singular values of a 2x2 matrix are those of the closed form") {
   CHECK(s[1] == doctest::Approx(std::sqrt(15 - std::sqrt(221.0))).epsilon(1e-14));
 }
 
+TEST_CASE("singular values of large matrices: second differences, and products of few columns") {
+  for (const Index size : {32, 33, 200, 400}) {
+    CAPTURE(size);
+    MatrixXd A = 2.0 * identity(size);
+    for (Index i = 1; i < size; ++i) A(i, i - 1) = A(i - 1, i) = -1.0;
+    const VectorXd s = singular_values(A).s;
+    for (Index k = 0; k < size; ++k) {
+      const double angle =
+          std::numbers::pi * static_cast<double>(size - k) / static_cast<double>(size + 1);
+      CHECK(std::abs(s[k] - (2.0 - 2.0 * std::cos(angle))) < kTight);
+    }
+  }
+  Random random(24);
+  const MatrixXd few = random_matrix(random, 400, 5) * random_matrix(random, 5, 390);
+  const SvdParts svd = full_singular_values(few);
+  CHECK(rank(few) == 5);
+  CHECK(svd.s[5] < 1e-14 * svd.s[0] * 400);
+  CHECK(distance(svd.U.leftCols(390) * svd.s.asDiagonal() * svd.V.transpose(), few) < 1e-11);
+  CHECK(distance(svd.U.transpose() * svd.U, identity(400)) < kTight);
+  CHECK(distance(svd.V.transpose() * svd.V, identity(390)) < kTight);
+  const VectorXd equal = singular_values(3.0 * identity(400)).s;
+  CHECK((equal.array() == 3.0).all());
+}
+
 TEST_CASE("symmetric matrices have orthonormal eigenvectors, in ascending order") {
   Random random(8);
   for (int i = 0; i < 200; ++i) {
