@@ -12,12 +12,9 @@ endforeach()
 file(GLOB leftovers ${generated}/*.interp ${generated}/*.tokens)
 file(REMOVE ${leftovers})
 
-# Replaces ANTLR's reader of the tables by our own, because ANTLR's takes a third of the time of a short program.
+# The tables are read at their first use. Most programs need only those of RbtTables.h.
 foreach(grammar RbtLexer RbtParser)
   file(READ ${generated}/${grammar}.cpp text)
-  string(REPLACE "#include \"${grammar}.h\"\n" "#include \"${grammar}.h\"\n#include \"table_reader.hpp\"\n" text "${text}")
-  string(REPLACE "atn::ATNDeserializer deserializer;" "TableReader deserializer;" text "${text}")
-  # The tables are read at their first use. Most programs need only those of RbtTables.h.
   string(REPLACE "${grammar}::Initializer ${grammar}::_init;"
     "void ${grammar}::prepare() {\n  static Initializer tables;\n}" text "${text}")
   string(REPLACE "RbtLexer::RbtLexer(CharStream *input) : Lexer(input) {"

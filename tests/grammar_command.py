@@ -19,7 +19,7 @@ out = pathlib.Path(sys.argv[sys.argv.index("-o") + 1])
 if not out.is_dir():
     sys.exit(f"{out} is not there")
 name = pathlib.Path(sys.argv[-1]).stem
-text = f'#include "{name}.h"\\natn::ATNDeserializer deserializer;\\n'
+text = f"{name}::Initializer {name}::_init;\\n"
 (out / f"{name}.cpp").write_text(text)
 (out / f"{name}.h").write_text("static Initializer _init;\\n")
 (out / f"{name}.tokens").write_text("")
@@ -39,7 +39,8 @@ def main():
         subprocess.run(shlex.split(command[1]), cwd=copy, env=os.environ | {"PATH": path}, check=True)
         for name in ("RbtLexer", "RbtParser"):
             made = (copy / "grammar" / "generated" / f"{name}.cpp").read_text()
-            if "TableReader deserializer;" not in made or f'#include "{name}.h"\n#include "table_reader.hpp"' not in made:
+            header = (copy / "grammar" / "generated" / f"{name}.h").read_text()
+            if f"void {name}::prepare() {{" not in made or "static void prepare();" not in header:
                 sys.exit(f"{name}.cpp was not made again:\n{made[:400]}")
             if (copy / "grammar" / "generated" / f"{name}.tokens").exists():
                 sys.exit(f"{name}.tokens was left")

@@ -3,7 +3,6 @@
 
 
 #include "RbtLexer.h"
-#include "table_reader.hpp"
 
 
 using namespace antlr4;
@@ -794,7 +793,7 @@ RbtLexer::Initializer::Initializer() {
     0x2, 0x8, 0x2, 0x2, 
   };
 
-  TableReader deserializer;
+  atn::ATNDeserializer deserializer;
   _atn = deserializer.deserialize(_serializedATN);
 
   size_t count = _atn.getNumberOfDecisions();

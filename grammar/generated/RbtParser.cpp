@@ -4,7 +4,6 @@
 
 
 #include "RbtParser.h"
-#include "table_reader.hpp"
 
 
 #include "guarded_parser.hpp"
@@ -7771,7 +7770,7 @@ RbtParser::Initializer::Initializer() {
     0x360, 0x363, 0x36c, 0x36e, 0x372, 0x374, 0x37c, 0x380, 0x382, 0x389, 
   };
 
-  TableReader deserializer;
+  atn::ATNDeserializer deserializer;
   _atn = deserializer.deserialize(_serializedATN);
 
   size_t count = _atn.getNumberOfDecisions();
