@@ -2,15 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <atomic>
-
 #include "armlet/core/error.hpp"
 
 namespace armlet {
 namespace {
-
-std::atomic<InstructionSet> widest{InstructionSet::kAvx512};
 
 const char* name_of_set(InstructionSet set) {
   switch (set) {
@@ -45,10 +40,8 @@ InstructionSet best_instruction_set() {
                                      : is_supported(InstructionSet::kAvx2)
                                          ? InstructionSet::kAvx2
                                          : InstructionSet::kBaseline;
-  return std::min(best, widest.load(std::memory_order_relaxed));
+  return best;
 }
-
-void use_at_most(InstructionSet set) { widest.store(set, std::memory_order_relaxed); }
 
 void check_supported(InstructionSet set) {
   if (is_supported(set)) return;

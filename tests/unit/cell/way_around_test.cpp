@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "armlet/cell/gripper.hpp"
-#include "armlet/chain/instruction_set.hpp"
 #include "armlet/core/checkpoint.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/forward.hpp"
@@ -278,10 +277,8 @@ TEST_CASE(
     check_motion_keeps_limits(puzzle.robot(), motion);
     whole += motion.duration();
     if (seed % 4 != 0) continue;
-    // Again in a process that has searched others meanwhile, on a processor that knows less.
-    use_at_most(InstructionSet::kBaseline);
+    // Again in a process that has searched others meanwhile.
     const WayAround again = find_way_around(cell, {.robot = 0, .goals = {puzzle.goal()}});
-    use_at_most(InstructionSet::kAvx512);
     REQUIRE(again.ok());
     CHECK(same_bits(motion, *again.motion.trajectory));
   }

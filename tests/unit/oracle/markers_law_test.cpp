@@ -1,12 +1,10 @@
-// Programs with markers do what those without do, also statement by statement; and so do runs on
-// every instruction set.
+// Programs with markers do what those without do, also statement by statement.
 #include <doctest/doctest.h>
 
 #include <string>
 #include <vector>
 
 #include "armlet/backend/run_hash.hpp"
-#include "armlet/chain/instruction_set.hpp"
 #include "armlet/interpreter/host/inspection.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
 #include "library.hpp"
@@ -98,40 +96,6 @@ TEST_CASE("2,000 random programs do the same with markers, and statement by stat
   for (std::uint64_t number = first; number <= last; ++number) {
     CAPTURE(number);
     check_marked(RandomProgram(number).text(), {}, {.steps = 20'000, .call_depth = 60});
-  }
-}
-
-namespace {
-
-// On every instruction set that this processor has; on others it is the best one at most.
-void check_instruction_sets(const std::string& text, const fs::path& folder, RunLimits limits) {
-  std::vector<MarkedRun> shown;
-  for (const InstructionSet set :
-       {InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
-    use_at_most(set);
-    shown.push_back(run_marked(text, folder, limits, false));
-  }
-  CHECK(shown[1] == shown[0]);
-  CHECK(shown[2] == shown[0]);
-}
-
-}  // namespace
-
-TEST_CASE("examples and scripts with tasks send the same events on every instruction set") {
-  for (const char* folder : {"examples", "tests/scripts/tasks"}) {
-    for (const fs::path& file : programs_below(folder)) {
-      CAPTURE(file);
-      check_instruction_sets(text_of(file), file.parent_path(), {.steps = 2'000'000});
-    }
-  }
-}
-
-TEST_CASE("random programs send the same events on every instruction set") {
-  const RunLimits limits{.steps = 20'000, .call_depth = 60};
-  for (std::uint64_t number = 1; number <= number_from("ARMLET_LAST", 2000); ++number) {
-    CAPTURE(number);
-    check_instruction_sets(RandomProgram(number).with_tasks().text(), {}, limits);
-    if (number % 10 == 0) check_instruction_sets(RobotProgram(number / 10).text(), {}, limits);
   }
 }
 

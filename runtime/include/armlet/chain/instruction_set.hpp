@@ -6,13 +6,10 @@ namespace armlet {
 // each size, and one is chosen at run time.
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 
-// Whether this processor has the instruction set; and the largest that it has and may use.
+// Whether this processor has the instruction set; and the largest that it has. Results have the same
+// bits on every set.
 bool is_supported(InstructionSet set);
 InstructionSet best_instruction_set();
-
-// Limits the instruction set for the whole process, all robots included. Results have the same bits
-// on every set, so this serves comparisons and benchmarks.
-void use_at_most(InstructionSet set);
 
 // throws  ArgumentError if this processor does not have it.
 void check_supported(InstructionSet set);
