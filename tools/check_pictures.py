@@ -24,6 +24,7 @@ CLOSE = (
 PICTURES = {
     "laboratories/laboratory_03.svg": ("examples/labs/03_workspace.rbt", FIGURES),
     "laboratories/laboratory_07.svg": ("examples/labs/07_singularity.rbt", FIGURES),
+    "laboratories/laboratory_08.svg": ("docs/labs/08-trajectory-zoo.md#3", FIGURES),
     "laboratories/laboratory_09.svg": ("examples/labs/09_integration.rbt", FIGURES),
     "laboratories/laboratory_12.svg": ("examples/labs/12_straight_line.rbt", FIGURES),
     "laboratories/laboratory_13.svg": ("examples/figures/fig10_inverse_dynamics_payload.rbt", FIGURES),
