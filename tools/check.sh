@@ -13,8 +13,9 @@ ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^g
 texts() {
   step format
   ours '*.cpp' '*.hpp' '*.h' | xargs -r clang-format --dry-run --Werror
-  step changelog, decisions, layers, messages, names, notices, the page, sizes, structure and words
+  step changelog, citations, decisions, layers, messages, names, notices, the page, sizes, structure and words
   python3 tools/check_changelog.py
+  python3 tools/check_citations.py
   python3 tools/check_decisions.py
   python3 tools/check_layers.py
   python3 tools/check_messages.py

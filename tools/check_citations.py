@@ -5,6 +5,7 @@ usage: check_citations.py [FILE...]
 
 Rules of the language are cited by the section of their subject. "Section 13.2" means docs/language.md, or the document that
 says it if that has numbered headings; a section of a book stands behind its year. CHANGELOG.md is about the past and is left out.
+In documents also code spans that are paths, such as `vm/heap` and `tests/unit/<layer>/`, and commands of ./dev.
 """
 import pathlib
 import re
@@ -28,6 +29,8 @@ DECISION = re.compile(r"\b[Dd]ecisions?\s+(\d+(?:(?:,| and|, and)\s+\d+)*)\b")
 CODE = re.compile(r"\b([ERW]\d{4})\b")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 NAME = re.compile(r"(?<![\w./<>{*-])((?:[\w.-]+/)*[\w-]+(?:\.[\w-]+)*\.(?:cpp|hpp|md|py|def|g4|inc|cmake))\b(?!/)")
+SPAN = re.compile(r"`([\w.<>{},*-]+(?:/[\w.<>{},*-]+)+/?|[\w.-]+/)`")
+COMMAND = re.compile(r"\./dev ([a-z]+)(?: ([a-z]+(?:-[a-z]+)?))?")
 BOOK = re.compile(r"\b(?:1[89]|20)\d\d\b")
 
 
@@ -69,6 +72,21 @@ def joined(text):
     return "".join(out), lines
 
 
+def commands():
+    """The commands of ./dev, and the parts of ./dev check."""
+    usage = (ROOT / "dev").read_text()
+    lists = dict(re.findall(r"^(rooms|parts)=\((.*)\)", (ROOT / "tools/check.sh").read_text(), re.M))
+    parts = {part for part in lists["parts"].split() if part.isalpha()}
+    return (set(re.findall(r"^\./dev ([a-z]+)", usage, re.M)),
+            parts | {f"{kind}-{room}" for kind in ("dev", "asan", "tsan") for room in lists["rooms"].split()})
+
+
+def branches(path):
+    """The paths that are meant by one with {a,b}."""
+    m = re.search(r"\{([^{}]*)\}", path)
+    return [path] if not m else [b for each in m[1].split(",") for b in branches(path[:m.start()] + each + path[m.end():])]
+
+
 class Checker:
     def __init__(self):
         self.files = tracked()
@@ -80,6 +98,9 @@ class Checker:
             parts = file.split("/")
             for i in range(len(parts)):
                 self.suffixes.setdefault("/".join(parts[i:]), file)
+        self.paths = {*self.files, *(str(folder) for file in self.files for folder in pathlib.PurePosixPath(file).parents)}
+        self.folders = {path.rsplit("/", 1)[-1] for path in self.paths - set(self.files)} - {"build"}
+        self.commands, self.parts = commands()
         self.faults = []
 
     def fault(self, path, line, what):
@@ -107,6 +128,27 @@ class Checker:
             if m[1] not in self.codes and m[1][1:3] in ("01", "02", "03", "04", "05", "06", "07"):
                 self.fault(path, at(m), f"there is no message {m[1]}")
         self.check_files(path, flat, at)
+        if path.endswith(".md"):
+            self.check_spans(path, text)
+
+    def check_spans(self, path, text):
+        for number, line in enumerate(text.splitlines(), 1):
+            for m in SPAN.finditer(line):
+                for branch in branches(m[1].strip("./")):
+                    if branch.split("/")[0] in self.folders and not self.is_path(branch):
+                        self.fault(path, number, f"there is no {branch}")
+            for m in COMMAND.finditer(line):
+                if m[1] not in self.commands:
+                    self.fault(path, number, f"there is no command ./dev {m[1]}")
+                elif m[1] == "check" and m[2] and m[2] not in self.parts and f"`{m[0]}" in line:
+                    self.fault(path, number, f"./dev check has no part {m[2]}")
+
+    def is_path(self, branch):
+        """Whether a file or folder has this path or the end of it; `*`, `<layer>`, `NAME` and `...` are any name, and an
+        ending may be left out."""
+        wild = re.sub(r"<\w+>|\*+|\.\.\.|(?<![A-Za-z])[A-Z]{4,}(?![A-Za-z])", "\0", branch)
+        wanted = re.compile(r"(?:.*/)?" + re.escape(wild).replace("\0", "[^/]*") + r"(?:\.\w+)*")
+        return any(wanted.fullmatch(each) for each in self.paths)
 
     def check_files(self, path, flat, at):
         folder = pathlib.PurePosixPath(path).parent

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that every #include respects the layers of the architecture and the fences around heavy headers, and that
-portable sources use what every platform and compiler has."""
+portable sources use what every platform and compiler has; and that docs/architecture.md says the same of layers and rooms."""
 
 import os
 import re
@@ -198,6 +198,22 @@ def faults_in_file(path, text):
                 yield f"{path}:{number}: {fault}"
 
 
+def faults_of_document(root):
+    """Rows of the tables of docs/architecture.md, "| `name` | core, math | ...", that say something else than the graphs here.
+    "Above" means all rows above, and what stands behind "without" is taken away again."""
+    text = (root / "docs/architecture.md").read_text(encoding="utf-8")
+    for head, graph in (("| layer | may include |", MAY_INCLUDE), ("| room | may include", ROOMS)):
+        said = {}
+        for name, cell in re.findall(r"^\| `(\w+)` \| (.*?) \|", text[text.index(head):].split("\n\n")[0], re.MULTILINE):
+            cell, _, left_out = cell.partition("without")
+            named = {word for word in re.findall(r"\w+", cell) if word in graph}
+            said[name] = named | (set(said) - set(re.findall(r"\w+", left_out)) if "above" in cell else set())
+        for name in graph:
+            if said.get(name) != set(graph[name]):
+                yield (f"docs/architecture.md: the row of `{name}` says {', '.join(sorted(said.get(name, ['nothing'])))}; "
+                       f"it may include: {', '.join(sorted(graph[name]))}")
+
+
 def sources(root):
     for folder in ("runtime", "interpreter", "stdlib", "apps", "tests", "bench", "examples"):
         for suffix in ("*.hpp", "*.h", "*.cpp"):
@@ -206,8 +222,9 @@ def sources(root):
 
 def main():
     root = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else ROOT
-    faults = list(circles(root)) + [fault for path in sources(root)
-                                for fault in faults_in_file(path.relative_to(root), path.read_text(encoding="utf-8"))]
+    faults = [*circles(root), *faults_of_document(root)]
+    for path in sources(root):
+        faults += faults_in_file(path.relative_to(root), path.read_text(encoding="utf-8"))
     print("\n".join(faults) if faults else "layers: in order")
     return 1 if faults else 0
 
