@@ -130,7 +130,8 @@ std::string find_converter() {
 
 std::string no_converter() {
   return "it takes the converter armlet-mesh, which is not there: install libassimp-dev, "
-         "libcoin-dev and libtinyxml2-dev, build it with `./dev build`, and keep it beside armlet; or "
+         "libcoin-dev and libtinyxml2-dev, build it with `./dev build`, and keep it beside armlet; "
+         "or "
          "convert the mesh to GLB elsewhere";
 }
 

@@ -14,7 +14,7 @@ constexpr std::string_view kArms =
 constexpr std::string_view kCatalog =
     "robots.ur5() gives a robot and object(\"cube\") a thing of the world";
 constexpr std::string_view kSpeeds =
-    "with (speed: 100mm/s) { ... } holds for the moves inside; a move takes speed: too";
+    "with (speed: 0.5) { ... } halves the speed inside; arm.moveL(p, speed: 100mm/s) on a line";
 constexpr std::string_view kBase =
     "where a robot stands is said where it is made: robots.ur5(base: xyz(x: 1m))";
 constexpr std::string_view kEvenSteps =
