@@ -11,6 +11,7 @@ from pathlib import Path
 COMMAND = Path(sys.argv[1]).resolve()
 ROOT = Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "examples" / "figures"
+LABORATORIES = ROOT / "examples" / "labs"
 MOST_LINES = 70
 
 LAB = """robot arm = robots.scara()
@@ -152,9 +153,9 @@ def check_pictures(folder):
 
 
 def check_figures(folder):
-    """Each figure with a `lab` block has inputs beside it, which say in comments what they show."""
+    """Each figure and laboratory with a `lab` block has inputs beside it, which say in comments what they show."""
     played = 0
-    for program in sorted(FIGURES.rglob("*.rbt")):
+    for program in sorted([*FIGURES.rglob("*.rbt"), *LABORATORIES.glob("*.rbt")]):
         text = program.read_text()
         if "\nlab " not in text:
             continue
@@ -169,7 +170,7 @@ def check_figures(folder):
             check(line in ran.stdout.splitlines(), f"{program.name}: no line `{line}` in\n{ran.stdout}")
         check(len(wanted) > 0, f"{script.name} expects nothing")
         played += 1
-    check(played >= 11, f"{played} figures were played")
+    check(played >= 12, f"{played} figures and laboratories were played")
 
 
 def check_photograph(folder):
