@@ -1,6 +1,6 @@
 # armlet_add_unit_tests(LAYER LIBRARY [INCLUDE...]) adds the program test_LAYER from tests/unit/LAYER.
 # armlet_add_layer_tests(LAYER) does so for a layer of the runtime, and links it with those it uses and nothing else.
-# armlet_add_room_tests(ROOM...) links rooms of the interpreter so, too.
+# armlet_add_room_tests(LIBRARY ROOM...) links rooms of the interpreter or of the library so, too.
 # armlet_add_script_tests(FOLDER...) adds one test for every .rbt file below, except those in folders called modules.
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
@@ -59,13 +59,13 @@ function(armlet_add_layer_tests layer)
   add_test(NAME layer.${layer} COMMAND layer_${layer})
 endfunction()
 
-# The same of rooms of the interpreter.
-function(armlet_add_room_tests)
+# The same of rooms of a library.
+function(armlet_add_room_tests library)
   foreach(room IN LISTS ARGN)
     get_target_property(rooms armlet_room_${room} ARMLET_ROOMS)
     add_executable(room_${room} support/nothing.cpp)
     target_link_libraries(room_${room} PRIVATE ${rooms})
-    add_test(NAME layer.interpreter.${room} COMMAND room_${room})
+    add_test(NAME layer.${library}.${room} COMMAND room_${room})
   endforeach()
 endfunction()
 
@@ -240,7 +240,9 @@ endfunction()
 # What the sources must be like, what the documents say, and input that nobody would mean.
 function(armlet_add_source_tests)
   armlet_add_deletions()
-  armlet_add_room_tests(base vocabulary ast habits hir program syntax check lower vm driver editor format)
+  armlet_add_room_tests(interpreter base vocabulary ast habits hir program syntax check lower vm driver editor format)
+  armlet_add_room_tests(stdlib host values rules moves numbers robot world motion trajectory dynamics plot vision laboratory session
+    controls workspace)
   foreach(source changelog decisions layers messages names sizes structure words)
     add_test(NAME source.${source} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_${source}.py)
   endforeach()

@@ -92,9 +92,10 @@ function(armlet_hurry_hot_code)
   armlet_hurry(layer_dynamics runtime/src/dynamics/simulation/ *)
 
   # All else is linked as a whole: the linker sees what throws nothing, and leaves out what would be done if it did.
-  set(rooms base vocabulary ast habits hir program syntax check lower vm driver editor format)
+  set(rooms base vocabulary ast habits hir program syntax check lower vm driver editor format host values rules moves numbers robot world
+    motion trajectory dynamics plot vision laboratory session controls workspace)
   list(TRANSFORM rooms PREPEND armlet_room_)
-  foreach(target antlr4_static armlet_grammar ${rooms} armlet_stdlib armlet_laboratory armlet_module armlet_layer_math armlet_layer_chain
+  foreach(target antlr4_static armlet_grammar ${rooms} armlet_laboratory armlet_module armlet_layer_math armlet_layer_chain
       armlet_layer_model armlet_layer_kinematics armlet_layer_dynamics armlet_layer_trajectory armlet_layer_world armlet_layer_collision
       armlet_layer_planning armlet_layer_grasp armlet_layer_backend armlet_layer_cell armlet_layer_mesh armlet_layer_plot)
     target_compile_options(${target} PRIVATE -flto)

@@ -36,33 +36,66 @@ MAY_INCLUDE = {
 }
 EVERYTHING = list(MAY_INCLUDE)
 
-# room of the interpreter: the rooms whose headers it may include, besides its own; they stand above it here.
+# library: room: the rooms whose headers it may include, besides its own; they stand above it here.
 ROOMS = {
-    "base": [],
-    "vocabulary": ["base"],
-    "ast": ["base"],
-    "habits": ["base"],
-    "hir": ["base", "vocabulary", "ast"],
-    "program": ["base", "vocabulary", "ast", "hir"],
-    "syntax": ["base", "vocabulary", "ast"],
-    "check": ["base", "vocabulary", "ast", "hir"],
-    "lower": ["base", "vocabulary", "ast", "hir", "program"],
-    "vm": ["base", "vocabulary", "ast", "hir", "program"],
-    "driver": ["base", "vocabulary", "ast", "habits", "hir", "program", "syntax", "check", "lower", "vm"],
-    "editor": ["base", "vocabulary", "ast", "hir", "program", "syntax", "check", "lower", "vm", "driver"],
-    "format": ["base", "vocabulary", "ast", "syntax"],
+    "interpreter": {
+        "base": [],
+        "vocabulary": ["base"],
+        "ast": ["base"],
+        "habits": ["base"],
+        "hir": ["base", "vocabulary", "ast"],
+        "program": ["base", "vocabulary", "ast", "hir"],
+        "syntax": ["base", "vocabulary", "ast"],
+        "check": ["base", "vocabulary", "ast", "hir"],
+        "lower": ["base", "vocabulary", "ast", "hir", "program"],
+        "vm": ["base", "vocabulary", "ast", "hir", "program"],
+        "driver": ["base", "vocabulary", "ast", "habits", "hir", "program", "syntax", "check", "lower", "vm"],
+        "editor": ["base", "vocabulary", "ast", "hir", "program", "syntax", "check", "lower", "vm", "driver"],
+        "format": ["base", "vocabulary", "ast", "syntax"],
+    },
+    "stdlib": {
+        "messages": [],
+        "host": [],
+        "values": ["messages", "host"],
+        "rules": ["messages", "host", "values"],
+        "moves": ["messages", "host", "values"],
+        # Bindings: the functions of the language. None includes those of another room.
+        "numbers": ["messages", "host", "values", "rules"],
+        "robot": ["messages", "host", "values", "rules", "moves"],
+        "world": ["messages", "host", "values", "rules"],
+        "motion": ["messages", "host", "values", "rules", "moves"],
+        "trajectory": ["messages", "host", "values", "rules", "moves"],
+        "dynamics": ["messages", "host", "values", "rules", "moves"],
+        "plot": ["messages", "host", "values", "rules", "moves"],
+        "vision": ["messages", "host", "values", "rules", "moves"],
+        "laboratory": ["messages", "host", "values"],
+        # Runs of programs with these functions.
+        "session": ["messages", "host", "values", "rules", "moves", "motion", "laboratory"],
+        "controls": ["messages", "host", "values", "laboratory", "session"],
+        "workspace": ["messages", "host", "values", "session"],
+    },
 }
-# room: its public headers, by folder or by name, in include/armlet/interpreter.
+# library: room: its public headers, by folder or by name, in include/armlet/LIBRARY.
 PUBLIC_ROOMS = {
-    "base": "messages/ diagnostic failure foreign_name object output render run source type unit virtual_time world_names host/memory",
-    "vocabulary": "native answer resource later work sorting binding/thunk binding/dims_fact binding/map_values host/compile_options host/table_text",
-    "program": "host/program",
-    "vm": "script_function define define_type binding/ host/",
-    "driver": "engine host reference host/watchdog",
-    "editor": "editor/",
-    "format": "format",
+    "interpreter": {
+        "base": "messages/ diagnostic failure foreign_name object output render run source type unit virtual_time world_names host/memory",
+        "vocabulary": "native answer resource later work sorting binding/thunk binding/dims_fact binding/map_values host/compile_options "
+                      "host/table_text",
+        "program": "host/program",
+        "vm": "script_function define define_type binding/ host/",
+        "driver": "engine host reference host/watchdog",
+        "editor": "editor/",
+        "format": "format",
+    },
+    "stdlib": {
+        "host": "host host_frames laboratory_rows mesh_converter session_log",
+        "values": "robot_text",
+        "session": "install session session_options text_change",
+        "controls": "laboratory_controls",
+        "workspace": "load_world",
+    },
 }
-ROOM_OF = {name: room for room, names in PUBLIC_ROOMS.items() for name in names.split()}
+ROOM_OF = {library: {name: room for room, names in rooms.items() for name in names.split()} for library, rooms in PUBLIC_ROOMS.items()}
 
 # name: (pattern of the header, folders that may include it). Public headers may never include it.
 FENCES = {
@@ -109,29 +142,30 @@ def layer_of(path):
     return parts[0] if parts[0] in ("interpreter", "stdlib") else None
 
 
-def room_of(part):
-    """The room of a header or source below interpreter/src or interpreter/include/armlet."""
-    if part.parts[0] in ROOMS:
+def room_of(library, part):
+    """The room of a header or source below LIBRARY/src or LIBRARY/include/armlet."""
+    if part.parts[0] in ROOMS[library]:
         return part.parts[0]
-    name = part.with_suffix("").relative_to("interpreter").as_posix()
-    return ROOM_OF.get(name) or ROOM_OF.get(name.split("/")[0] + "/")
+    name = part.with_suffix("").relative_to(library).as_posix() if part.parts[0] == library else ""
+    return ROOM_OF[library].get(name) or ROOM_OF[library].get(name.split("/")[0] + "/")
 
 
 def faults_of_rooms(path, header):
-    if path.parts[0] != "interpreter" or not header.startswith((*(f"{room}/" for room in ROOMS), "armlet/interpreter/")):
+    library = path.parts[0]
+    rooms = ROOMS.get(library, {})
+    if not header.startswith((*(f"{room}/" for room in rooms), f"armlet/{library}/")) or not rooms:
         return
-    room = room_of(path.relative_to("interpreter/src" if path.parts[1] == "src" else "interpreter/include/armlet"))
-    target = room_of(Path(header.removeprefix("armlet/")))
+    room = room_of(library, path.relative_to(f"{library}/src" if path.parts[1] == "src" else f"{library}/include/armlet"))
+    target = room_of(library, Path(header.removeprefix("armlet/")))
     if room is None or target is None:
-        yield f"{path if room is None else header} is in no room of the interpreter: PUBLIC_ROOMS in tools/check_layers.py"
-    elif target not in ROOMS[room] + [room]:
-        yield f"{room} may not include {header} of {target}; it may include: {', '.join(ROOMS[room] + [room])}"
+        yield f"{path if room is None else header} is in no room of {library}: PUBLIC_ROOMS in tools/check_layers.py"
+    elif target not in rooms[room] + [room]:
+        yield f"{room} may not include {header} of {target}; it may include: {', '.join(rooms[room] + [room])}"
 
 
-def folders_of_rooms(root):
-    """folder of interpreter/src: the folders whose headers it includes. Rules of the checker call one another as the language nests, so
-    of these only the headers count."""
-    src = root / "interpreter" / "src"
+def folders_of_rooms(src):
+    """folder of a library's sources: the folders whose headers it includes. Rules of the checker call one another as the language nests,
+    so of these only the headers count."""
     used = {}
     for path in sorted(src.rglob("*.[ch]pp")):
         folder = path.relative_to(src).parent
@@ -144,16 +178,17 @@ def folders_of_rooms(root):
 
 
 def circles(root):
-    """Folders of the interpreter that include one another, and rooms that may include what stands behind them."""
-    used = folders_of_rooms(root)
-    while ends := {folder for folder in used if not used[folder] & set(used) or all(folder not in names for names in used.values())}:
-        used = {folder: names for folder, names in used.items() if folder not in ends}
-    if used:
-        yield f"interpreter/src: a circle of includes among {', '.join(sorted(map(str, used)))}"
-    rooms = list(ROOMS)
-    for room, used in ROOMS.items():
-        for wrong in [name for name in used if rooms.index(name) >= rooms.index(room)]:
-            yield f"tools/check_layers.py: {room} may not use {wrong}, which stands behind it"
+    """Folders of a library that include one another, and rooms that may include what stands behind them."""
+    for library, rooms in ROOMS.items():
+        used = folders_of_rooms(root / library / "src")
+        while ends := {folder for folder in used if not used[folder] & set(used) or all(folder not in names for names in used.values())}:
+            used = {folder: names for folder, names in used.items() if folder not in ends}
+        if used:
+            yield f"{library}/src: a circle of includes among {', '.join(sorted(map(str, used)))}"
+        order = list(rooms)
+        for room, names in rooms.items():
+            for wrong in [name for name in names if order.index(name) >= order.index(room)]:
+                yield f"tools/check_layers.py: {room} may not use {wrong}, which stands behind it"
 
 
 def layer_of_header(path, header, layer):
@@ -202,7 +237,8 @@ def faults_of_document(root):
     """Rows of the tables of docs/architecture.md, "| `name` | core, math | ...", that say something else than the graphs here.
     "Above" means all rows above, and what stands behind "without" is taken away again."""
     text = (root / "docs/architecture.md").read_text(encoding="utf-8")
-    for head, graph in (("| layer | may include |", MAY_INCLUDE), ("| room | may include", ROOMS)):
+    for head, graph in (("| layer | may include |", MAY_INCLUDE), ("| room | may include", ROOMS["interpreter"]),
+                        ("| room of the library | may include |", ROOMS["stdlib"])):
         said = {}
         for name, cell in re.findall(r"^\| `(\w+)` \| (.*?) \|", text[text.index(head):].split("\n\n")[0], re.MULTILINE):
             cell, _, left_out = cell.partition("without")

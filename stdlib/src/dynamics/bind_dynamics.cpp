@@ -8,12 +8,12 @@
 #include "armlet/dynamics/inverse_dynamics.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "dynamics/loaded_arm.hpp"
-#include "robot/models.hpp"
-#include "robot/rules.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/bind.hpp"
+#include "rules/rules.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/bind.hpp"
 #include "values/eigen_results.hpp"
-#include "values/give.hpp"
+#include "values/robots/give.hpp"
+#include "values/robots/models.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {

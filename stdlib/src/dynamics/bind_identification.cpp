@@ -3,9 +3,9 @@
 #include "armlet/dynamics/identification.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "dynamics/loaded_arm.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 #include "values/eigen_results.hpp"
-#include "values/give.hpp"
+#include "values/robots/give.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {

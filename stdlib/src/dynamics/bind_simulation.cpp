@@ -7,11 +7,11 @@
 #include "armlet/kinematics/forward.hpp"
 #include "dynamics/torque_law.hpp"
 #include "messages/library_messages.hpp"
-#include "motion/moves.hpp"
-#include "robot/grips.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/time_left.hpp"
-#include "values/give.hpp"
+#include "moves/grips.hpp"
+#include "moves/moves.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/robots/give.hpp"
+#include "values/time_left.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -2,7 +2,8 @@
 // Helpers shared by the functions of dynamics.
 
 #include "messages/library_messages.hpp"
-#include "motion/moves.hpp"
+#include "values/bind.hpp"
+#include "values/robots/robot_state.hpp"
 
 namespace armlet::bind {
 

@@ -6,7 +6,7 @@
 
 #include "armlet/core/format.hpp"
 #include "messages/library_messages.hpp"
-#include "session/time_left.hpp"
+#include "values/time_left.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "armlet/dynamics/simulation.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {

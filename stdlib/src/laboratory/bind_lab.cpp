@@ -15,8 +15,8 @@
 #include "laboratory/lab_values.hpp"
 #include "laboratory/row_results.hpp"
 #include "messages/library_messages.hpp"
-#include "session/bind.hpp"
-#include "session/number_units.hpp"
+#include "values/bind.hpp"
+#include "values/number_units.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {

@@ -11,7 +11,7 @@
 #include "laboratory/lab_rules.hpp"
 #include "laboratory/row_results.hpp"
 #include "values/values.hpp"
-#include "vision/cameras.hpp"
+#include "values/world/cameras.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -9,7 +9,7 @@
 #include "armlet/stdlib/laboratory_rows.hpp"
 #include "laboratory/lab_values.hpp"
 #include "messages/library_messages.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 
 namespace armlet::bind {
 

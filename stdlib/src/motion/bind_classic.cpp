@@ -11,12 +11,12 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
-#include "motion/moves.hpp"
-#include "robot/rules.hpp"
-#include "session/bind.hpp"
+#include "moves/moves.hpp"
+#include "rules/rules.hpp"
+#include "values/bind.hpp"
 #include "values/eigen_results.hpp"
 #include "values/values.hpp"
-#include "world/objects.hpp"
+#include "values/world/objects.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -133,7 +133,7 @@ std::int64_t get_number_obj(Vm& vm) {
   return static_cast<std::int64_t>(Host::of(vm).cell().task_objects().size());
 }
 
-constexpr std::string_view kMoveJHelp =
+constexpr std::string_view kClassicMoveJHelp =
     "Moves the joints to a position with a planner such as 'Syn', in a time (seconds, or with a "
     "unit).";
 constexpr std::string_view kMoveCHelp =
@@ -149,9 +149,9 @@ constexpr NativeFunction kClassicFunctions[] = {
         "above the horizontal, -90 deg straight down, and roll turns the tool about that axis, "
         "with its y axis horizontal at 0. of: the robot that is meant, where there are several.",
         "posC([0.3, 0.1, 0.2])", {.check = check_posc_list}),
-    def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: double) -> Move", kMoveJHelp,
+    def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: double) -> Move", kClassicMoveJHelp,
                 "moveJ('Syn', home(), 2.0)", {.check = check_classic_joints, .pauses = true}),
-    def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: time) -> Move", kMoveJHelp,
+    def<move_j>("moveJ(r: robot, traj: string, p: posJ, time: time) -> Move", kClassicMoveJHelp,
                 "moveJ('Syn', home(), 2s)", {.check = check_classic_joints, .pauses = true}),
     def<move_c>("moveC(r: robot, traj: string, p: posC, time: double) -> Move", kMoveCHelp,
                 "moveC('Lin', here(), 2.0)", {.check = check_classic_position, .pauses = true}),

@@ -4,14 +4,14 @@
 
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "motion/move_failures.hpp"
-#include "motion/move_waiting.hpp"
-#include "motion/moves.hpp"
-#include "robot/rules.hpp"
-#include "session/bind.hpp"
-#include "trajectory/limit_policy.hpp"
-#include "trajectory/splines.hpp"
-#include "trajectory/trajectories.hpp"
+#include "motion/splines.hpp"
+#include "moves/limit_policy.hpp"
+#include "moves/move_failures.hpp"
+#include "moves/move_waiting.hpp"
+#include "moves/moves.hpp"
+#include "moves/trajectories.hpp"
+#include "rules/rules.hpp"
+#include "values/bind.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {

@@ -3,10 +3,10 @@
 
 #include <utility>
 
-#include "motion/paths.hpp"
-#include "robot/rules.hpp"
-#include "session/bind.hpp"
-#include "session/settings.hpp"
+#include "moves/paths.hpp"
+#include "rules/rules.hpp"
+#include "values/bind.hpp"
+#include "values/settings.hpp"
 
 namespace armlet::bind {
 namespace {

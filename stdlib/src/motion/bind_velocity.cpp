@@ -10,14 +10,14 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/velocity.hpp"
 #include "messages/library_messages.hpp"
-#include "motion/motion_torques.hpp"
-#include "motion/moves.hpp"
-#include "robot/grips.hpp"
-#include "session/bind.hpp"
-#include "session/time_left.hpp"
+#include "moves/grips.hpp"
+#include "moves/motion_torques.hpp"
+#include "moves/moves.hpp"
+#include "values/bind.hpp"
+#include "values/time_left.hpp"
 #include "values/values.hpp"
-#include "vision/cameras.hpp"
-#include "world/objects.hpp"
+#include "values/world/cameras.hpp"
+#include "values/world/objects.hpp"
 
 namespace armlet::bind {
 namespace {

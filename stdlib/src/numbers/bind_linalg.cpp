@@ -12,6 +12,7 @@
 #include "armlet/math/linalg.hpp"
 #include "armlet/math/matrix_product.hpp"
 #include "messages/library_messages.hpp"
+#include "rules/matrix_rules.hpp"
 #include "values/blocks.hpp"
 #include "values/matrices.hpp"
 

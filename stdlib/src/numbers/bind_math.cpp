@@ -9,13 +9,13 @@
 
 #include "armlet/math/det_math.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "session/bind.hpp"
+#include "numbers/real_functions.hpp"
+#include "values/bind.hpp"
 #include "values/blocks.hpp"
 
 namespace armlet::bind {
 namespace {
 
-using Real1 = double (*)(double);
 using Real2 = double (*)(double, double);
 
 bool fits_int(double x) {
@@ -72,14 +72,10 @@ ListObj* each_int(Vm& vm, std::span<const Slot> xs) {
   return checked_items(vm, xs.size(), kCost, compute);
 }
 
-double square_root(double x) { return x >= 0.0 ? std::sqrt(x) : std::nan(""); }
 double to_radians(double x) { return x * (std::numbers::pi / 180.0); }
 double to_degrees(double x) { return x * (180.0 / std::numbers::pi); }
 double log_10(double x) { return det::log(x) / std::numbers::ln10; }
-double absolute(double x) { return std::abs(x); }
 double sign_of(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x == 0.0 ? 0.0 : x; }
-double round_down(double x) { return std::floor(x); }
-double round_up(double x) { return std::ceil(x); }
 
 Answer<double> sqrt_checked(Vm& vm, double x) {
   if (!(x >= 0.0)) return domain_failure(vm, "sqrt", x, "not be negative");

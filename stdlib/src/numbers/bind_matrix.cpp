@@ -7,6 +7,7 @@
 
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/matrix_product.hpp"
+#include "rules/matrix_rules.hpp"
 #include "values/blocks.hpp"
 #include "values/matrices.hpp"
 #include "values/values.hpp"
@@ -74,7 +75,7 @@ Answer<MatrixObj*> matrix_from(Vm& vm, std::span<const Slot> rows) {
 }
 
 template <int kValue>
-Answer<MatrixObj*> filled(Vm& vm, std::int64_t rows, std::int64_t cols) {
+Answer<MatrixObj*> filled_matrix(Vm& vm, std::int64_t rows, std::int64_t cols) {
   if (!possible_size(vm, rows, cols, rows < 0 ? 0 : 1)) return Failed{};
   MatrixObj* A =
       new_matrix_unset(vm, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(cols));
@@ -303,10 +304,10 @@ constexpr NativeFunction kMatrixFunctions[] = {
                             "matrix([[1.0, 2.0], [3.0, 4.0]])"),
     def<matrix_from<true>>("matrix(rows: int[][]) -> matrix", "A matrix from a list of rows.",
                            "matrix([[1, 2], [3, 4]])"),
-    def<filled<0>>("zeros(r: int, c: int) -> matrix", "A matrix of zeros.", "zeros(2, 3)",
-                   {.check = check_filled}),
-    def<filled<1>>("ones(r: int, c: int) -> matrix", "A matrix of ones.", "ones(2, 3)",
-                   {.check = check_filled}),
+    def<filled_matrix<0>>("zeros(r: int, c: int) -> matrix", "A matrix of zeros.", "zeros(2, 3)",
+                          {.check = check_filled}),
+    def<filled_matrix<1>>("ones(r: int, c: int) -> matrix", "A matrix of ones.", "ones(2, 3)",
+                          {.check = check_filled}),
     def<identity>("eye(n: int) -> matrix", "The identity matrix.", "eye(3)",
                   {.check = check_identity}),
     def<diagonal_matrix>("diag(v: double[]) -> matrix", "A square matrix with v on its diagonal.",

@@ -12,6 +12,8 @@
 
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/rotation.hpp"
+#include "numbers/real_functions.hpp"
+#include "rules/matrix_rules.hpp"
 #include "values/blocks.hpp"
 #include "values/eigen_results.hpp"
 #include "values/matrices.hpp"
@@ -150,7 +152,7 @@ Answer<double> mean_of(Vm& vm, const MatrixObj& A) {
   return *sum / static_cast<double>(count_of(A));
 }
 template <bool kMax>
-Answer<double> extreme(Vm& vm, const MatrixObj& A) {
+Answer<double> extreme_element(Vm& vm, const MatrixObj& A) {
   if (!require_elements(vm, A, kMax ? "largest value" : "smallest value")) return Failed{};
   double best = A.data()[0];
   const auto look = [&](std::size_t begin, std::size_t end) {
@@ -164,10 +166,8 @@ Answer<double> extreme(Vm& vm, const MatrixObj& A) {
 
 // ---- element by element ------------------------------------------------------------------------
 
-using Real1 = double (*)(double);
-
 template <Real1 kFunction>
-Answer<MatrixObj*> each(Vm& vm, const MatrixObj& A) {
+Answer<MatrixObj*> each_element(Vm& vm, const MatrixObj& A) {
   MatrixObj* B = new_matrix_unset(vm, A.rows, A.cols);
   if (B == nullptr) return Failed{};
   std::size_t bad = count_of(A);
@@ -187,11 +187,6 @@ Answer<MatrixObj*> each(Vm& vm, const MatrixObj& A) {
                              bad / A.cols, bad % A.cols, A.data()[bad]),
                  0);
 }
-
-double absolute(double x) { return std::abs(x); }
-double square_root(double x) { return x >= 0.0 ? std::sqrt(x) : std::nan(""); }
-double round_down(double x) { return std::floor(x); }
-double round_up(double x) { return std::ceil(x); }
 
 // ---- the matrices of a posC --------------------------------------------------------------------
 
@@ -275,28 +270,32 @@ constexpr NativeFunction kMatrixPartsFunctions[] = {
                    "norm([1, 2; 3, 4])"),
     def<sum_of>("sum(A: matrix) -> double", "The sum of all values.", "sum([1, 2; 3, 4])"),
     def<mean_of>("mean(A: matrix) -> double", "The mean of all values.", "mean([1, 2; 3, 4])"),
-    def<extreme<false>>("min(A: matrix) -> double", "The smallest value.", "min([1, 2; 3, 4])"),
-    def<extreme<true>>("max(A: matrix) -> double", "The largest value.", "max([1, 2; 3, 4])"),
-    def<each<absolute>>("abs(A: matrix) -> matrix", "Absolute value of each element.",
-                        "abs([-1, 2; 3, -4])", {.check = check_same_size}),
-    def<each<square_root>>("sqrt(A: matrix) -> matrix", "Square root of each element.",
-                           "sqrt([1, 4; 9, 16])", {.check = check_same_size}),
-    def<each<det::exp>>("exp(A: matrix) -> matrix",
-                        "e to the power of each element; expm is the exponential of the matrix.",
-                        "exp([0, 1; 2, 3])", {.check = check_same_size}),
-    def<each<det::log>>("log(A: matrix) -> matrix", "Natural logarithm of each element.",
-                        "log([1, 2; 3, 4])", {.check = check_same_size}),
-    def<each<det::sin>>("sin(A: matrix) -> matrix", "Sine of each element, in radians.",
-                        "sin([0, 1; 2, 3])", {.check = check_same_size}),
-    def<each<det::cos>>("cos(A: matrix) -> matrix", "Cosine of each element, in radians.",
-                        "cos([0, 1; 2, 3])", {.check = check_same_size}),
-    def<each<det::tan>>("tan(A: matrix) -> matrix", "Tangent of each element, in radians.",
-                        "tan([0, 1; 2, 3])", {.check = check_same_size}),
-    def<each<round_down>>("floor(A: matrix) -> matrix",
-                          "The whole number at or below each element.", "floor([1.5, 2.5; 3, 4])",
-                          {.check = check_same_size}),
-    def<each<round_up>>("ceil(A: matrix) -> matrix", "The whole number at or above each element.",
-                        "ceil([1.5, 2.5; 3, 4])", {.check = check_same_size}),
+    def<extreme_element<false>>("min(A: matrix) -> double", "The smallest value.",
+                                "min([1, 2; 3, 4])"),
+    def<extreme_element<true>>("max(A: matrix) -> double", "The largest value.",
+                               "max([1, 2; 3, 4])"),
+    def<each_element<absolute>>("abs(A: matrix) -> matrix", "Absolute value of each element.",
+                                "abs([-1, 2; 3, -4])", {.check = check_same_size}),
+    def<each_element<square_root>>("sqrt(A: matrix) -> matrix", "Square root of each element.",
+                                   "sqrt([1, 4; 9, 16])", {.check = check_same_size}),
+    def<each_element<det::exp>>(
+        "exp(A: matrix) -> matrix",
+        "e to the power of each element; expm is the exponential of the matrix.",
+        "exp([0, 1; 2, 3])", {.check = check_same_size}),
+    def<each_element<det::log>>("log(A: matrix) -> matrix", "Natural logarithm of each element.",
+                                "log([1, 2; 3, 4])", {.check = check_same_size}),
+    def<each_element<det::sin>>("sin(A: matrix) -> matrix", "Sine of each element, in radians.",
+                                "sin([0, 1; 2, 3])", {.check = check_same_size}),
+    def<each_element<det::cos>>("cos(A: matrix) -> matrix", "Cosine of each element, in radians.",
+                                "cos([0, 1; 2, 3])", {.check = check_same_size}),
+    def<each_element<det::tan>>("tan(A: matrix) -> matrix", "Tangent of each element, in radians.",
+                                "tan([0, 1; 2, 3])", {.check = check_same_size}),
+    def<each_element<round_down>>("floor(A: matrix) -> matrix",
+                                  "The whole number at or below each element.",
+                                  "floor([1.5, 2.5; 3, 4])", {.check = check_same_size}),
+    def<each_element<round_up>>("ceil(A: matrix) -> matrix",
+                                "The whole number at or above each element.",
+                                "ceil([1.5, 2.5; 3, 4])", {.check = check_same_size}),
     def<posc_rotation>("posC.R(p: posC) -> matrix", "The orientation as a 3x3 rotation.",
                        "rotZ(90deg).R"),
     def<posc_with_rotation>("posC.R=(p: posC, R: matrix) -> posC",

@@ -12,7 +12,7 @@
 #include "armlet/math/minimise.hpp"
 #include "armlet/math/ode.hpp"
 #include "armlet/math/real_roots.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 #include "values/blocks.hpp"
 #include "values/matrices.hpp"
 
@@ -206,7 +206,7 @@ Failed cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
   }
 }
 
-Answer<double> solve(Vm& vm, const ScriptFunction<double(double)>& f, double lo, double hi) {
+Answer<double> root_between(Vm& vm, const ScriptFunction<double(double)>& f, double lo, double hi) {
   if (!std::isfinite(lo)) return not_finite(vm, "the lower end", lo, 1);
   if (!std::isfinite(hi)) return not_finite(vm, "the upper end", hi, 2);
   const RootSearch found =
@@ -276,7 +276,7 @@ constexpr NativeFunction kNumericFunctions[] = {
                      "The value at a place between points, on the straight line through its "
                      "neighbours; x rises.",
                      "interp([0s, 1s, 3s], [0mm, 20mm, 30mm], 2s)"),
-    def<solve>(
+    def<root_between>(
         "solve(f: fn(double) -> double, lo: double, hi: double) -> double",
         "Where f is zero between lo and hi, at which it has different signs; exact to the last "
         "digits.",

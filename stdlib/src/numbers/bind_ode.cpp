@@ -11,12 +11,12 @@
 #include "armlet/interpreter/host/function_value.hpp"
 #include "armlet/interpreter/sorting.hpp"
 #include "armlet/math/ode.hpp"
-#include "numbers/ode_program.hpp"
-#include "numbers/ode_steps.hpp"
-#include "robot/rules.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/bind.hpp"
-#include "session/setting_words.hpp"
+#include "rules/rules.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/bind.hpp"
+#include "values/ode_program.hpp"
+#include "values/ode_steps.hpp"
+#include "values/setting_words.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -10,8 +10,8 @@
 #include "armlet/plot/braille.hpp"
 #include "armlet/plot/svg.hpp"
 #include "plot/plots.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/setting_words.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/setting_words.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "plot/plots.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/setting_words.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/setting_words.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {

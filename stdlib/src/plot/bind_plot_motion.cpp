@@ -8,9 +8,9 @@
 
 #include "armlet/interpreter/unit.hpp"
 #include "armlet/trajectory/drawing_times.hpp"
+#include "moves/trajectories.hpp"
 #include "plot/plots.hpp"
-#include "session/number_units.hpp"
-#include "trajectory/trajectories.hpp"
+#include "values/number_units.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -9,7 +9,7 @@
 #include "armlet/image/arithmetic.hpp"
 #include "armlet/image/shown.hpp"
 #include "plot/plots.hpp"
-#include "vision/pictures.hpp"
+#include "values/world/pictures.hpp"
 
 namespace armlet::bind {
 namespace {

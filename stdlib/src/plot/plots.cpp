@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "armlet/interpreter/work.hpp"
-#include "session/number_units.hpp"
-#include "session/setting_words.hpp"
+#include "values/number_units.hpp"
+#include "values/setting_words.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "armlet/plot/figure.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 
 namespace armlet::bind {
 

@@ -6,12 +6,13 @@
 
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
-#include "robot/models.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/bind.hpp"
-#include "session/setting_words.hpp"
+#include "robot/bodies.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/bind.hpp"
+#include "values/robots/models.hpp"
+#include "values/setting_words.hpp"
 #include "values/values.hpp"
-#include "world/meshes.hpp"
+#include "values/world/meshes.hpp"
 
 namespace armlet::bind {
 namespace {

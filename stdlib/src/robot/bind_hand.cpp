@@ -6,9 +6,10 @@
 #include "armlet/core/format.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
-#include "motion/moves.hpp"
-#include "robot/models.hpp"
-#include "session/bind.hpp"
+#include "robot/grasps.hpp"
+#include "values/bind.hpp"
+#include "values/robots/models.hpp"
+#include "values/robots/robot_state.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {

@@ -5,13 +5,13 @@
 #include "armlet/kinematics/fixed_tilt.hpp"
 #include "armlet/kinematics/ik_report.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "motion/move_failures.hpp"
-#include "motion/moves.hpp"
-#include "robot/rules.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/bind.hpp"
-#include "session/setting_words.hpp"
-#include "values/give.hpp"
+#include "moves/move_failures.hpp"
+#include "moves/moves.hpp"
+#include "rules/rules.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/bind.hpp"
+#include "values/robots/give.hpp"
+#include "values/setting_words.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 enum Parameter { kNear = 2, kMask = 3, kAxes = 4, kPosture = 5 };
 
 using Mask = std::optional<std::span<const Slot>>;
-using Word = std::optional<std::string_view>;
+using OptionalWord = std::optional<std::string_view>;
 
 Answer<void> read_mask(Vm& vm, Mask mask, IkOptions& options) {
   if (!mask) return {};
@@ -53,7 +53,7 @@ Answer<void> read_posture(Vm& vm, const Robot& robot, const PosJ& values, IkOpti
   options.posture.emplace(Posture::kNearGiven, *std::move(q));
   return {};
 }
-Answer<void> read_posture(Vm& vm, const Robot&, Word word, IkOptions& options) {
+Answer<void> read_posture(Vm& vm, const Robot&, OptionalWord word, IkOptions& options) {
   if (!word) return {};
   if (*word == "midRange") options.posture = Posture::kMidRange;
   if (*word == "manipulability") options.posture = Posture::kManipulability;
@@ -179,7 +179,7 @@ bool reachable(Vm& vm, const RobotRef& r, const PosC& p) {
 }
 
 constexpr NativeFunction kIkineFunctions[] = {
-    def<ikine<const PosJ*, Word>>(
+    def<ikine<const PosJ*, OptionalWord>>(
         "ikine(r: robot, p: posC, near: posJ?, mask: int[]?, axes: string = \"world\", posture: "
         "string?) -> posJ",
         "Joint values that bring the tool point to p, the ones nearest to `near` (the present "
@@ -190,7 +190,7 @@ constexpr NativeFunction kIkineFunctions[] = {
         "ikine(here(), posture: \"midRange\")",
         {.check = check_all_of<check_word<kAxes, kMaskAxes>, check_word<kPosture, kPostures>,
                                note_positions>,
-         .explain = explained_by<explain_ikine<const PosJ*, Word>>}),
+         .explain = explained_by<explain_ikine<const PosJ*, OptionalWord>>}),
     def<ikine<const PosJ*, Joints>>(
         "ikine(r: robot, p: posC, near: posJ?, mask: int[]?, axes: string = \"world\", posture: "
         "posJ) -> posJ",
@@ -199,14 +199,14 @@ constexpr NativeFunction kIkineFunctions[] = {
         "ikine(here(), posture: home())",
         {.check = check_all_of<check_word<kAxes, kMaskAxes>, note_positions>,
          .explain = explained_by<explain_ikine<const PosJ*, Joints>>}),
-    def<ikine<JointList, Word>>(
+    def<ikine<JointList, OptionalWord>>(
         "ikine(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", posture: "
         "string?) -> posJ",
         "Joint values that bring the tool point to p, near joint values in rad and m.",
         "ikine(here(), near: [0.0, 0.5, 0.1, 0.0])",
         {.check = check_all_of<check_joint_list<kNear>, check_word<kAxes, kMaskAxes>,
                                check_word<kPosture, kPostures>, note_positions>,
-         .explain = explained_by<explain_ikine<JointList, Word>>}),
+         .explain = explained_by<explain_ikine<JointList, OptionalWord>>}),
     def<ikine<JointList, Joints>>(
         "ikine(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", posture: "
         "posJ) -> posJ",

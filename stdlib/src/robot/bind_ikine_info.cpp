@@ -7,16 +7,16 @@
 #include "armlet/kinematics/ik.hpp"
 #include "armlet/math/pose.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "motion/moves.hpp"
-#include "robot/rules.hpp"
-#include "session/bind.hpp"
-#include "values/give.hpp"
+#include "moves/moves.hpp"
+#include "rules/rules.hpp"
+#include "values/bind.hpp"
+#include "values/robots/give.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {
 namespace {
 
-constexpr int kNear = 2;  // index of the parameter
+constexpr int kNearParameter = 2;  // index of the parameter
 
 // The fields of an IkInfo.
 struct Info {
@@ -116,7 +116,7 @@ Answer<RecordObj*> ikine_info(Vm& vm, const RobotRef& r, const PosC& p, Near nea
   const Robot& robot = model_of(vm, r);
   IkOptions options;
   options.respect_limits = limits;
-  auto seed = seed_of(vm, r, near, kNear);
+  auto seed = seed_of(vm, r, near, kNearParameter);
   if (!seed) return Failed{};
   options.seed = *std::move(seed);
   // An orientation that the arm cannot have is treated as a pose for which no solution is found.
@@ -138,7 +138,8 @@ constexpr NativeFunction kIkineInfoFunctions[] = {
         "ikineInfo(xyz(2m, 0m, 300mm)).distance"),
     def<ikine_info<JointList>>(
         "ikineInfo(r: robot, p: posC, near: double[], limits: bool = true) -> IkInfo", kHelp,
-        "ikineInfo(here(), near: [0.0, 0.5, 0.1, 0.0]).found", {.check = check_joint_list<kNear>}),
+        "ikineInfo(here(), near: [0.0, 0.5, 0.1, 0.0]).found",
+        {.check = check_joint_list<kNearParameter>}),
 };
 
 }  // namespace

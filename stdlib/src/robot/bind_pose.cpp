@@ -8,8 +8,8 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "robot/rules.hpp"
-#include "session/bind.hpp"
+#include "rules/rules.hpp"
+#include "values/bind.hpp"
 #include "values/formats.hpp"
 #include "values/values.hpp"
 

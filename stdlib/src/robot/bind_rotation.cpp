@@ -12,10 +12,10 @@
 #include "armlet/math/pose.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/math/twist.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/bind.hpp"
-#include "session/setting_words.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/bind.hpp"
 #include "values/eigen_results.hpp"
+#include "values/setting_words.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {
@@ -51,7 +51,7 @@ Answer<bool> singular(Vm& vm, const PosC& p, std::string_view sequence) {
   return is_euler_singular(sequence, p.T.linear());
 }
 
-Eigen::Vector4d quaternion(const PosC& p) { return quaternion_from_R(p.T.linear()); }
+Eigen::Vector4d quaternion_of(const PosC& p) { return quaternion_from_R(p.T.linear()); }
 Vector3d axis(const PosC& p) { return axis_of_rotation(p.T.linear()); }
 double angle(const PosC& p) {
   return angle_between(Eigen::Matrix3d::Identity(), Eigen::Matrix3d(p.T.linear()));
@@ -135,9 +135,9 @@ constexpr NativeFunction kRotationFunctions[] = {
                   "Whether the Euler angles of this sequence are not unique: the first and third "
                   "axis coincide.",
                   "rotY(90deg).singular(\"ZYX\")", {.check = check_word<1, kEulerSequences>}),
-    def<quaternion>("posC.quat(p: posC) -> double[]",
-                    "The orientation as a unit quaternion w, x, y, z with w >= 0.",
-                    "rotZ(90deg).quat"),
+    def<quaternion_of>("posC.quat(p: posC) -> double[]",
+                       "The orientation as a unit quaternion w, x, y, z with w >= 0.",
+                       "rotZ(90deg).quat"),
     def<axis>("posC.axis(p: posC) -> double[]",
               "The axis of the turn, a unit vector; that of no turn at all is z.",
               "rotX(20deg).axis"),

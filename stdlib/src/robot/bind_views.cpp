@@ -9,10 +9,10 @@
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
-#include "motion/moves.hpp"
-#include "robot/rules.hpp"
-#include "session/bind.hpp"
+#include "rules/rules.hpp"
+#include "values/bind.hpp"
 #include "values/eigen_results.hpp"
+#include "values/robots/robot_state.hpp"
 #include "values/values.hpp"
 
 namespace armlet::bind {

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "robot/rules.hpp"
-#include "session/setting_choices.hpp"
-#include "session/setting_words.hpp"
+#include "motion/setting_choices.hpp"
+#include "rules/rules.hpp"
+#include "values/setting_words.hpp"
 
 namespace armlet {
 

@@ -8,7 +8,7 @@
 #include "laboratory/lab_values.hpp"
 #include "messages/foreign_names.hpp"
 #include "messages/library_messages.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 #include "values/values.hpp"
 
 namespace armlet {

@@ -8,7 +8,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/core/platform.hpp"
 #include "armlet/stdlib/session.hpp"
-#include "replay/journal.hpp"
+#include "host/journal.hpp"
 
 namespace armlet {
 

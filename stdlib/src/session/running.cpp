@@ -10,8 +10,8 @@
 #include "armlet/interpreter/host/instants.hpp"
 #include "armlet/interpreter/host/stepping.hpp"
 #include "armlet/interpreter/host/tasks.hpp"
-#include "motion/motion_torques.hpp"
-#include "replay/call_by_name.hpp"
+#include "moves/motion_torques.hpp"
+#include "session/call_by_name.hpp"
 #include "session/run.hpp"
 
 namespace armlet {

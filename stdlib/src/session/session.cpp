@@ -6,12 +6,12 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/interpreter/world_names.hpp"
+#include "host/journal.hpp"
 #include "messages/library_messages.hpp"
-#include "replay/journal.hpp"
-#include "robot/rules.hpp"
-#include "session/bind.hpp"
+#include "rules/rules.hpp"
 #include "session/editor_texts.hpp"
 #include "session/run.hpp"
+#include "values/bind.hpp"
 
 namespace armlet {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "armlet/math/ode.hpp"
 #include "armlet/trajectory/accelerations.hpp"
-#include "numbers/ode_program.hpp"
-#include "numbers/ode_steps.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/bind.hpp"
-#include "trajectory/trajectories.hpp"
+#include "moves/trajectories.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/bind.hpp"
+#include "values/ode_program.hpp"
+#include "values/ode_steps.hpp"
 
 namespace armlet::bind {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/law_planner.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 
 namespace armlet::bind {
 namespace {

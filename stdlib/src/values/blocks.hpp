@@ -7,7 +7,7 @@
 #include <span>
 
 #include "armlet/interpreter/work.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 
 namespace armlet::bind {
 

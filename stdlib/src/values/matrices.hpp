@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "armlet/interpreter/work.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 
 namespace armlet::bind {
 
@@ -31,20 +31,5 @@ Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int par
 // The root of the sum of squares, scaled against overflow and underflow. False: the program must
 // stop, and the failure is set.
 [[nodiscard]] bool length_of(Vm& vm, std::span<const double> values, double& length);
-
-// ---- rules checked before the run: E0305, and the sizes of results known from the text
-
-void check_product(CheckCall& call);           // A * B, A * v
-void check_solve(CheckCall& call);             // A \ B, A \ b
-void check_sum(CheckCall& call);               // A + B and other operations element by element
-void check_same_size(CheckCall& call);         // the result has the size of the only matrix
-void check_square(CheckCall& call);            // needs a square matrix, returns one
-void check_square_to_number(CheckCall& call);  // needs a square matrix
-void check_transposed(CheckCall& call);
-void check_filled(CheckCall& call);       // zeros(r, c)
-void check_filled_list(CheckCall& call);  // zeros(n)
-void check_identity(CheckCall& call);     // eye(n)
-void check_diagonal(CheckCall& call);     // diag(v)
-void check_outer(CheckCall& call);
 
 }  // namespace armlet::bind

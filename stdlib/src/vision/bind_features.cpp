@@ -15,15 +15,15 @@
 #include "armlet/vision/homography.hpp"
 #include "armlet/vision/planar_pose.hpp"
 #include "armlet/world/looks.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/setting_words.hpp"
+#include "rules/rules_settings.hpp"
 #include "values/eigen_results.hpp"
 #include "values/matrices.hpp"
-#include "vision/cameras.hpp"
+#include "values/setting_words.hpp"
+#include "values/world/cameras.hpp"
+#include "values/world/objects.hpp"
+#include "values/world/pictures.hpp"
 #include "vision/features.hpp"
 #include "vision/opencv_needed.hpp"
-#include "vision/pictures.hpp"
-#include "world/objects.hpp"
 
 namespace armlet::bind {
 

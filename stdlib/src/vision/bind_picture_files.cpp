@@ -5,9 +5,10 @@
 #include "armlet/image/files.hpp"
 #include "armlet/image/picture_size.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/setting_words.hpp"
-#include "vision/pictures.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/setting_words.hpp"
+#include "values/world/pictures.hpp"
+#include "vision/picture_files.hpp"
 
 namespace armlet::bind {
 namespace {

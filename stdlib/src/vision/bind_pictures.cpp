@@ -10,8 +10,8 @@
 #include "armlet/image/noise.hpp"
 #include "armlet/image/parameters.hpp"
 #include "values/matrices.hpp"
+#include "values/world/pictures.hpp"
 #include "vision/picture_rules.hpp"
-#include "vision/pictures.hpp"
 
 namespace armlet::bind {
 namespace {

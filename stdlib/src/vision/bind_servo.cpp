@@ -9,9 +9,9 @@
 #include <type_traits>
 
 #include "armlet/kinematics/forward.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/setting_words.hpp"
-#include "session/time_left.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/setting_words.hpp"
+#include "values/time_left.hpp"
 #include "vision/servo_waiting.hpp"
 
 namespace armlet::bind {

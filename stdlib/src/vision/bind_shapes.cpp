@@ -5,7 +5,7 @@
 #include "armlet/vision/shapes.hpp"
 #include "values/eigen_results.hpp"
 #include "values/matrices.hpp"
-#include "vision/cameras.hpp"
+#include "values/world/cameras.hpp"
 #include "vision/opencv_needed.hpp"
 #include "vision/picture_rules.hpp"
 

@@ -7,11 +7,11 @@
 #include "armlet/stdlib/host.hpp"
 #include "values/eigen_results.hpp"
 #include "values/matrices.hpp"
-#include "vision/cameras.hpp"
+#include "values/world/cameras.hpp"
+#include "values/world/objects.hpp"
+#include "values/world/pictures.hpp"
 #include "vision/capture.hpp"
 #include "vision/picture_rules.hpp"
-#include "vision/pictures.hpp"
-#include "world/objects.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -334,8 +334,6 @@ constexpr NativeFunction kSightFunctions[] = {
 };
 
 }  // namespace
-
-Answer<Image> picture_now(Vm& vm, const CameraRef& camera) { return capture(vm, camera, nullptr); }
 
 std::span<const NativeFunction> sight_functions() { return kSightFunctions; }
 

@@ -4,10 +4,11 @@
 
 #include "armlet/cell/overview.hpp"
 #include "armlet/stdlib/host.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/setting_words.hpp"
-#include "vision/cameras.hpp"
-#include "vision/pictures.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/setting_words.hpp"
+#include "values/world/cameras.hpp"
+#include "values/world/pictures.hpp"
+#include "vision/picture_files.hpp"
 
 namespace armlet::bind {
 namespace {

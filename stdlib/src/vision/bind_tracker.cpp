@@ -7,12 +7,12 @@
 #include "armlet/image/parameters.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/vision/corners.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/setting_words.hpp"
+#include "rules/rules_settings.hpp"
 #include "values/eigen_results.hpp"
-#include "vision/cameras.hpp"
+#include "values/setting_words.hpp"
+#include "values/world/cameras.hpp"
+#include "values/world/pictures.hpp"
 #include "vision/features.hpp"
-#include "vision/pictures.hpp"
 
 namespace armlet::bind {
 

@@ -6,7 +6,7 @@
 #include "armlet/interpreter/host/tasks.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
-#include "vision/pictures.hpp"
+#include "values/world/pictures.hpp"
 
 namespace armlet::bind {
 namespace {

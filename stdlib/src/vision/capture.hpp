@@ -6,7 +6,7 @@
 #include "armlet/image/image.hpp"
 #include "armlet/interpreter/native.hpp"
 #include "values/values.hpp"
-#include "vision/cameras.hpp"
+#include "values/world/cameras.hpp"
 
 namespace armlet::bind {
 

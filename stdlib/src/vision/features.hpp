@@ -9,8 +9,8 @@
 #include "armlet/interpreter/failure.hpp"
 #include "armlet/vision/corners.hpp"
 #include "armlet/vision/correspondence.hpp"
-#include "session/bind.hpp"
-#include "vision/cameras.hpp"
+#include "values/bind.hpp"
+#include "values/world/cameras.hpp"
 
 namespace armlet::bind {
 

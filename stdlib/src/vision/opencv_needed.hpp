@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "session/bind.hpp"
-#include "vision/pictures.hpp"
+#include "values/bind.hpp"
+#include "values/world/pictures.hpp"
 
 namespace armlet::bind {
 

@@ -16,11 +16,11 @@
 #include "armlet/model/joint.hpp"
 #include "armlet/trajectory/velocity.hpp"
 #include "messages/library_messages.hpp"
-#include "motion/motion_torques.hpp"
-#include "robot/grips.hpp"
+#include "moves/grips.hpp"
+#include "moves/motion_torques.hpp"
 #include "values/eigen_results.hpp"
+#include "values/world/pictures.hpp"
 #include "vision/features.hpp"
-#include "vision/pictures.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -171,7 +171,7 @@ class ServoWaiting : public Waiting {
         host_.cell().T_world_tool(call_.robot).inverse(Eigen::Isometry) * *T_world_camera;
     ServoSight sight{.t = to_seconds(host_.now_ns() - begin_ns_)};
     const PlanePoints expected = servo_.rows().empty() ? call_.start : servo_.expected(state().qd);
-    auto image = picture_now(vm, call_.camera);
+    auto image = capture(vm, call_.camera, nullptr);
     if (!image || !find_points(vm, *std::move(image), expected, sight)) return Failed{};
     sight.q = state().q;
     sight.qd = state().qd;

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "armlet/camera/visual_servo.hpp"
-#include "motion/moves.hpp"
-#include "vision/cameras.hpp"
+#include "moves/moves.hpp"
+#include "values/world/cameras.hpp"
 
 namespace armlet::bind {
 

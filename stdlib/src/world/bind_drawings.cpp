@@ -6,9 +6,9 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/world/looks.hpp"
 #include "messages/library_messages.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 #include "values/values.hpp"
-#include "world/objects.hpp"
+#include "values/world/objects.hpp"
 
 namespace armlet::bind {
 namespace {

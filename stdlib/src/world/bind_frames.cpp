@@ -5,34 +5,11 @@
 #include "armlet/core/similar.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 #include "values/values.hpp"
-#include "world/objects.hpp"
+#include "values/world/objects.hpp"
 
 namespace armlet::bind {
-
-Answer<PosC> frame_now(Vm& vm, const FrameRef& f, int parameter) {
-  const World& world = Host::of(vm).cell().world();
-  const NamedFrame* frame = world.find_frame(f.name);
-  if (frame == nullptr) return fail_unknown_frame(vm, f.name, parameter);
-  if (const auto T = world.T_world_frame(f.name)) return PosC{*T, frame->turned};
-  return failure(vm, row("R0645"),
-                 fmt::format("what the frame `{}` is on was removed from the world", f.name),
-                 parameter);
-}
-
-Failed fail_unknown_frame(Vm& vm, std::string_view name, int parameter) {
-  const World& world = Host::of(vm).cell().world();
-  const std::vector<std::string> known = world.frame_names();
-  std::string list;
-  for (const std::string& each : known)
-    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", each);
-  const std::vector<std::string_view> candidates(known.begin(), known.end());
-  const auto meant = most_similar(name, candidates);
-  return failure(vm, row("R0645"), fmt::format("there is no frame called \"{}\"", name), parameter,
-                 list.empty() ? "this world has no frames" : fmt::format("there are {}", list),
-                 meant ? fmt::format("did you mean \"{}\"?", *meant) : std::string());
-}
 
 namespace {
 

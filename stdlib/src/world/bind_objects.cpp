@@ -9,11 +9,11 @@
 #include "armlet/stdlib/host.hpp"
 #include "armlet/world/looks.hpp"
 #include "messages/library_messages.hpp"
-#include "robot/models.hpp"
-#include "robot/rules_settings.hpp"
-#include "session/bind.hpp"
+#include "rules/rules_settings.hpp"
+#include "values/bind.hpp"
+#include "values/robots/models.hpp"
 #include "values/values.hpp"
-#include "world/objects.hpp"
+#include "values/world/objects.hpp"
 
 namespace armlet::bind {
 namespace {
@@ -244,50 +244,6 @@ constexpr NativeFunction kObjectFunctions[] = {
 };
 
 }  // namespace
-
-Answer<Mount> mount_on(Vm& vm, const ObjectRef& on, int parameter) {
-  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, parameter);
-  return Mount{.base = FrameBase::kObject, .on = on.name};
-}
-Answer<Mount> mount_on(Vm& vm, const FrameRef& on, int parameter) {
-  if (!frame_now(vm, on, parameter)) return Failed{};
-  return Mount{.base = FrameBase::kFrame, .on = on.name};
-}
-Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link,
-                             int parameter) {
-  const Cell& cell = Host::of(vm).cell();
-  const CellRobot& arm = cell.robot(on.id);
-  if (arm.on >= 0) {
-    // The joints of a hand move its fingers; its palm moves with the flange of the arm.
-    if (link && *link != 0) {
-      return failure(
-          vm, row("R0631"),
-          fmt::format("things are mounted on the palm of `{}`, which is its link 0", arm.name),
-          parameter);
-    }
-    return Mount{.base = FrameBase::kCarrier, .on = cell.robot(arm.on).name, .carrier = arm.on};
-  }
-  const int n = arm.model->rows();
-  if (link && (*link < 0 || *link > n)) {
-    return failure(
-        vm, row("R0631"),
-        fmt::format("`{}` has the links 0, its base, to {}, but no link {}", arm.name, n, *link),
-        parameter);
-  }
-  return Mount{.base = FrameBase::kCarrier,
-               .on = arm.name,
-               .carrier = on.id,
-               .frame = link ? static_cast<int>(*link) : kFlange};
-}
-
-void report_color(Vm& vm, std::string_view color, int parameter) {
-  Failure advice;
-  advice.headline = {row("W0744"), {std::string(color)}};
-  advice.mark_parameter = parameter;
-  if (const auto meant = similar_color(color))
-    advice.fix = fmt::format("did you mean \"{}\"?", *meant);
-  vm.advise(advice);
-}
 
 std::span<const NativeFunction> object_functions() { return kObjectFunctions; }
 

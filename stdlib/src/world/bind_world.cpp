@@ -11,60 +11,13 @@
 #include "armlet/math/rotation.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
-#include "robot/rules.hpp"
-#include "session/bind.hpp"
+#include "rules/rules.hpp"
+#include "values/bind.hpp"
 #include "values/values.hpp"
-#include "world/meshes.hpp"
-#include "world/objects.hpp"
+#include "values/world/meshes.hpp"
+#include "values/world/objects.hpp"
 
 namespace armlet::bind {
-
-Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter) {
-  Host& host = Host::of(vm);
-  const World& world = host.cell().world();
-  Failure f;
-  f.headline = {row("R0625"), {std::string(name)}};
-  f.mark_parameter = parameter;
-  std::string list;
-  for (const std::string& known : world.names())
-    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", known);
-  f.why = list.empty() ? "this world is empty" : fmt::format("there are {}", list);
-  if (const auto meant = world.similar_name(name))
-    f.fix = fmt::format("did you mean \"{}\"?", *meant);
-  return fail(vm, std::move(f));
-}
-
-const Object* find_object(Vm& vm, std::string_view name) {
-  Host& host = Host::of(vm);
-  if (const Object* object = host.cell().world().find(name)) return object;
-  host.want_world({});
-  return host.cell().world().find(name);
-}
-
-bool has_orientation(const Object& object) {
-  return std::holds_alternative<Box>(object.shape) || std::holds_alternative<Plane>(object.shape) ||
-         std::holds_alternative<Mesh>(object.shape);
-}
-
-// W0723, once for each statement of the program.
-void report_overlap(Vm& vm, const std::string& name) {
-  Host& host = Host::of(vm);
-  const World& world = host.cell().world();
-  const Object* placed = world.find(name);
-  if (placed == nullptr || world.attachment(name)) return;
-  if (host.knows_collision(place_of_call(vm).code(), "placed")) return;
-  const auto inside = deepest_overlap(world, *placed);
-  if (!inside || !host.first_collision(place_of_call(vm).code(), "placed")) return;
-  Failure advice;
-  const std::string depth = (inside->at_least ? "at least " : "") + format_mm(inside->depth);
-  advice.headline = {row("W0723"), {name, depth, inside->other}};
-  advice.why = "two bodies cannot be in one place; a hand that takes one of them would collide";
-  advice.fix = fmt::format("move it by {} at least", format_mm(inside->depth));
-  if (placed->fixed != world.at(inside->other).fixed) {
-    advice.fix += ", or make both `fixed: true` if they are parts of one thing";
-  }
-  vm.advise(advice);
-}
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include "armlet/vision/opencv.hpp"
 #include "library.hpp"
 #include "messages/foreign_names.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 
 using namespace armlet;
 

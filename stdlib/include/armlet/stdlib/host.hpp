@@ -199,7 +199,7 @@ class Host : public Timeline {
   // Writes a file of the program. `name` is relative to the folder that the host allowed, stays
   // below it, has an extension of its kind and follows no link. If the file cannot be written
   // completely, the old one stays. Fails with the reason. A silent run writes nothing
-  // (replay/journal.hpp).
+  // (host/journal.hpp).
   [[nodiscard]] Result<std::filesystem::path> save_file(const FileKind& kind,
                                                         const std::string& name,
                                                         std::string_view content) const;

@@ -1,6 +1,6 @@
 // Settings that take one of a few words: a word that is none of them is refused before the run,
 // wherever a function of the library has such a setting.
-#include "session/setting_words.hpp"
+#include "values/setting_words.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,7 +12,7 @@
 
 #include "armlet/stdlib/session.hpp"
 #include "library.hpp"
-#include "session/bind.hpp"
+#include "values/bind.hpp"
 
 using namespace armlet;
 

@@ -1,0 +1,53 @@
+#include "values/robots/robot_state.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "messages/library_messages.hpp"
+#include "values/bind.hpp"
+
+namespace armlet::bind {
+
+Answer<void> check_arm(Vm& vm, int id) {
+  const CellRobot& robot = Host::of(vm).cell().robot(id);
+  if (robot.on < 0) return {};
+  Failure f;
+  f.resource = robot_called(robot.name);
+  f.headline = {row("R0651"), {robot.name}};
+  f.mark_parameter = kMarkCallee;
+  f.fix = fmt::format("ask `{}`, which carries it", Host::of(vm).cell().robot(robot.on).name);
+  return fail(vm, std::move(f));
+}
+
+namespace {
+
+// The robot itself, or a moving part of the same hand with fingers; its index.
+int moving_part(const Cell& cell, int id) {
+  const CellRobot& robot = cell.robot(id);
+  if (robot.hand >= 0 && cell.is_moving(robot.hand)) return robot.hand;
+  for (const int finger : robot.fingers) {
+    if (cell.is_moving(finger)) return finger;
+  }
+  return id;
+}
+
+}  // namespace
+
+Answer<void> check_idle(Vm& vm, int given) {
+  const int id = moving_part(Host::of(vm).cell(), given);
+  const CellRobot& robot = Host::of(vm).cell().robot(id);
+  if (!robot.motion) return {};
+  Failure f;
+  f.resource = robot_called(robot.name);
+  f.headline = {"R0617", {robot.name, std::string(kRobot.resource->busy)}};
+  f.mark_parameter = kMarkCallee;
+  const MotionReport& report = Host::of(vm).cell().report(robot.motion_id);
+  const bool rolls_out = report.held_ns && *report.held_ns <= Host::of(vm).now_ns();
+  f.fix = rolls_out ? "it is slowing down after a velocity command: call halt() first"
+                    : "wait until its move has ended";
+  return fail(vm, std::move(f));
+}
+
+}  // namespace armlet::bind

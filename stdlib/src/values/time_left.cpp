@@ -1,0 +1,31 @@
+#include "values/time_left.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "armlet/core/format.hpp"
+#include "armlet/interpreter/virtual_time.hpp"
+#include "values/bind.hpp"
+
+namespace armlet::bind {
+
+Answer<void> check_time_left(Vm& vm, std::string_view what, double seconds, int parameter) {
+  const double left = time_left(vm);
+  if (seconds <= left) return {};
+  Failure f;
+  f.headline = {
+      "R0636",
+      {fmt::format("{} of {:.6g} s", what, seconds), fmt::format("{} s", format_number(left))}};
+  f.mark_parameter = parameter;
+  return fail(vm, std::move(f));
+}
+
+double least_time(double distance, std::optional<double> speed, std::optional<double> accel) {
+  if (distance <= 0.0) return 0.0;
+  return std::max(speed ? distance / *speed : 0.0, accel ? std::sqrt(distance / *accel) : 0.0);
+}
+
+}  // namespace armlet::bind

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "values/world/pictures.hpp"
+
+namespace armlet::bind {
+
+// Writes the picture into a file in the format of its name; otherwise R0680 or R0681. `parameter`
+// is the index of the name.
+Answer<void> save_picture(Vm& vm, const Image& image, std::string_view file, int parameter);
+
+}  // namespace armlet::bind
