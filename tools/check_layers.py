@@ -164,13 +164,10 @@ def faults_of_rooms(path, header):
 
 
 def folders_of_rooms(src):
-    """folder of a library's sources: the folders whose headers it includes. Rules of the checker call one another as the language nests,
-    so of these only the headers count."""
+    """folder of a library's sources: the folders whose headers it includes."""
     used = {}
     for path in sorted(src.rglob("*.[ch]pp")):
         folder = path.relative_to(src).parent
-        if path.suffix == ".cpp" and folder.parts[0] == "check":
-            continue
         for header in re.findall(r'^#include "(\w[\w/]*/\w+\.hpp)"', path.read_text(encoding="utf-8"), re.MULTILINE):
             if (src / header).exists() and Path(header).parent != folder:
                 used.setdefault(folder, set()).add(Path(header).parent)

@@ -3,16 +3,17 @@
 #include <algorithm>
 
 #include "check/blocks/number_dims.hpp"
-#include "check/calls/functions.hpp"
+#include "check/declarations/declarations.hpp"
 #include "check/entries/keep.hpp"
 #include "check/entries/shown.hpp"
-#include "check/names/declarations.hpp"
+#include "check/explain/file_names.hpp"
+#include "check/functions/functions.hpp"
 #include "check/names/imports.hpp"
-#include "check/names/look_ahead.hpp"
-#include "check/names/usage.hpp"
+#include "check/names/variables.hpp"
 #include "check/state/checker.hpp"
 #include "check/state/learnt.hpp"
 #include "check/statements/statements.hpp"
+#include "check/statements/usage.hpp"
 
 namespace armlet::lang {
 

@@ -4,10 +4,10 @@
 
 #include "check/blocks/named_rows.hpp"
 #include "check/calls/calls.hpp"
-#include "check/calls/native_calls.hpp"
-#include "check/names/declarations.hpp"
+#include "check/library/native_calls.hpp"
 #include "check/names/imports.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/names/variables.hpp"
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {

@@ -19,7 +19,4 @@ std::vector<Argument> named_rows(Checker& checker, const ast::ObjectStmt& stmt,
 // main file. Reports a message otherwise.
 [[nodiscard]] bool may_have_named_rows(Checker& checker, const ast::ObjectStmt& stmt);
 
-// The variable of a row, such as `panel1.clearance`; null if the object is not such a block.
-hir::Expr* named_row_value(Checker& checker, const ast::MemberExpr& member);
-
 }  // namespace armlet::lang

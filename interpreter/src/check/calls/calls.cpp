@@ -2,18 +2,19 @@
 
 #include <algorithm>
 
-#include "check/blocks/named_rows.hpp"
+#include "check/calls/fields.hpp"
+#include "check/calls/foreign_calls.hpp"
+#include "check/calls/imported.hpp"
 #include "check/calls/intrinsics.hpp"
-#include "check/calls/native_calls.hpp"
-#include "check/calls/printf.hpp"
-#include "check/names/function_names.hpp"
+#include "check/calls/map_calls.hpp"
+#include "check/calls/row_values.hpp"
+#include "check/functions/function_names.hpp"
+#include "check/library/native_calls.hpp"
+#include "check/library/printf.hpp"
 #include "check/names/imports.hpp"
+#include "check/names/reading.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/state/checker.hpp"
-#include "check/types/expressions.hpp"
-#include "check/types/long_lists.hpp"
-#include "check/types/maps.hpp"
-#include "check/types/members.hpp"
 #include "check/types/types.hpp"
 
 namespace armlet::lang {

@@ -1,13 +1,12 @@
 #include "check/calls/intrinsics.hpp"
 
-#include "check/calls/native_calls.hpp"
-#include "check/calls/printf.hpp"
-#include "check/names/places.hpp"
+#include "check/calls/map_calls.hpp"
+#include "check/library/formatted.hpp"
+#include "check/library/native_calls.hpp"
+#include "check/library/printf.hpp"
 #include "check/state/checker.hpp"
 #include "check/state/list_mutations.hpp"
-#include "check/types/expressions.hpp"
-#include "check/types/maps.hpp"
-#include "check/types/members.hpp"
+#include "check/types/indices.hpp"
 #include "check/types/types.hpp"
 
 namespace armlet::lang {
@@ -208,7 +207,7 @@ hir::Expr* mutation(Checker& checker, const ast::CallExpr& call, const ast::Memb
   const bool has_value = mutation == Mutation::kPush || mutation == Mutation::kInsert;
   const std::size_t count = (has_index ? 1 : 0) + (has_value ? 1 : 0);
   if (!takes(checker, call, name, count, count)) return checker.failed(call.span);
-  const auto place = check_place(checker, *member.object, call.span, false);
+  const auto place = checker.check_place(*member.object, call.span, false);
   if (!place) return checker.failed(call.span);
   const Type* element = place->type->element;
   hir::Expr* index = has_index ? index_value(checker, *call.args[0].value) : nullptr;

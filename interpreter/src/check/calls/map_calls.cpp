@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "check/calls/intrinsics.hpp"
-#include "check/names/places.hpp"
 #include "check/types/maps.hpp"
 
 namespace armlet::lang {
@@ -92,7 +91,7 @@ hir::Expr* key_argument(Checker& checker, const ast::CallExpr& call, const Type*
 
 hir::Expr* remove_call(Checker& checker, const ast::CallExpr& call, const ast::MemberExpr& member) {
   if (!takes(checker, call, "remove", 1, 1)) return checker.failed(call.span);
-  const auto place = check_place(checker, *member.object, call.span, false);
+  const auto place = checker.check_place(*member.object, call.span, false);
   if (!place) return checker.failed(call.span);
   hir::Expr* key = key_argument(checker, call, place->type, "remove");
   if (key->type->is(Kind::kAny)) return key;

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "check/calls/calls.hpp"
-#include "check/calls/functions.hpp"
-#include "check/calls/overloads.hpp"
-#include "check/explain/misfits.hpp"
-#include "check/names/usage.hpp"
+#include "check/functions/functions.hpp"
+#include "check/library/misfits.hpp"
+#include "check/library/overloads.hpp"
+#include "check/names/reading.hpp"
 #include "check/state/checker.hpp"
 #include "check/state/learnt.hpp"
 #include "check/types/any_table.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/diagnostic/backticks.hpp"
 #include "base/words.hpp"
-#include "check/names/usage.hpp"
+#include "check/names/variables.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -332,14 +332,6 @@ class Keeper {
 };
 
 }  // namespace
-
-bool replaces_functions(const Checker& main) {
-  const KeptNames* before = main.shared.earlier.kept();
-  return before != nullptr && std::ranges::any_of(main.names.functions(), [&](const auto& entry) {
-           const KeptName* old = before->main().find(entry.first);
-           return old != nullptr && old->function != nullptr;
-         });
-}
 
 void keep_names(Checker& main) { main.into.entry.kept = Keeper(main).run(); }
 

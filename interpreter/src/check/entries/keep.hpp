@@ -5,8 +5,6 @@
 
 namespace armlet::lang {
 
-// Whether the entry declares a function again that earlier entries know.
-[[nodiscard]] bool replaces_functions(const Checker& main);
 // Numbers the functions and variables of an entry, gives functions that replace others the numbers
 // of these, and fills into.entry.kept. Reports advice where other code still uses an older
 // declaration.

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "check/explain/explained.hpp"
-#include "check/names/declarations.hpp"
+#include "check/library/explained.hpp"
+#include "check/names/variables.hpp"
 #include "check/statements/statements.hpp"
 
 namespace armlet::lang {

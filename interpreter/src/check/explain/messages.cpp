@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "check/explain/file_names.hpp"
 #include "check/explain/joined_lines.hpp"
-#include "check/names/imports.hpp"
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {

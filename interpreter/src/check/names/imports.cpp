@@ -2,24 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "armlet/interpreter/resource.hpp"
 #include "base/diagnostic/backticks.hpp"
 #include "base/words.hpp"
-#include "check/calls/calls.hpp"
-#include "check/calls/functions.hpp"
-#include "check/names/declarations.hpp"
+#include "check/names/reading.hpp"
 #include "check/names/unknown_names.hpp"
-#include "check/types/expressions.hpp"
-#include "check/types/members.hpp"
-#include "check/types/types.hpp"
+#include "check/names/variables.hpp"
 
 namespace armlet::lang {
 namespace {
-
-std::string without_folders(std::string_view path) {
-  return std::string(path.substr(path.find_last_of('/') + 1));
-}
 
 std::string without_ending(std::string name) {
   if (name.ends_with(".rbt")) name.resize(name.size() - 4);
@@ -54,7 +47,8 @@ std::vector<std::string_view> public_names(const Checker& file) {
   return names;
 }
 
-// Reports a name that the file does not have, or does not export; false if the name is valid.
+}  // namespace
+
 bool refuse_member(Checker& checker, const Checker& file, std::string_view import,
                    const ast::Name& member) {
   const Span declared = file.names.declaration_of(member.text);
@@ -86,25 +80,11 @@ bool refuse_member(Checker& checker, const Checker& file, std::string_view impor
   return true;
 }
 
-}  // namespace
-
 std::string imported_as(const ast::ImportStmt& stmt) {
   if (!stmt.alias.text.empty()) return std::string(stmt.alias.text);
-  if (stmt.is_file) return without_ending(without_folders(stmt.path));
+  if (stmt.is_file)
+    return without_ending(std::string(stmt.path.substr(stmt.path.find_last_of('/') + 1)));
   return std::string(stmt.path.substr(stmt.path.find_last_of('.') + 1));
-}
-
-bool is_main_file(const Checker& checker) { return checker.shared.files.back() == &checker; }
-
-std::string file_name(const Checker& checker) {
-  return without_folders((*checker.into.sources)[checker.file.program.span.source].name());
-}
-
-std::string line_phrase(const Checker& checker, Span span) {
-  std::string out = "line " + std::to_string(checker.line_of(span));
-  if (span.source != checker.file.program.span.source)
-    out += " of " + without_folders((*checker.into.sources)[span.source].name());
-  return out;
 }
 
 // ---- names -------------------------------------------------------------------------------------
@@ -133,44 +113,6 @@ void bind_imports(Checker& checker) {
     diagnostic.fix = Fix{.text = "choose another name with as"};
     checker.report(std::move(diagnostic));
   }
-}
-
-hir::Expr* imported_member(Checker& checker, const Import& from, const ast::MemberExpr& member,
-                           const Type* expected) {
-  const std::string_view name = member.member.text;
-  if (from.file == nullptr) return checker.failed(member.span);
-  Checker& file = *from.file;
-  const std::string import = checker.text_of(member.object->span);
-  if (refuse_member(checker, file, import, member.member)) return checker.failed(member.span);
-  FunctionContext* where = nullptr;
-  if (Local* local = file.scopes.find_top(name, where))
-    return read(checker, *local, *where, member.span);
-  if (FunctionDecl* function = file.names.find_function(name))
-    return function_value(checker, *function, expected, member.span);
-  if (file.names.find_type(name) != nullptr)
-    checker.report(
-        make_diagnostic("E0219", member.span, {import + '.' + std::string(name), "type"}));
-  return checker.failed(member.span);  // its declaration failed, which was reported
-}
-
-hir::Expr* call_imported(Checker& checker, const Import& from, const ast::CallExpr& call,
-                         const ast::MemberExpr& member) {
-  const std::string_view name = member.member.text;
-  const Span callee = member.member.span;
-  if (from.file == nullptr) return checker.failed(call.span);
-  Checker& file = *from.file;
-  const std::string import = checker.text_of(member.object->span);
-  if (refuse_member(checker, file, import, member.member)) return checker.failed(call.span);
-  if (FunctionDecl* function = file.names.find_function(name)) {
-    return call_script(checker, *function, callee, call.span,
-                       arguments_of(checker, call.args, name));
-  }
-  const Type* const type = file.names.find_type(name);
-  if (type != nullptr && type->is(Kind::kRecord)) {
-    return construct(checker, *checker.shared.structs.find(type), callee, call.span,
-                     arguments_of(checker, call.args, name));
-  }
-  return call_value(checker, imported_member(checker, from, member, nullptr), call);
 }
 
 const FunctionDecl* imported_function(Checker& checker, const ast::Expr& expr) {

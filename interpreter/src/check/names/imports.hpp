@@ -5,15 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "check/explain/file_names.hpp"
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {
-
-[[nodiscard]] bool is_main_file(const Checker& checker);
-// The name of the file without its folders.
-[[nodiscard]] std::string file_name(const Checker& checker);
-// "line 7", or "line 7 of grip.rbt" for a line of another file.
-[[nodiscard]] std::string line_phrase(const Checker& checker, Span span);
 
 // The name of an import without `as`: the file's name without folders and ending.
 [[nodiscard]] std::string imported_as(const ast::ImportStmt& stmt);
@@ -21,12 +16,10 @@ namespace armlet::lang {
 // Declares the names of the imported files.
 void bind_imports(Checker& checker);
 
-// Members of an import: grip.width, grip.close, grip.Side. After a message, a value that failed.
-hir::Expr* imported_member(Checker& checker, const Import& from, const ast::MemberExpr& member,
-                           const Type* expected);
-// Calls of functions of an import: grip.close(5mm), grip.Part(mass: 2kg), grip.law(0.5).
-hir::Expr* call_imported(Checker& checker, const Import& from, const ast::CallExpr& call,
-                         const ast::MemberExpr& member);
+// Reports a name that the file does not declare, or that is private to it; false if there is
+// nothing to report.
+bool refuse_member(Checker& checker, const Checker& file, std::string_view import,
+                   const ast::Name& member);
 // Whether `member` is the name of a function of an imported file.
 [[nodiscard]] const FunctionDecl* imported_function(Checker& checker, const ast::Expr& member);
 // The struct or enum with this name: Side, or grip.Side of an imported file. null: none.

@@ -5,6 +5,7 @@
 // in the neighbouring folders that take a Checker. Functions that call each other across these
 // folders are declared here.
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,6 +47,9 @@ struct Checker {
   hir::Expr* convert(hir::Expr* value, const Type* type);
   hir::Expr* require(hir::Expr* value, const Target& target);
   const Type* resolve(const ast::TypeExpr& type);
+  // What an assignment or a method changes; whole: the variable itself may get a new value. Empty
+  // after a message.
+  std::optional<hir::Place> check_place(const ast::Expr& expr, Span statement, bool whole);
 
   // ---- statements; null where nothing is to be done
   hir::Stmt* check_statement(const ast::Stmt& stmt);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "check/calls/intrinsics.hpp"
-#include "check/names/declarations.hpp"
+#include "check/names/variables.hpp"
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "check/statements/recordings.hpp"
+#include "check/explain/pauses.hpp"
 #include "hir/walk.hpp"
 
 namespace armlet::lang {
@@ -109,6 +109,23 @@ void check_condition_changes(Checker& checker) {
     if (!change) continue;
     checker.messages.begin_statement();
     report_change(checker, span, *change);
+  }
+}
+
+void check_callbacks(Checker& checker) {
+  ChangeFinder finder(checker, Changes::kOfLibrary);
+  for (const Postponed::Callback& callback : checker.shared.postponed.callbacks()) {
+    if (!checker.shared.uses.may_pause(checker.shared.uses.of(callback.function))) {
+      if (!callback.is_read || !finder.find(callback.function)) continue;
+      checker.messages.begin_statement();
+      checker.report(make_diagnostic("E0520", callback.span,
+                                     {std::string(callback.called_by), "change anything"}));
+      continue;
+    }
+    checker.messages.begin_statement();
+    checker.report(
+        make_diagnostic("E0520", callback.span,
+                        {std::string(callback.called_by), checker.registry.what_takes_time()}));
   }
 }
 

@@ -38,5 +38,7 @@ class ChangeFinder {
 // Reports E0533 for conditions of `until`, `wait until` and `when` that change something; called
 // after everything is checked.
 void check_condition_changes(Checker& checker);
+// Refuses functions handed to the library that would take time (E0520); after everything is checked.
+void check_callbacks(Checker& checker);
 
 }  // namespace armlet::lang

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "check/names/declarations.hpp"
+#include "check/calls/tables.hpp"
+#include "check/names/reading.hpp"
+#include "check/names/variables.hpp"
 #include "check/state/checker.hpp"
 #include "check/statements/loop_advice.hpp"
-#include "check/statements/recordings.hpp"
 #include "check/statements/statements.hpp"
-#include "check/types/expressions.hpp"
 #include "check/types/maps.hpp"
-#include "check/types/members.hpp"
 
 namespace armlet::lang {
 

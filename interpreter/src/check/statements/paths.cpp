@@ -7,7 +7,7 @@
 #include <unordered_set>
 
 #include "armlet/interpreter/resource.hpp"
-#include "check/names/declarations.hpp"
+#include "check/names/variables.hpp"
 #include "check/statements/settings.hpp"
 #include "hir/walk.hpp"
 

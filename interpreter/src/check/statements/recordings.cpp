@@ -10,25 +10,14 @@
 #include <string>
 #include <unordered_set>
 
-#include "check/calls/lambdas.hpp"
-#include "check/names/declarations.hpp"
-#include "check/types/any_table.hpp"
-#include "check/types/long_lists.hpp"
-#include "check/types/members.hpp"
+#include "check/calls/tables.hpp"
+#include "check/explain/pauses.hpp"
+#include "check/functions/lambdas.hpp"
+#include "check/names/reading.hpp"
+#include "check/names/variables.hpp"
 
 namespace armlet::lang {
 namespace {
-
-constexpr std::string_view kSampleName = "record on line ";
-
-hir::Expr* builtin(Checker& checker, const NativeFunction& function, const Type* type, Span span,
-                   std::vector<hir::Expr*> arguments) {
-  std::vector<Span> spans;
-  for (const hir::Expr* argument : arguments) spans.push_back(argument->span);
-  return checker.make<hir::CallNativeExpr>(hir::ExprKind::kCallNative, type, span, &function,
-                                           checker.seq(arguments),
-                                           hir::CallSite{span, span, checker.seq(spans)});
-}
 
 // The function that returns one row; null after a message.
 hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
@@ -84,15 +73,6 @@ hir::Expr* check_sample(Checker& checker, const ast::RecordStmt& stmt) {
 
 }  // namespace
 
-bool is_sample(const hir::Function& function) { return function.name.starts_with(kSampleName); }
-
-void report_pause(Checker& checker, const hir::Function& condition, Span span) {
-  const std::string takes_time = checker.registry.what_takes_time();
-  Diagnostic diagnostic = make_diagnostic("E0505", span, {takes_time});
-  if (is_sample(condition)) diagnostic.message = "what `record` samples cannot " + takes_time;
-  checker.report(std::move(diagnostic));
-}
-
 void check_record(Checker& checker, const ast::RecordStmt& stmt, ast::Seq<ast::Stmt*> rest,
                   std::vector<hir::Stmt*>& out) {
   const bool top_level = checker.scopes.at_top_level();
@@ -140,26 +120,6 @@ hir::Stmt* check_lone_record(Checker& checker, const ast::RecordStmt& stmt) {
   check_record(checker, stmt, {}, out);
   close_block(checker);
   return checker.make<hir::Block>(hir::StmtKind::kBlock, stmt.span, checker.seq(out));
-}
-
-hir::Expr* column_of(Checker& checker, hir::Expr* table, const ast::MemberExpr& member) {
-  if (member.member.text == "length")
-    return builtin(checker, *checker.registry.language().table_length, checker.types.integer(),
-                   member.span, {table});
-  if (!settle(checker, *table)) return checker.failed(member.span);
-  const RecordInfo& info = *table->type->record;
-  const int column = checker.shared.structs.field_index(info, member.member.text);
-  if (column < 0) return unknown_field(checker, *table, member.member);
-  hir::Expr* number = checker.make<hir::IntExpr>(hir::ExprKind::kInt, checker.types.integer(),
-                                                 member.span, static_cast<std::int64_t>(column));
-  return builtin(checker, *checker.registry.language().table_column, info.fields[column].type,
-                 member.span, {table, number});
-}
-
-hir::Expr* rows_of(Checker& checker, hir::Expr* table) {
-  if (!settle(checker, *table)) return checker.failed(table->span);
-  return builtin(checker, *checker.registry.language().table_rows,
-                 checker.types.list(table->type->record->row), table->span, {table});
 }
 
 }  // namespace armlet::lang

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "check/calls/native_calls.hpp"
-#include "check/names/declarations.hpp"
+#include "check/library/native_calls.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/names/variables.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -5,16 +5,19 @@
 #include "base/cancelled.hpp"
 #include "check/blocks/block_declarations.hpp"
 #include "check/calls/intrinsics.hpp"
-#include "check/calls/lambdas.hpp"
-#include "check/calls/native_calls.hpp"
+#include "check/declarations/declarations.hpp"
 #include "check/explain/catch_types.hpp"
 #include "check/explain/divided_remarks.hpp"
-#include "check/explain/explained.hpp"
-#include "check/explain/mismatch.hpp"
-#include "check/names/declarations.hpp"
+#include "check/expressions/expressions.hpp"
+#include "check/expressions/places.hpp"
+#include "check/functions/functions.hpp"
+#include "check/functions/lambdas.hpp"
+#include "check/library/explained.hpp"
+#include "check/library/native_calls.hpp"
 #include "check/names/imports.hpp"
-#include "check/names/places.hpp"
+#include "check/names/reading.hpp"
 #include "check/names/unknown_names.hpp"
+#include "check/names/variables.hpp"
 #include "check/state/checker.hpp"
 #include "check/state/constants.hpp"
 #include "check/statements/asserts.hpp"
@@ -25,9 +28,6 @@
 #include "check/statements/settings.hpp"
 #include "check/statements/switches.hpp"
 #include "check/statements/tasks.hpp"
-#include "check/types/expressions.hpp"
-#include "check/types/members.hpp"
-#include "check/types/types.hpp"
 
 namespace armlet::lang {
 
@@ -262,29 +262,6 @@ bool is_value_statement(Checker& checker, const ast::ExprStmt& stmt) {
   if (name == "Thread.sleep") return false;
   return (name != "assert" && name != "assertThrows") ||
          checker.names.find_function(name) != nullptr;
-}
-
-hir::Stmt* return_value(Checker& checker, hir::Expr* value, Span span) {
-  FunctionContext& context = checker.scopes.here();
-  if (context.result_is_declared) {
-    value = checker.require(value, {.role = Target::Role::kResult, .type = context.result});
-  } else if (value->type->is(Kind::kVoid)) {
-    value = mismatch(checker, *value, {.type = checker.types.any()});
-  }
-  if (!context.result_is_declared) {
-    hir::Expr seen{.kind = hir::ExprKind::kVariable, .type = context.result, .span = span};
-    const Type* common =
-        context.result == nullptr ? value->type : common_type(checker, seen, *value);
-    if (common == nullptr) {
-      mismatch(checker, *value, {.role = Target::Role::kResult, .type = context.result});
-      common = checker.types.any();
-    }
-    context.result = common;
-  }
-  auto* stmt = checker.make<hir::ReturnStmt>(hir::StmtKind::kReturn, span, value);
-  context.returns.push_back(stmt);
-  context.flow.reachable = false;
-  return stmt;
 }
 
 namespace {

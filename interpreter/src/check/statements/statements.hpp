@@ -12,7 +12,6 @@ void append(const ast::Stmt& stmt, hir::Stmt* checked, std::vector<hir::Stmt*>& 
 // Whether an expression statement has a value. `assert` and some others have the form of calls, but
 // are statements.
 [[nodiscard]] bool is_value_statement(Checker& checker, const ast::ExprStmt& stmt);
-hir::Stmt* return_value(Checker& checker, hir::Expr* value, Span span);
 hir::Expr* seconds(Checker& checker, const ast::Expr& written, std::string_view what);
 
 }  // namespace armlet::lang

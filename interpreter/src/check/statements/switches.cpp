@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "check/explain/edits.hpp"
-#include "check/names/declarations.hpp"
+#include "check/names/variables.hpp"
 #include "check/state/checker.hpp"
 
 namespace armlet::lang {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "check/calls/lambdas.hpp"
-#include "check/calls/native_calls.hpp"
 #include "check/explain/edits.hpp"
-#include "check/names/declarations.hpp"
+#include "check/functions/lambdas.hpp"
+#include "check/library/native_calls.hpp"
+#include "check/names/variables.hpp"
 #include "check/statements/statements.hpp"
 
 namespace armlet::lang {
@@ -145,26 +145,6 @@ hir::Stmt* check_every(Checker& checker, const ast::EveryStmt& stmt) {
 }
 
 }  // namespace
-
-const Flow& flow_for(const Checker& checker, const FunctionContext& where) {
-  const FunctionContext* context = &checker.scopes.here();
-  while (context != &where && context->kind != FunctionContext::Kind::kTask &&
-         context->outer != nullptr) {
-    context = context->outer;
-  }
-  return context->kind == FunctionContext::Kind::kTask ? context->flow : where.flow;
-}
-
-void note_assigned(FunctionContext& here, const hir::Variable* variable) {
-  here.flow.assign(variable);
-  const FunctionContext* context = &here;
-  while (context->kind == FunctionContext::Kind::kTask) {
-    if (variable->owner != context->function || variable->outer == nullptr) return;
-    variable = variable->outer;
-    here.flow.assign(variable);
-    context = context->outer;
-  }
-}
 
 hir::Stmt* check_tasks(Checker& checker, const ast::Stmt& stmt) {
   if (stmt.kind == ast::StmtKind::kParallel)

@@ -10,11 +10,6 @@ namespace armlet::lang {
 // Checks one of these statements.
 [[nodiscard]] hir::Stmt* check_tasks(Checker& checker, const ast::Stmt& stmt);
 
-// The current state of the variables of `where`: tasks have a state of their own.
-[[nodiscard]] const Flow& flow_for(const Checker& checker, const FunctionContext& where);
-// Notes that the variable has a value from here on, also under its names in inner functions.
-void note_assigned(FunctionContext& here, const hir::Variable* variable);
-
 // Reports E0501 for two branches of one `parallel` that begin with commands to the same resource.
 // `word` is the start of the statement.
 void refuse_busy_resources(Checker& checker, Span word,

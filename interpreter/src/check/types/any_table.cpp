@@ -1,7 +1,5 @@
 #include "check/types/any_table.hpp"
 
-#include "check/calls/functions.hpp"
-
 namespace armlet::lang {
 
 bool is_any_table(const Checker& checker, const ast::TypeExpr* type) {
@@ -26,22 +24,6 @@ std::string any_table_phrase(const ast::TypeExpr* type) {
   std::string out = "a table";
   for (; type->form == ast::TypeForm::kArray; type = type->element) out += "[]";
   return out;
-}
-
-bool settle(Checker& checker, const hir::Expr& table) {
-  for (std::size_t i = 0;
-       table.type->is_open_table() && i < checker.shared.instances.waiting().size(); ++i) {
-    Instance& waiting = *checker.shared.instances.waiting()[i];
-    check_body(*waiting.declaration->file, waiting);
-  }
-  if (!table.type->is_open_table()) return true;
-  // The assignment of the table may have failed.
-  if (checker.messages.has_errors()) return false;
-  Diagnostic diagnostic = make_diagnostic("E0323", table.span, {"the columns of this table"});
-  diagnostic.message = "the columns of this table are not known here";
-  diagnostic.why = "nothing above this line puts a table there";
-  checker.report(std::move(diagnostic));
-  return false;
 }
 
 std::string table_phrase(const Type* type) {

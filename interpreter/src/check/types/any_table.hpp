@@ -19,9 +19,6 @@ const Type* resolve_open(Checker& checker, const ast::TypeExpr* type);
 // The name for messages: "a table", "a table[]".
 [[nodiscard]] std::string any_table_phrase(const ast::TypeExpr* type);
 
-// Searches the columns of a table with unknown columns in functions that are not checked yet.
-// Returns false, after a message, if no table is ever assigned.
-bool settle(Checker& checker, const hir::Expr& table);
 // The description of a table's columns: "a table of t and q"; empty for other types.
 [[nodiscard]] std::string table_phrase(const Type* type);
 

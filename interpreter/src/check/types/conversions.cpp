@@ -1,10 +1,10 @@
 // The five implicit conversions (language reference, section 5), and casts.
 
-#include "check/explain/mismatch.hpp"
 #include "check/explain/mismatch_units.hpp"
+#include "check/explain/quotients.hpp"
 #include "check/state/checker.hpp"
 #include "check/types/maps.hpp"
-#include "check/types/operators.hpp"
+#include "check/types/mismatch.hpp"
 #include "check/types/types.hpp"
 
 namespace armlet::lang {
@@ -13,6 +13,29 @@ bool is_zero(const hir::Expr& value) {
   if (value.kind == hir::ExprKind::kInt) return value.as<hir::IntExpr>().value == 0;
   return value.kind == hir::ExprKind::kReal && value.type->is_double() &&
          value.as<hir::RealExpr>().value == 0.0;
+}
+
+bool has_deep_equality(const Type* type) {
+  switch (type->kind) {
+    case Kind::kList:
+    case Kind::kMap:
+      return has_deep_equality(type->element);
+    case Kind::kHost:
+      return type->host->equal != nullptr;
+    case Kind::kFunction:
+    case Kind::kVoid:
+      return false;
+    case Kind::kAny:
+    case Kind::kBool:
+    case Kind::kInt:
+    case Kind::kReal:
+    case Kind::kText:
+    case Kind::kMatrix:
+    case Kind::kRecord:
+    case Kind::kEnum:
+      break;
+  }
+  return true;
 }
 
 namespace {

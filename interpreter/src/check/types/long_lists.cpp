@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "check/names/declarations.hpp"
+#include "check/names/variables.hpp"
 
 namespace armlet::lang {
 namespace {

@@ -23,13 +23,6 @@ namespace armlet::lang {
 [[nodiscard]] std::optional<hir::Step> entry_step(Checker& checker, const ast::IndexExpr& index,
                                                   const Type* map);
 
-// Calls m.get(k, v), m.keys() and other methods, also with their names in other languages; null if
-// there is no such method.
-[[nodiscard]] hir::Expr* call_of_map(Checker& checker, hir::Expr* map, const ast::CallExpr& call,
-                                     const ast::MemberExpr& member);
-// The empty map for dict(), new HashMap(); null if the call is no such one.
-[[nodiscard]] hir::Expr* foreign_empty_map(Checker& checker, std::string_view name,
-                                           std::size_t values, Span span);
 // The fix for m.bolt, which may mean m["bolt"].
 [[nodiscard]] std::optional<Fix> fix_of_map_member(const Checker& checker, const Type* map,
                                                    const ast::Name& member);

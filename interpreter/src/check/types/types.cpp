@@ -4,6 +4,7 @@
 
 #include "base/basic_types.hpp"
 #include "check/names/imports.hpp"
+#include "check/names/reading.hpp"
 #include "check/names/unknown_names.hpp"
 #include "check/state/checker.hpp"
 #include "check/state/learnt.hpp"
@@ -18,13 +19,6 @@ const Type* type_called(Checker& checker, std::string_view name) {
   if (const auto dim = dimension_named(name)) return checker.types.quantity(*dim);
   if (name == "table") return checker.types.open_table();
   return checker.types.library_record(name);
-}
-
-void note_type_use(Checker& checker, const Type& type, Span name) {
-  if (checker.shared.learnt == nullptr) return;
-  Checker* const home = checker.shared.structs.home(&type);
-  if (home != nullptr)
-    checker.shared.learnt->use(name, home->names.declaration_of(type_name(&type)));
 }
 
 namespace {

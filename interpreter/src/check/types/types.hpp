@@ -9,9 +9,6 @@ namespace armlet::lang {
 
 const Type* type_called(Checker& checker, std::string_view name);
 
-// For editors: notes that the end of `name` refers to a struct or enum of the program.
-void note_type_use(Checker& checker, const Type& type, Span name);
-
 hir::Expr* cast(Checker& checker, hir::Expr* value, const Type* type, Span span);
 [[nodiscard]] const Type* common_type(Checker& checker, const hir::Expr& a, const hir::Expr& b);
 
