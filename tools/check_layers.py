@@ -92,7 +92,7 @@ PUBLIC_ROOMS = {
         "values": "robot_text",
         "session": "install session session_options text_change",
         "controls": "laboratory_controls",
-        "workspace": "load_world",
+        "workspace": "load_world workspace",
     },
 }
 ROOM_OF = {library: {name: room for room, names in rooms.items() for name in names.split()} for library, rooms in PUBLIC_ROOMS.items()}

@@ -13,7 +13,6 @@
 #include <string>
 #include <utility>
 
-#include "../armlet/console/imports.hpp"
 #include "armlet/backend/jsonl_backend.hpp"
 #include "armlet/backend/run_hash.hpp"
 #include "armlet/core/error.hpp"
@@ -21,6 +20,7 @@
 #include "armlet/model/catalog.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "armlet/stdlib/session.hpp"
+#include "armlet/stdlib/workspace.hpp"
 #include "core/bare/memory_files.hpp"
 
 namespace armlet::wasm {
@@ -57,7 +57,7 @@ class Seat {
   }
 
   bool compile(std::string text, const std::string& name) {
-    imports_ = cli::imports_of(name);
+    imports_ = armlet::imports_of(name);
     const bool runs = session_->compile(std::move(text), name);
     for (const Problem& problem : session_->problems()) tell(problem.diagnostic, *problem.sources);
     return runs;

@@ -1,22 +1,14 @@
 #include "console/setup.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <utility>
 
 #include "armlet/core/files.hpp"
-#include "armlet/core/similar.hpp"
 #include "armlet/interpreter/render.hpp"
-#include "armlet/model/catalog.hpp"
-#include "armlet/model/hands.hpp"
-#include "armlet/stdlib/install.hpp"
-#include "armlet/stdlib/load_world.hpp"
+#include "armlet/stdlib/workspace.hpp"
 #include "client/convert.hpp"
 #include "console/console.hpp"
-#include "console/imports.hpp"
 
 namespace armlet::cli {
 MeshConverter mesh_converter() {
@@ -52,45 +44,32 @@ PackageFolders package_folders(const std::vector<std::string>& named) {
 }
 
 std::shared_ptr<const Robot> find_robot(const std::string& name) {
-  auto robot = make_robot(name);
-  if (robot != nullptr) return robot;
-  std::vector<std::string_view> names = catalog_names();
-  names.insert(names.end(), hand_names().begin(), hand_names().end());
-  std::string message = fmt::format("armlet: there is no robot called \"{}\"; there are {}", name,
-                                    fmt::join(names, ", "));
-  if (const auto meant = most_similar(name, names))
-    message += fmt::format("\ndid you mean \"{}\"?", *meant);
-  progress(message);
+  auto robot = robot_from_catalog(name);
+  if (robot.ok()) return std::move(robot).value();
+  progress("armlet: " + robot.error().message);
   return nullptr;
 }
 
 Setup make_setup(const ProgramOptions& options, const std::string& file) {
   Setup setup;
-  SessionOptions& session = setup.session;
-  session.load = imports_of(file);
-  session.robot = find_robot(options.robot);
-  if (session.robot == nullptr) {
+  Result<SessionOptions> made =
+      session_options({file, options.robot, options.world, mesh_converter()});
+  if (!made.ok() && made.error().code == "robot") {
+    progress("armlet: " + made.error().message);
     setup.exit = kUsage;
     return setup;
   }
-  if (options.world.empty()) {
-    session.default_world = table_world();
-  } else {
-    Result<WorldText> world = load_world(options.world, mesh_converter());
-    if (!world.ok()) {
-      show_unreadable(options.world, world.error().message, options.json);
-      setup.exit = kNoFile;
-      return setup;
-    }
-    const SourceSet none;
-    for (const std::string& note : world->notes)
-      show(make_diagnostic("W0743", kNoText, {options.world, note}), none, options.json);
-    session.world = std::move(world).value();
+  if (!made.ok()) {
+    show_unreadable(options.world, made.error().message, options.json);
+    setup.exit = kNoFile;
+    return setup;
   }
-  // A program may write files only below its own folder.
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  session.folder = folder.empty() ? std::filesystem::path(".") : folder;
-  session.meshes.convert = mesh_converter();
+  SessionOptions& session = setup.session = std::move(made).value();
+  if (session.world) {
+    const SourceSet none;
+    for (const std::string& note : session.world->notes)
+      show(make_diagnostic("W0743", kNoText, {options.world, note}), none, options.json);
+  }
   session.meshes.packages = package_folders(options.packages);
   session.limits.steps = options.steps;
   session.output = [](std::string_view text) {

@@ -5,7 +5,6 @@
 #ifdef __EMSCRIPTEN__
 #include <emscripten.h>
 
-#include "../../armlet/console/imports.hpp"
 #include "core/bare/memory_files.hpp"
 #else
 #define EMSCRIPTEN_KEEPALIVE
@@ -19,6 +18,7 @@
 #include <utility>
 
 #include "armlet/model/catalog.hpp"
+#include "armlet/stdlib/workspace.hpp"
 #include "kept_file.hpp"
 #include "laboratory.hpp"
 #include "messages/saved_laboratory.hpp"
@@ -59,7 +59,7 @@ void take_files([[maybe_unused]] LaboratoryOptions& options,
 #ifdef __EMSCRIPTEN__
   for (const std::string& path : memory_files::list("/")) memory_files::remove(path);
   for (const auto& [path, text] : saved.files) memory_files::put(path, text);
-  options.session.load = cli::imports_of(saved.file);
+  options.session.load = imports_of(saved.file);
   options.session.folder = ".";
   options.keep_file = [](const std::string& name, std::string bytes) {
     return keep_beside(

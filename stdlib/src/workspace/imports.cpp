@@ -1,4 +1,4 @@
-#include "console/imports.hpp"
+// Imports of a program, from its own folder.
 
 #include <memory>
 #include <optional>
@@ -6,8 +6,9 @@
 
 #include "armlet/core/files.hpp"
 #include "armlet/interpreter/host/table_text.hpp"
+#include "armlet/stdlib/workspace.hpp"
 
-namespace armlet::cli {
+namespace armlet {
 namespace {
 
 // The path up to and including the last /.
@@ -67,4 +68,4 @@ ModuleLoader imports_of(const std::string& program) {
   };
 }
 
-}  // namespace armlet::cli
+}  // namespace armlet
