@@ -70,7 +70,7 @@ def entries(texts):
 def signs(_):
     """The marks of the grammar, as they are written there."""
     grammar = (ROOT / "grammar" / "RbtLexer.g4").read_text()
-    marks = grammar[grammar.index("- marks"):grammar.index("- what the parser does not see")]
+    marks = grammar[grammar.index("- marks"):].split("\n// ---", 1)[0]
     return entries(re.sub(r"\\(.)", r"\1", mark) for mark in re.findall(r"^[A-Z]+ : '(.*)' ;$", marks, re.M))
 
 
