@@ -11,6 +11,7 @@
 #include "console/console.hpp"
 
 namespace armlet::cli {
+
 MeshConverter mesh_converter() {
   return [](const std::string& path, const std::string& name, double unit,
             const std::function<bool()>& is_cancelled) -> Result<std::string> {
