@@ -119,6 +119,7 @@ std::vector<Message> Laboratory::State::take_messages(Page& page, std::size_t mo
   if (news(page.known.control, pages.control_changes())) parcel.add(write_control(pages.control()));
   if (news(page.known.text, versions.text) && text.from != page.number)
     parcel.add(write_text(text.now, text.version, text.from));
+  if (news(page.known.document, versions.document)) parcel.add(write_document(text.document));
   if (news(page.known.diagnostics, versions.diagnostics))
     parcel.add(write_diagnostics(text.version, text.runs, text.diagnostics));
   if (news(page.known.breakpoints, versions.breakpoints))

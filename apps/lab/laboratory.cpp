@@ -27,7 +27,9 @@ Laboratory::State::State(LaboratoryOptions given)
       pages(options.most_pages),
       text_session(library_engine(), session_options),
       looker(session_options) {
-  versions = {1, 1, 1, 1, 1, 1, 1};
+  versions = {1, 1, 1, 1, 1, 1, 1, options.program_file.write ? 1U : 0U};
+  text.document.exists = options.program_file.write && options.program_file.exists;
+  if (text.document.exists) text.document.text = options.text;
   take_text(options.text, 0, true);
 }
 
@@ -64,6 +66,8 @@ bool Laboratory::advance() {
   const bool plots_on = !runs_on && state_->advance_plots();
   return looks_on || runs_on || plots_on;
 }
+
+void Laboratory::look_at_file() { state_->look_at_file(); }
 
 std::vector<Message> Laboratory::take_messages(int number, std::size_t most_bytes) {
   Page* page = state_->pages.find(number);

@@ -22,6 +22,7 @@
 #include "armlet/stdlib/session.hpp"
 #include "kept_file.hpp"
 #include "messages/write_message.hpp"
+#include "program_file.hpp"
 #include "runs/live_run.hpp"
 
 namespace armlet::lab {
@@ -44,6 +45,7 @@ struct LaboratoryOptions {
   // returns the saved file, or an error that is a sentence. Null: files cannot be saved. An empty
   // name in the result: the file is stored for a mesh that comes later.
   std::function<Result<KeptFile>(const std::string& name, std::string bytes)> keep_file{};
+  ProgramFile program_file{};
 };
 
 class Laboratory {
@@ -63,6 +65,10 @@ class Laboratory {
 
   // Works for some milliseconds. Returns whether there is more to do.
   bool advance();
+
+  // Reads the file of the program, if there is one. A file that another program has changed becomes
+  // the text of the laboratory if that has no unsaved edits.
+  void look_at_file();
 
   // The messages for the page that are due, as many as fit into this number of bytes, but at least
   // one.

@@ -48,6 +48,7 @@ struct Laboratory::State {
   void handle(Page& page, Seq seq, const FetchRun& fetch);
   void handle(Page& page, Seq seq, const StopRun& stop);
   void handle(Page& page, Seq seq, const AskExport& ask);
+  void handle(Page& page, Seq seq, const SaveText& save);
   void handle(Page& page, Seq seq, const AskFile& ask);
   void handle(Page& page, Seq seq, const SendFile& sent);
   void handle(Page& page, Seq seq, const TakeControl& take);
@@ -56,6 +57,9 @@ struct Laboratory::State {
   void refuse(Page& page, Seq seq, const InputFault& fault);
   // Whether the page may change something; if not, it gets a refusal.
   bool has_control(Page& page, Seq seq);
+
+  // ---- the file of the program (program_file.cpp)
+  void look_at_file();
 
   // ---- text and runs (text_and_runs.cpp)
   // Takes the text and, if `goes` and it has no mistakes, begins its run; otherwise only checks it.
@@ -122,6 +126,7 @@ struct Laboratory::State {
     std::vector<TextMessage> diagnostics;
     std::shared_ptr<const Analysis> analysis;
     bool is_analysis_old = true;
+    Document document;  // the file
   } text;
   Session text_session;  // for analyses
 

@@ -34,6 +34,7 @@ struct Versions {
   std::uint64_t shown = 0;
   std::uint64_t cursor = 0;
   std::uint64_t breakpoints = 0;
+  std::uint64_t document = 0;
 };
 
 struct Page {

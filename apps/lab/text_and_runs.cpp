@@ -72,6 +72,10 @@ void Laboratory::State::take_text(std::string given, std::int64_t version, bool 
     text.now = std::move(given);
     text.is_analysis_old = true;
     ++versions.text;
+    if (text.document.is_changed && is_same_program(text.now, text.document.text)) {
+      text.document.is_changed = false;
+      ++versions.document;
+    }
   }
   text.version = version;
   text.diagnostics.clear();

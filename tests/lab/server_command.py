@@ -34,7 +34,7 @@ class Lab:
         """errors: what it has to say on its standard error; nothing otherwise."""
         begun = time.monotonic()
         self.errors = errors
-        self.process = subprocess.Popen([armlet, "lab", *arguments, *([] if opens else ["--no-open"])], stdout=subprocess.PIPE,
+        self.process = subprocess.Popen([*([armlet] if isinstance(armlet, str) else armlet), "lab", *arguments, *([] if opens else ["--no-open"])], stdout=subprocess.PIPE,
                                         stderr=subprocess.PIPE, text=True, env={**os.environ, **(environment or {})})
         self.address = self.process.stdout.readline().strip()
         self.seconds = time.monotonic() - begun
@@ -425,7 +425,7 @@ def check_host_and_port(armlet, program):
     for wrong in [["--port", "70000"], ["--demo"]]:
         done = subprocess.run([armlet, "lab", program, "--no-open", *wrong], capture_output=True, text=True)
         assert done.returncode == 64 and done.stderr, (wrong, done)
-    done = subprocess.run([armlet, "lab", "nothing.rbt", "--no-open"], capture_output=True, text=True)
+    done = subprocess.run([armlet, "lab", "nothing/nothing.rbt", "--no-open"], capture_output=True, text=True)
     assert done.returncode == 66, done
     with Lab(armlet, "--demo") as lab:
         assert goes_on(lab.address)["state"] == "done"

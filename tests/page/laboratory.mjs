@@ -39,13 +39,14 @@ export async function openPage(address, options = {}) {
   return page;
 }
 
-// Serves a program; `text` is written to a file, or the demo is shown. `files` lie beside it, by their names.
-export async function serve(text = null, files = {}) {
+// Serves a program; `text` is written to a file, or the demo is shown, or the file `missing`, which does not exist. `files` lie beside it, by
+// their names.
+export async function serve(text = null, files = {}, missing = null) {
   const folder = mkdtempSync(join(tmpdir(), "armlet-lab-"));
   const file = join(folder, "program.rbt");
   if (text !== null) writeFileSync(file, text);
   for (const [name, bytes] of Object.entries(files)) writeFileSync(join(folder, name), bytes);
-  const command = spawn(process.env.ARMLET_COMMAND, ["lab", ...(text === null ? ["--demo"] : [file]), "--no-open", "--port", "0"], { stdio: ["ignore", "pipe", "pipe"] });
+  const command = spawn(process.env.ARMLET_COMMAND, ["lab", ...(missing ? [join(folder, missing)] : text === null ? ["--demo"] : [file]), "--no-open", "--port", "0"], { stdio: ["ignore", "pipe", "pipe"] });
   let complaints = "";
   command.stderr.on("data", (data) => (complaints += data));
   const address = await new Promise((resolve, reject) => {
@@ -88,8 +89,8 @@ export async function saved(download) {
 }
 
 // Runs `work` with pages on a laboratory; afterwards no page may have complained.
-export async function withLab(text, work, files = {}) {
-  const lab = await serve(text, files);
+export async function withLab(text, work, files = {}, missing = null) {
+  const lab = await serve(text, files, missing);
   const pages = [];
   try {
     await work(async (options) => {

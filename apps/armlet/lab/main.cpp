@@ -12,7 +12,8 @@ namespace {
 using namespace armlet::cli;
 
 void add_lab_options(CLI::App& command, LabOptions& lab, RunOptions& run) {
-  CLI::Option* file = command.add_option("FILE", run.file, "the program");
+  CLI::Option* file =
+      command.add_option("FILE", run.file, "the program; a new one begins from a template");
   add_program_options(command, run.program);
   command.add_flag("--demo", lab.demo, "an example instead of a program of your own")
       ->excludes(file);

@@ -193,6 +193,7 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
   if (type == "fetch") return FetchRun{small(message, "run")};
   if (type == "stop") return StopRun{};
   if (type == "export") return AskExport{};
+  if (type == "save") return SaveText{truth(message, "replaces")};
   if (type == "file") return AskFile{text_of(message, "name", kNameBytes)};
   if (type == "keep") return sent_file(message);
   if (type == "take") return TakeControl{};

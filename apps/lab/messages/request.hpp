@@ -97,6 +97,12 @@ struct FetchRun {
 struct StopRun {};
 // A request for all data with which another laboratory can continue this one.
 struct AskExport {};
+// Writes the text into the file of the program.
+//
+// replaces  also if another program has changed the file.
+struct SaveText {
+  bool replaces = false;
+};
 // A request for the bytes of a file that is drawn.
 struct AskFile {
   std::string name;
@@ -118,8 +124,8 @@ struct GiveControl {
 struct Request {
   std::optional<std::int64_t> seq{};
   std::variant<Hello, SetText, AskText, FormatText, GoTo, AskPicture, Step, SetBreakpoints,
-               GiveInput, AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, AskExport, AskFile,
-               SendFile, TakeControl, GiveControl>
+               GiveInput, AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, AskExport, SaveText,
+               AskFile, SendFile, TakeControl, GiveControl>
       what;
 };
 

@@ -100,6 +100,15 @@ Message write_welcome(const Welcome& welcome, Seq to) {
   return message_of(out);
 }
 
+Message write_document(const Document& document) {
+  return message_of({{"type", "document"},
+                     {"text", document.text},
+                     {"exists", document.exists},
+                     {"changed", document.is_changed}});
+}
+
+Message write_saved(Seq to) { return message_of(answer("saved", to)); }
+
 Message write_control(const ControlState& control) {
   return message_of({{"type", "control"},
                      {"holder", json_of(control.holder)},

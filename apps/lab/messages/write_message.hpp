@@ -13,6 +13,7 @@
 #include "armlet/interpreter/editor/analysis.hpp"
 #include "armlet/stdlib/laboratory_controls.hpp"
 #include "kept_file.hpp"
+#include "program_file.hpp"
 #include "runs/lab_elements.hpp"
 #include "runs/looker.hpp"
 #include "runs/record.hpp"
@@ -46,6 +47,8 @@ struct ControlState {
 };
 
 [[nodiscard]] Message write_welcome(const Welcome& welcome, Seq to);
+[[nodiscard]] Message write_document(const Document& document);
+[[nodiscard]] Message write_saved(Seq to);
 [[nodiscard]] Message write_control(const ControlState& control);
 [[nodiscard]] Message write_text(const std::string& text, std::int64_t version, int from);
 [[nodiscard]] Message write_diagnostics(std::int64_t text_version, bool runs,

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kMostWaiting = 64;          // messages of one page
 constexpr std::size_t kMostAtOnce = 1024 * 1024;  // bytes of messages that are taken at a time
+constexpr std::int64_t kBetweenLooks_ns = 400'000'000;  // at the file of the program
 
 }  // namespace
 
@@ -177,14 +178,22 @@ void Connections::hand_out() {
 
 void Connections::work() {
   bool is_busy = true;
+  std::int64_t next_look = 0;
   while (true) {
     {
       std::unique_lock lock(mutex_);
-      if (!is_busy) news_.wait(lock, [this] { return has_news_ || is_over_; });
+      if (!is_busy) {
+        news_.wait_for(lock, std::chrono::nanoseconds(kBetweenLooks_ns),
+                       [this] { return has_news_ || is_over_; });
+      }
       if (is_over_) return;
       has_news_ = false;
     }
     busy_since_ = steady_time_ns();
+    if (busy_since_ >= next_look) {
+      laboratory_.look_at_file();
+      next_look = busy_since_ + kBetweenLooks_ns;
+    }
     is_busy = hand_in();
     if (is_busy) hand_out();  // a page that has asked need not wait for the run
     is_busy = laboratory_.advance() || is_busy;

@@ -1,6 +1,6 @@
 // The editor of the program.
 import { closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory } from "@codemirror/commands";
 import { bracketMatching, indentOnInput, indentUnit } from "@codemirror/language";
 import { forEachDiagnostic, lintGutter, lintKeymap, setDiagnostics, type Action, type Diagnostic as LintDiagnostic } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
@@ -81,6 +81,14 @@ export class Editor {
   insertLines(at: number, text: string): void {
     if (this.view.state.readOnly) return;
     this.view.dispatch({ changes: { from: at, insert: text }, selection: { anchor: at + text.length }, effects: EditorView.scrollIntoView(at, { y: "center" }), userEvent: "input.paste" });
+    this.intents.typeText(this.view.state.doc.toString(), true);
+  }
+
+  // Replaces the program, for example by one of the gallery. Undo brings the old one back.
+  load(text: string): void {
+    if (this.view.state.readOnly) return;
+    const { length } = this.view.state.doc;
+    this.view.dispatch({ changes: { from: 0, to: length, insert: text }, selection: { anchor: 0 }, userEvent: "input.load", scrollIntoView: true, annotations: isolateHistory.of("full") });
     this.intents.typeText(this.view.state.doc.toString(), true);
   }
 

@@ -388,6 +388,8 @@ export type Incoming = { to?: number | null } & (
   | { type: "taken"; run: number }
   | { type: "kept"; name: string; size: [number, number, number] }
   | { type: "exported"; laboratory: Record<string, unknown> }
+  | { type: "document"; text: string; exists: boolean; changed: boolean }
+  | { type: "saved" }
   | { type: "error"; reason: string; message: string; robot?: number; goal?: Pose; nearest?: Nearest | null }
 );
 export type IncomingOf<T extends Incoming["type"]> = Extract<Incoming, { type: T }>;
@@ -411,4 +413,5 @@ export type Outgoing =
   | { type: "picture"; element: string; t: number; run?: number }
   | { type: "keep"; name: string; base85: string; first: boolean; last: boolean }
   | { type: "give"; to?: number }
+  | { type: "save"; replaces?: boolean }
   | { type: "inverse"; robot: string; pose: Pose; seed?: number[] };

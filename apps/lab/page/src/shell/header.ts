@@ -1,20 +1,21 @@
 // Title, robots and world, play and speed, sharing, and the visible columns; below, the page that has control.
-import { el, remember, remembered, save, setText } from "../dom/dom.ts";
+import { el, remember, remembered, setText } from "../dom/dom.ts";
 import { icon } from "../dom/icons.ts";
-import { pageWithLaboratory, pageWithRecording } from "../home/source.ts";
+import { fileName, isUnsaved } from "../store/document.ts";
 import type { Intents } from "../store/intents.ts";
-import { base64, filesOf, looksOf, recordingOf, timesToLook } from "../store/recording.ts";
 import type { Run } from "../store/run.ts";
 import { adviceOfRun, comingRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { transport } from "../timebar/transport.ts";
 import type { ColumnName } from "./columns.ts";
-import { hashToText, textToHash } from "./link.ts";
+import { hashToText } from "./link.ts";
+import { handIn, record } from "./share.ts";
 
 export interface HeaderActions {
   // The HTML of the page before anything was shown in it, and whether its laboratory is in it.
   source: string;
   alone: boolean;
+  program: HTMLElement[]; // buttons for the program and its file
   help(): void;
   toggle(name: ColumnName): boolean;
   isOpen(name: ColumnName): boolean;
@@ -47,19 +48,18 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
   transport(row, store, intents);
   row.append(
     el("span", { class: "gap" }),
-    el("button", { onclick: () => void share(intents) }, "Share"),
-    el("button", { onclick: () => save(store.state.welcome?.file.split("/").at(-1) || "program.rbt", new Blob([store.state.text], { type: "text/plain" })) }, "Save"),
+    ...actions.program,
     el("button", { class: "desk", hidden: !intents.live, onclick: () => void record(store.state, intents, actions.source), title: "Save this run as a page that needs no laboratory" }, "Record"),
     el("button", { hidden: !actions.alone, onclick: () => void handIn(intents, actions.source), title: "Save this laboratory with the program and all runs as a new file" }, "Hand in"),
     el("span", { class: "toggles", role: "group", "aria-label": "Columns" }, ...toggles, plots),
     el("button", { class: "icon desk", "aria-label": "Keys and help", onclick: actions.help }, "?"),
   );
   host.append(row, offer, control);
-  store.watch((s) => [s.welcome, shownRun(s)?.title, shownRun(s)?.robots, shownRun(s)?.world], (s) => {
+  store.watch((s) => [s.welcome, shownRun(s)?.title, shownRun(s)?.robots, shownRun(s)?.world, isUnsaved(s)], (s) => {
     setText(title, shownRun(s)?.title || s.welcome?.title || "Laboratory");
     const robots = shownRun(s)?.robots.map((robot) => robot.name).join(", ");
     const world = shownRun(s)?.world;
-    const told = [s.welcome?.file.split("/").at(-1), robots, world && `world: ${world}`].filter(Boolean).join(" · ");
+    const told = [s.welcome && `${fileName(s)}${isUnsaved(s) ? " (edited)" : ""}`, robots, world && `world: ${world}`].filter(Boolean).join(" · ");
     setText(file, told);
     file.title = told;
   });
@@ -106,47 +106,6 @@ function drawControl(host: HTMLElement, state: State, intents: Intents): void {
   }
   const list = others.map((page) => el("button", { class: wishes.includes(page) ? "wish" : "", onclick: () => intents.giveControl(page) }, `Hand over to ${page}${wishes.includes(page) ? " (asks)" : ""}`));
   host.replaceChildren(el("span", { class: "quiet" }, `You are page ${me}, in control.`), ...list.slice(0, 4));
-}
-
-async function record(state: State, intents: Intents, source: string): Promise<void> {
-  const run = shownRun(state);
-  if (!run) return;
-  const files = new Map<string, string>();
-  for (const name of filesOf(run)) {
-    const bytes = await intents.file(name).catch(() => null);
-    if (bytes) files.set(name, base64(bytes));
-  }
-  const instants = [];
-  for (const t of timesToLook(run)) {
-    const instant = await intents.look(run.id, t).catch(() => null);
-    if (instant) instants.push({ ...instant, t });
-  }
-  save(`${baseName(state) || "recording"}.html`, new Blob([pageWithRecording(source, recordingOf(state, run, files, looksOf(instants)))], { type: "text/html" }));
-}
-
-async function handIn(intents: Intents, source: string): Promise<void> {
-  const exported = await intents.answered<"exported">({ type: "export" });
-  if (exported) save(`${baseName(intents.state) || "laboratory"}.html`, new Blob([pageWithLaboratory(source, exported.laboratory)], { type: "text/html" }));
-}
-
-function baseName(state: State): string {
-  return state.welcome?.file.split("/").at(-1)?.replace(/\.rbt$/, "") ?? "";
-}
-
-async function share(intents: Intents): Promise<void> {
-  const hash = await textToHash(intents.state.text);
-  if (!hash) {
-    intents.say("The program is too long for an address. Save it and send the file.");
-    return;
-  }
-  history.replaceState(null, "", hash);
-  const address = location.href.replace(/([?&])token=[^&#]*&?/, "$1").replace(/[?&]#/, "#");
-  try {
-    await navigator.clipboard.writeText(address);
-    intents.say("The address with the program is in the clipboard.");
-  } catch {
-    intents.say("The program is in the address of this page now.");
-  }
 }
 
 // A program in the address of the page is not run until the user confirms it.

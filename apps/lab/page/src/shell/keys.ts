@@ -10,6 +10,7 @@ export const KEYS: [string, string][] = [
   ["Home, End", "start or end of the run"],
   ["Alt and drag a number", "pull it: the run follows"],
   ["Alt and wheel, Alt Page Up or Down", "the same from the wheel or the keyboard; with Shift ten times as far"],
+  ["Ctrl S", "save the program"],
   ["F9", "breakpoint on or off"],
   ["F10, F11, Shift F11, Shift F10", "step over, into, out, back"],
   ["F5", "on to the next breakpoint"],

@@ -6,16 +6,19 @@ import { elementPanel } from "../elements/panel.ts";
 import { findConverter } from "../home/converter.ts";
 import type { Span } from "../protocol/messages.ts";
 import { SceneView } from "../scene/scene.ts";
+import { isUnsaved } from "../store/document.ts";
 import type { Intents } from "../store/intents.ts";
 import { inControl, isStale, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { TimeBar } from "../timebar/bar.ts";
 import { COLUMNS, TITLES, type ColumnName } from "./columns.ts";
 import { droppedFiles } from "./drop.ts";
+import { emptyPage } from "./gallery.ts";
 import { header } from "./header.ts";
 import { hints } from "./hints.ts";
 import { globalKeys, helpDialog } from "./keys.ts";
 import { editorPanels } from "./panels.ts";
+import { programFile } from "./program_file.ts";
 import { sceneTools } from "./scene_tools.ts";
 
 // source, alone  see HeaderActions.
@@ -37,9 +40,12 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   const bottom = el("footer", { class: "bottom", "aria-label": "Time" });
   const message = el("div", { class: "message", role: "status", "aria-live": "polite", hidden: true });
   const { tabs, choose } = phoneTabs(main);
-  root.replaceChildren(top, main, bottom, tabs, message, help, about.dialog);
+  const load = (text: string) => editor.load(text);
+  const program = programFile(store, intents, load, source, alone);
+  root.replaceChildren(top, main, bottom, tabs, message, help, about.dialog, ...program.dialogs);
 
-  header(top, store, intents, { source, alone, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
+  header(top, store, intents, { source, alone, program: program.buttons, help: open, toggle: (name) => toggle(columns[name], name), isOpen: (name) => !columns[name].classList.contains("closed") });
+  top.append(program.question);
   const editor = new Editor(editorHost, store, intents);
   editorPanels(below, store, intents, editor);
   const legend = el("div", { class: "legend", hidden: true });
@@ -67,6 +73,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
     choose("program");
     editor.select(span);
   }));
+  columns.view.append(emptyPage(store, intents, load));
   new TimeBar(bottom, store, intents);
   bottom.append(along);
   globalKeys(intents, open);
@@ -74,12 +81,12 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   for (const name of COLUMNS) if (remembered(`closed.${name}`) === "yes") columns[name].classList.add("closed");
   watchMessage(message, store);
   whenPainted(store, startView);
-  store.watch((s) => [shownRun(s)?.layout, shownRun(s)?.title, isStale(s), inControl(s)], (s) => {
+  store.watch((s) => [shownRun(s)?.layout, shownRun(s)?.title, isStale(s), inControl(s), isUnsaved(s), s.welcome], (s) => {
     const run = shownRun(s);
     root.dataset["layout"] = run?.layout || s.welcome?.layout || "columns";
     root.classList.toggle("is-stale", isStale(s));
     root.classList.toggle("follows", !inControl(s));
-    document.title = `${run?.title || s.welcome?.title || s.welcome?.file || "Armlet"} – laboratory`;
+    document.title = `${isUnsaved(s) ? "● " : ""}${run?.title || s.welcome?.title || s.welcome?.file || "Armlet"} – laboratory`;
   });
 }
 

@@ -2,6 +2,7 @@
 import { Refused, type Connection } from "../home/connection.ts";
 import type { Incoming, IncomingOf, Input, Pose, StepHow } from "../protocol/messages.ts";
 import { toBase85 } from "../protocol/base85.ts";
+import { fileName } from "./document.ts";
 import { Pictures } from "./pictures.ts";
 import type { Store } from "./store.ts";
 import { inControl, shownRun, type State } from "./state.ts";
@@ -59,6 +60,7 @@ export class Intents {
       this.waitsForRun = false;
       this.givingInput = false;
     }
+    if (message.type === "text") this.sentText = this.checkedText = message.text;
     const ended = (message.type === "run" && message.state !== "running") || (message.type === "diagnostics" && !message.runs);
     // A run that continues with an input, of whichever page, may have other values at the same instant.
     if (message.type === "run" && message.run === this.state.shown && message.state !== "running") {
@@ -149,6 +151,19 @@ export class Intents {
     this.checkedAt = performance.now();
     this.store.change((s) => (s.textVersion = version));
     this.connection.send({ type: "text", text: this.state.text, version, ...(run ? {} : { run: false }) });
+  }
+
+  // Writes the program into its file. If another program has changed the file, this is done only with `replaces`; otherwise the page asks.
+  async saveText(replaces = false): Promise<void> {
+    this.sendText();
+    try {
+      await this.connection.ask<"saved">({ type: "save", replaces });
+      this.say(`${fileName(this.state)} is saved.`);
+    } catch (error) {
+      if (!(error instanceof Refused)) return;
+      if (error.answer.reason === "changed") this.store.change((s) => (s.postponed = null));
+      else this.say(error.message);
+    }
   }
 
   // The data of an instant, without showing that instant.

@@ -14,6 +14,7 @@ const handlers: Handlers = {
   welcome(state, message) {
     state.welcome = message;
     state.connection = "open";
+    state.document = null;
     if (state.text === "" || state.textVersion <= message.text_version) takeText(state, message.text, message.text_version);
     state.runs.clear();
     state.shown = null;
@@ -26,6 +27,9 @@ const handlers: Handlers = {
   },
   text(state, message) {
     takeText(state, message.text, message.text_version);
+  },
+  document(state, { text, exists, changed }) {
+    state.document = { text, exists, changed };
   },
   diagnostics(state, message) {
     state.diagnostics = message.items;

@@ -22,6 +22,11 @@ export interface State {
   textVersion: number;
   // Increased when the text comes from elsewhere than the editor, which then takes it.
   textFrom: number;
+  // The file of the program as the laboratory knows it, and whether another program changed it while there were unsaved edits; null: there
+  // is none that could be written.
+  document: { text: string; exists: boolean; changed: boolean } | null;
+  // The text of the file for which the user put the question off.
+  postponed: string | null;
   diagnostics: M.Diagnostic[];
   diagnosedVersion: number;
   runs: Map<number, Run>;
@@ -60,6 +65,8 @@ export function initialState(): State {
     text: "",
     textVersion: 0,
     textFrom: 0,
+    document: null,
+    postponed: null,
     diagnostics: [],
     diagnosedVersion: -1,
     runs: new Map(),
