@@ -203,12 +203,43 @@ Message write_advice(const RunRecord& run, std::size_t first, std::size_t count)
   return message_of(out);
 }
 
+namespace {
+
+OrderedJson axis_json(const Axis& axis) {
+  return {{"label", axis.label}, {"unit", axis.unit}, {"log", axis.log}};
+}
+
+OrderedJson panel_json(const Figure& panel) {
+  OrderedJson series = OrderedJson::array();
+  for (const Series& each : panel.series) {
+    series.push_back({{"kind", to_text(each.kind)},
+                      {"label", each.label},
+                      {"right", each.right},
+                      {"x", each.x},
+                      {"y", each.y}});
+  }
+  return {{"title", panel.title},
+          {"x", axis_json(panel.x)},
+          {"y", axis_json(panel.y)},
+          {"right", axis_json(panel.right)},
+          {"series", std::move(series)}};
+}
+
+}  // namespace
+
 Message write_figure(const RunRecord& run, const RecordedFigure& figure) {
-  return message_of({{"type", "figures"},
+  OrderedJson out = {{"type", "figures"},
                      {"run", run.number},
                      {"index", figure.index},
                      {"title", figure.title},
-                     {"svg", figure.svg}});
+                     {"svg", figure.svg}};
+  if (figure.plot) {
+    const Figure& plot = *figure.plot;
+    out["panels"] = OrderedJson::array();
+    for (const Figure& panel : plot.panels) out["panels"].push_back(panel_json(panel));
+    if (plot.panels.empty()) out["panels"].push_back(panel_json(plot));
+  }
+  return message_of(out);
 }
 
 OrderedJson values_json(const std::vector<ElementValue>& values) {

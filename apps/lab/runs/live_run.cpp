@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMostFigures = 50;
 constexpr std::size_t kMostFigureBytes = 4'000'000;
+constexpr std::size_t kMostFigureValues = 40'000;  // with more, pages get the picture alone
 
 }  // namespace
 
@@ -169,7 +170,9 @@ void LiveRun::take_figures() {
     if (record_.figures.size() >= kMostFigures) break;
     std::string svg = figure.is_empty() ? std::string() : to_svg({&figure, 1});
     if (svg.size() > kMostFigureBytes) svg.clear();
-    record_.figures.push_back({figure.index, figure.title, std::move(svg)});
+    record_.figures.push_back({figure.index, figure.title, std::move(svg), {}});
+    if (!figure.is_empty() && is_plot(figure) && values_of(figure) <= kMostFigureValues)
+      record_.figures.back().plot = figure;
   }
 }
 

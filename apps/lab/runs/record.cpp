@@ -14,6 +14,20 @@ void Rows::add(std::span<const double> row, bool is_kept) {
   if (count() == kMost) stride_ = 2;
 }
 
+bool is_plot(const Figure& figure) {
+  if (figure.picture != nullptr || figure.is_spatial() || !figure.names.empty()) return false;
+  return std::ranges::all_of(figure.panels, is_plot) &&
+         std::ranges::none_of(figure.series,
+                              [](const Series& each) { return each.kind == SeriesKind::kBars; });
+}
+
+std::size_t values_of(const Figure& figure) {
+  std::size_t count = 0;
+  for (const Figure& panel : figure.panels) count += values_of(panel);
+  for (const Series& series : figure.series) count += series.x.size() + series.y.size();
+  return count;
+}
+
 std::size_t RunRecord::bytes() const {
   std::size_t sum = 0;
   for (const Rows& each : robot_rows) sum += each.bytes();
@@ -23,7 +37,8 @@ std::size_t RunRecord::bytes() const {
   for (const RecordedText& each : texts) sum += sizeof(each) + each.text.size();
   for (const TextMessage& each : advice)
     sum += sizeof(each) + each.message.size() + each.why.size();
-  for (const RecordedFigure& each : figures) sum += each.svg.size();
+  for (const RecordedFigure& each : figures)
+    sum += each.svg.size() + (each.plot ? sizeof(double) * values_of(*each.plot) : 0);
   for (const RecordedWay& each : ways)
     sum += sizeof(each) + each.path.size() * sizeof(Eigen::Vector3d) + each.arms.size() * 64;
   return sum + drawings.bytes() + file_bytes + stretches.size() * sizeof(RecordedStretch) +

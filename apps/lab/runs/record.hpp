@@ -15,6 +15,7 @@
 #include "armlet/cell/signals.hpp"
 #include "armlet/model/link_shapes.hpp"
 #include "armlet/model/robot.hpp"
+#include "armlet/plot/figure.hpp"
 #include "armlet/stdlib/laboratory_rows.hpp"
 #include "armlet/stdlib/session.hpp"
 #include "messages/request.hpp"
@@ -102,11 +103,18 @@ struct RecordedText {
   std::optional<TextSpan> span;
   std::string element;
 };
+// plot  the values of a figure in the plane, so that pages can draw it themselves; nullopt: it is in
+//       space, a picture, has bars, or has too many values.
 struct RecordedFigure {
   int index = 0;
   std::string title;
   std::string svg;
+  std::optional<Figure> plot{};
 };
+// Whether the figure, or each of its panels, has lines and points in the plane and nothing else.
+[[nodiscard]] bool is_plot(const Figure& figure);
+// The number of values of its series.
+[[nodiscard]] std::size_t values_of(const Figure& figure);
 
 // The elements of the page of a laboratory.
 //

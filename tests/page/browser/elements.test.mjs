@@ -206,12 +206,12 @@ arm.moveJ(posJ(90deg, 0deg, 100mm, 0deg), time: 1s)
     };
     await page.locator(".u-over").nth(1).waitFor();
     const speeds = await head("speeds");
-    assert.equal(speeds[0], "t [s],speeds 1 [deg/s],speeds 2 [deg/s],speeds 3 [mm/s],speeds 4 [deg/s]");
+    assert.equal(speeds[0], "t [s],q1 [deg/s],q2 [deg/s],q3 [mm/s],q4 [deg/s]");
     // 90 degrees and 100 mm in a second.
     const most = (k) => Math.max(...speeds.slice(1, -1).map((line) => Number(line.split(",")[k])));
     assert.ok(most(1) > 90 && most(1) < 400, `${most(1)} deg/s`);
     assert.ok(Math.abs(most(3) / most(1) - 100 / 90) < 1e-3, `${most(3)} mm/s`);
-    assert.match((await head("tau"))[0], /^t \[s\],tau 1 \[N m\]/);
+    assert.match((await head("tau"))[0], /^t \[s\],q1 \[N m\]/);
     const table = page.locator(".element", { hasText: "now" });
     await table.locator("th", { hasText: "tau [N m]" }).waitFor();
     await table.locator("td", { hasText: /^\[0 deg\/s, 0 deg\/s, 0 mm\/s, 0 deg\/s\]$/ }).waitFor();

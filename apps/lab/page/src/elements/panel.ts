@@ -7,8 +7,9 @@ import { inControl, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { cameraView } from "./camera_view.ts";
 import { button, field, handSliders, jointSliders } from "./controls.ts";
+import { figures } from "./figures.ts";
 import { plot } from "./plot.ts";
-import { figures, image, noted, table, text, torques } from "./shown.ts";
+import { image, noted, table, text, torques } from "./shown.ts";
 import type { ElementView, Place } from "./view.ts";
 
 // The elements of a run whose laboratory has sent none: sliders and plots of each robot.

@@ -1,5 +1,6 @@
 // Elements without inputs: tables, texts, images, and placeholders for elements shown elsewhere.
 import { el, setText } from "../dom/dom.ts";
+import { namesOf } from "../numbers/joints.ts";
 import { fixed } from "../numbers/units.ts";
 import { NEAR, type Run } from "../store/run.ts";
 import { richText } from "./rich_text.ts";
@@ -17,10 +18,11 @@ export function table({ element }: Place): ElementView {
       const key = JSON.stringify(value ?? null);
       if (key === drawn) return;
       drawn = key;
-      const { header, rows } = shownTable(value?.value, value?.units, element.header ?? []);
+      const { header, rows, named = false } = shownTable(value?.value, value?.units, element.header ?? [], run.robots.map(namesOf));
+      body.classList.toggle("matrix", named);
       body.replaceChildren(
-        ...(header.length ? [el("thead", {}, el("tr", {}, ...header.map((text) => el("th", { scope: "col" }, text))))] : []),
-        el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell) => el("td", {}, cell))))),
+        ...(header.length ? [el("thead", {}, el("tr", {}, ...header.map((text) => (text ? el("th", { scope: "col" }, text) : el("td")))))] : []),
+        el("tbody", {}, ...rows.map((row) => el("tr", {}, ...row.map((cell, k) => (named && k === 0 ? el("th", { scope: "row" }, cell) : el("td", {}, cell)))))),
       );
       if (!rows.length && value && !value.error) body.replaceChildren(el("caption", { class: "quiet" }, "Nothing is in it."));
       if (value?.error) body.replaceChildren(el("caption", { class: "reason" }, value.error));
@@ -93,22 +95,3 @@ export function noted(label: string, note: string): ElementView {
   return { root: el("div", { class: "element", role: "group", "aria-label": label }, el("h2", {}, label), el("p", { class: "quiet" }, note)), update: (_run: Run) => {} };
 }
 
-// A figure at the end of the run, as an image, so that no script in it can run.
-export function figures(): ElementView {
-  const root = el("div", { class: "element figures", role: "group", "aria-label": "Figures" });
-  let drawn = "";
-  return {
-    root,
-    update(run) {
-      root.hidden = run.figures.size === 0;
-      const key = `${run.id} ${[...run.figures.values()].map((f) => f.svg.length).join()}`;
-      if (key === drawn) return;
-      drawn = key;
-      const pictures = [...run.figures.values()].map(({ title, svg }) => {
-        const address = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
-        return el("figure", {}, el("img", { src: address, alt: title || "Figure" }), el("figcaption", {}, title, el("a", { href: address, download: `${title || "figure"}.svg` }, "SVG")));
-      });
-      root.replaceChildren(el("h2", {}, "Figures"), ...pictures);
-    },
-  };
-}

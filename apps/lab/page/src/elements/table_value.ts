@@ -65,13 +65,66 @@ function withUnits(cell: Value | undefined, units: Value, isInHeader: boolean): 
   return isInHeader || !shown.unit || cell === null || cell === undefined ? words : `${words} ${shown.unit}`;
 }
 
+// A matrix of numbers: at least two rows and two columns.
+function isMatrix(value: Value | undefined): value is number[][] {
+  if (!Array.isArray(value) || value.length < 2 || !Array.isArray(value[0]) || value[0].length < 2) return false;
+  const { length } = value[0];
+  return value.every((row) => Array.isArray(row) && row.length === length && row.every((each) => typeof each === "number"));
+}
+
+const DIGITS = 4; // of the largest element of a matrix
+
+// Numbers with the same number of decimals, by the largest of them; what is rounded away is 0.
+export function roundedTogether(rows: readonly (readonly number[])[]): string[][] {
+  const largest = Math.max(0, ...rows.flat().map(Math.abs).filter(Number.isFinite));
+  const size = largest > 0 ? Math.floor(Math.log10(largest)) : 0;
+  const isPlain = size < 7 && size > -5;
+  const isWhole = isPlain && rows.flat().every(Number.isInteger);
+  const decimals = isWhole ? 0 : Math.max(0, DIGITS - 1 - size);
+  const text = (v: number) => {
+    if (!isPlain) return Math.abs(v) < largest * 10 ** -DIGITS ? "0" : v.toExponential(DIGITS - 2);
+    const plain = v.toFixed(decimals);
+    return Number(plain) === 0 ? "0" : plain;
+  };
+  return rows.map((row) => row.map((v) => text(v).replace(/^-/, "−")));
+}
+
+const TWIST = ["vx", "vy", "vz", "ωx", "ωy", "ωz"];
+
+// The names of rows and columns: joints, if the matrix belongs to an arm as its size and symmetry show; otherwise numbers from 1.
+// joints  the names of the joints of each arm.
+function namesOf(matrix: readonly (readonly number[])[], joints: readonly (readonly string[])[]): [readonly string[], readonly string[]] {
+  const [rows, columns] = [matrix.length, matrix[0]!.length];
+  const numbers = (n: number) => Array.from({ length: n }, (_, i) => String(i + 1));
+  const largest = Math.max(...matrix.flat().map(Math.abs));
+  const isSymmetric = rows === columns && matrix.every((row, i) => row[i]! > 0 && row.every((v, k) => Math.abs(v - matrix[k]![i]!) <= 1e-9 * largest));
+  const arm = joints.find((each) => each.length === columns);
+  if (arm && isSymmetric) return [arm, arm];
+  if (arm && rows === 6 && columns !== 6) return [TWIST, arm];
+  return [numbers(rows), numbers(columns)];
+}
+
+export interface ShownTable {
+  header: string[];
+  rows: string[][];
+  named?: boolean; // the first column has the names of the rows
+}
+
 // The table for display: lengths in millimetres, angles in degrees. A unit is in the header if a column has one unit, otherwise with each
-// number.
-// given  a header for it.
-export function shownTable(value: Value | undefined, units: Units | undefined, given: string[] = []): { header: string[]; rows: string[][] } {
+// number. A matrix has one unit, and its elements are rounded together.
+// given   a header for it.
+// joints  the names of the joints of each arm.
+export function shownTable(value: Value | undefined, units: Units | undefined, given: string[] = [], joints: readonly (readonly string[])[] = []): ShownTable {
   const { header: own, rows } = tableOf(value);
   const unitRows = tableOf(unitsIn(value, units)).rows;
   const header = given.length ? given : own;
+  const common = unitOf(unitRows);
+  if (isMatrix(value) && !header.length && common !== null) {
+    const shown = shownUnit(common);
+    const [names, columns] = namesOf(value, joints);
+    const cells = roundedTogether(value.map((row) => row.map((v) => v * shown.factor)));
+    return { header: [shown.unit && `[${shown.unit}]`, ...columns], rows: cells.map((row, i) => [names[i]!, ...row]), named: true };
+  }
   const columns = Math.max(header.length, ...rows.map((row) => row.length));
   const shared = Array.from({ length: columns }, (_, k) => (header.length ? unitOf(unitRows.map((row) => row[k] ?? "")) : null));
   const text = (cell: Value | undefined, i: number, k: number) => {

@@ -1,16 +1,22 @@
 // The data of a plot: columns over time, from the rows of an element or the track of a robot; and as files.
 import type { ElementInfo } from "../protocol/messages.ts";
 import type { Run } from "../store/run.ts";
+import { jointNames } from "./joints.ts";
 import { shownUnit } from "./units.ts";
 
 export interface Column {
   label: string;
   unit: string;
-  values: Float64Array;
+  values: ArrayLike<number | null | undefined>;
+  right?: boolean; // on the right axis, in a figure
+  points?: boolean; // without a line
 }
+// `t` holds the values of the axis below; they are times in s unless `below` says something else.
 export interface Series {
-  t: Float64Array;
+  t: ArrayLike<number>;
   columns: Column[];
+  below?: { label: string; unit: string; log: boolean };
+  log?: boolean; // the other axes
 }
 
 const DERIVATIVES = ["q", "qd", "qdd"];
@@ -35,10 +41,12 @@ export function seriesOf(element: ElementInfo, index: number, run: Run): Series 
   if (own) return trackSeries(run, own.robot, own.derivative);
   const rows = run.elementRows.get(index);
   if (!rows?.count) return { t: new Float64Array(), columns: [] };
+  const title = element.label || element.name;
+  const names = element.labels ?? jointNames(element.units, rows.columns - 1, run.robots, [title, element.name]) ?? [];
   const columns: Column[] = [];
   for (let k = 1; k < rows.columns; k++) {
     const shown = shownUnit(element.units?.[k - 1]);
-    const label = element.labels?.[k - 1] ?? (rows.columns === 2 ? element.label || element.name : `${element.label || element.name} ${k}`);
+    const label = names[k - 1] ?? (rows.columns === 2 ? title : `${title} ${k}`);
     columns.push({ label, unit: shown.unit, values: rows.column(k).map((v) => v * shown.factor) });
   }
   return { t: rows.column(0), columns };
@@ -56,10 +64,12 @@ function trackSeries(run: Run, robot: number, derivative: number): Series {
   return { t: track.column(0), columns };
 }
 
-export function csvOf({ t, columns }: Series): string {
+const withUnit = (label: string, unit: string) => `${label}${unit ? ` [${unit}]` : ""}`;
+
+export function csvOf({ t, columns, below }: Series): string {
   const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
-  const lines = [["t [s]", ...columns.map((c) => quoted(`${c.label}${c.unit ? ` [${c.unit}]` : ""}`))].join(",")];
-  for (let i = 0; i < t.length; i++) lines.push([t[i], ...columns.map((c) => c.values[i])].join(","));
+  const lines = [[withUnit(below ? below.label || "x" : "t", below ? below.unit : "s"), ...columns.map((c) => withUnit(c.label, c.unit))].map(quoted).join(",")];
+  for (let i = 0; i < t.length; i++) lines.push([t[i], ...columns.map((c) => c.values[i] ?? "")].join(","));
   return `${lines.join("\n")}\n`;
 }
 
@@ -72,21 +82,21 @@ export function svgOf(title: string, { t, columns }: Series, colors: readonly st
   const [t0, t1] = [t[0] ?? 0, t[t.length - 1] || 1];
   const parts = units.map((unit, u) => {
     const mine = columns.filter((c) => c.unit === unit);
-    const all = mine.flatMap((c) => [...c.values]);
+    const all = mine.flatMap((c) => Array.from(c.values).filter((v) => typeof v === "number"));
     const low = all.reduce((a, b) => Math.min(a, b), Infinity);
     const span = all.reduce((a, b) => Math.max(a, b), -Infinity) - low || 1;
-    const y0 = top + u * (high + 48);
+    const y0 = top + u * (high + 64);
     const x = (v: number) => left + ((v - t0) / (t1 - t0 || 1)) * (width - left - 16);
     const y = (v: number) => y0 + high - ((v - low) / span) * high;
     const lines = mine.map((c) => {
-      const points = Array.from(t, (v, i) => `${x(v).toFixed(2)},${y(c.values[i]!).toFixed(2)}`).join(" ");
+      const points = Array.from(t, (v, i) => `${x(v).toFixed(2)},${y(c.values[i] ?? NaN).toFixed(2)}`).filter((point) => !point.includes("NaN")).join(" ");
       return `<polyline fill="none" stroke="${colors[columns.indexOf(c) % colors.length]}" stroke-width="1.5" points="${points}"/>`;
     });
     const texts = [0, 0.5, 1].map((s) => `<text x="${left - 6}" y="${y(low + s * span) + 4}" text-anchor="end">${(low + s * span).toPrecision(4)}</text>`);
-    const times = [0, 0.5, 1].map((s) => `<text x="${x(t0 + s * (t1 - t0))}" y="${y0 + high + 16}" text-anchor="middle">${(t0 + s * (t1 - t0)).toPrecision(4)}</text>`);
+    const times = [0, 0.5, 1].map((s) => `<text x="${x(t0 + s * (t1 - t0))}" y="${y0 + high + 16}" text-anchor="middle">${(t0 + s * (t1 - t0)).toPrecision(4)} s</text>`);
     const names = mine.map((c, i) => `<text x="${left + 8 + 64 * i}" y="${y0 + 14}" fill="${colors[columns.indexOf(c) % colors.length]}">${escaped(c.label)}</text>`);
     return `<rect x="${left}" y="${y0}" width="${width - left - 16}" height="${high}" fill="none" stroke="#999"/>${lines.join("")}${texts.join("")}${times.join("")}${names.join("")}<text x="${left}" y="${y0 - 6}">${escaped(unit)}</text>`;
   });
-  const height = top + units.length * (high + 48);
+  const height = top + units.length * (high + 64);
   return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" font-family="sans-serif" font-size="11" fill="#333"><title>${escaped(title)}</title>${parts.join("")}</svg>\n`;
 }

@@ -349,6 +349,19 @@ export interface Comparison {
   line?: number | null;
   line_with?: number | null;
 }
+export interface FigureAxis {
+  label: string;
+  unit: string; // SI
+  log: boolean;
+}
+// A figure in the plane, or one of its panels: values in SI, null where they are no numbers.
+export interface FigurePanel {
+  title: string;
+  x: FigureAxis;
+  y: FigureAxis;
+  right: FigureAxis;
+  series: { kind: "line" | "points" | "bars"; label: string; right: boolean; x: (number | null)[]; y: (number | null)[] }[];
+}
 interface Grown<T> {
   run: number;
   first: number;
@@ -375,7 +388,7 @@ export type Incoming = { to?: number | null } & (
   | ({ type: "drawings" } & Grown<DrawingInfo>)
   | ({ type: "notes" } & Grown<NoteItem>)
   | ({ type: "advice" } & Grown<RunAdvice>)
-  | { type: "figures"; run: number; index: number; title?: string | null; svg: string }
+  | { type: "figures"; run: number; index: number; title?: string | null; svg: string; panels?: FigurePanel[] }
   | { type: "elements"; run: number; t: number; values: Record<string, ElementValue> }
   | { type: "breakpoints"; lines: number[]; known?: number[] }
   | { type: "completion"; replaced?: Span | null; items: CompletionItem[]; more?: boolean }

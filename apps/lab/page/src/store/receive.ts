@@ -79,7 +79,7 @@ const handlers: Handlers = {
   advice: (state, message) => growList(state, "advice", message),
   figures(state, message) {
     const run = runOf(state, message.run);
-    run.figures.set(message.index, { title: message.title ?? "", svg: message.svg });
+    run.figures.set(message.index, { title: message.title ?? "", svg: message.svg, ...(message.panels ? { panels: message.panels } : {}) });
     run.version++;
   },
   elements(state, message) {

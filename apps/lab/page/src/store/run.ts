@@ -8,6 +8,7 @@ import { Rows, Track } from "./rows.ts";
 export interface Figure {
   title: string;
   svg: string;
+  panels?: M.FigurePanel[];
 }
 
 // The newest picture of an element with its instant, or the reason why there is none.
