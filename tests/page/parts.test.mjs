@@ -14,6 +14,7 @@ const { csvOf, svgOf } = await source("numbers/series.ts");
 const { cellText, shownTable, tableOf } = await source("elements/table_value.ts");
 const { fixed, rollPitchYaw, shownUnit } = await source("numbers/units.ts");
 const { textToHash, hashToText } = await source("shell/link.ts");
+const { isPublic } = await source("shell/share.ts");
 const { positionText, poseText } = await source("shell/scene_tools.ts");
 const { rulerStep } = await source("timebar/bar.ts");
 const { lanesOf } = await source("timebar/lanes.ts");
@@ -187,6 +188,14 @@ test("a program travels in an address and comes back; what is not one is refused
   assert.equal(await textToHash(noise), null);
   assert.equal(await hashToText("#p=not_deflated"), null);
   assert.equal(await hashToText("#other"), null);
+});
+
+test("a link is made only to a page that others can open", () => {
+  const at = (address, alone = true) => isPublic(new URL(address), alone);
+  assert.equal(at("https://course.example/lab.html"), true);
+  assert.equal(at("http://192.168.1.20/lab.html"), true);
+  for (const own of ["http://127.0.0.1:8820/", "http://localhost:5173/", "http://lab.localhost/", "http://[::1]/", "http://0.0.0.0:80/", "file:///home/x/lab.html"]) assert.equal(at(own), false, own);
+  assert.equal(at("https://course.example/lab.html", false), false); // a served laboratory: its address contains a secret
 });
 
 test("marks of the ruler stand at round numbers", () => {
