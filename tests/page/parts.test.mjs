@@ -16,6 +16,11 @@ const { fixed, rollPitchYaw, shownUnit } = await source("numbers/units.ts");
 const { textToHash, hashToText } = await source("shell/link.ts");
 const { isPublic } = await source("shell/share.ts");
 const { positionText, poseText } = await source("shell/scene_tools.ts");
+const { behindStatement, wantsValue } = await source("editor/placing.ts");
+const { settingAt } = await source("editor/settings.ts");
+const { fieldChange } = await source("editor/fields.ts");
+const { statusOf } = await source("shell/status.ts");
+const { initialState } = await source("store/state.ts");
 const { rulerStep } = await source("timebar/bar.ts");
 const { lanesOf } = await source("timebar/lanes.ts");
 const { Run } = await source("store/run.ts");
@@ -355,4 +360,77 @@ test("bytes come back from their digits to the base 85", () => {
     assert.ok(!/[<=]/.test(text));
     assert.deepEqual(fromBase85(text), bytes);
   }
+});
+
+test("a position is a value in brackets and behind equals signs, otherwise a statement", () => {
+  const at = (text) => wantsValue(text.replace("|", ""), text.indexOf("|"));
+  for (const text of ["moveL(|", "let p = |", "f(a, |)", "let ps = [|", "return |", "f(fn() => g(|", "if (a) { moveL(|) }"]) assert.ok(at(text), text);
+  for (const text of ["|", "|// a", "// f(|", "/* ( */ |", 'print("(") |', "if (a) {|", "moveL(a)|", 'print("a|")', "f(a)\n|"]) assert.ok(!at(text), text);
+});
+
+test("a statement ends where its brackets are closed", () => {
+  const text = "// f(\nlet a = f(\n    1, // )\n    2)\nif (a) {\n    g()\n}\nend()";
+  const behind = (line) => text.slice(behindStatement(text, line).at);
+  assert.equal(behind(2), "if (a) {\n    g()\n}\nend()");
+  assert.equal(behind(5), "end()");
+  assert.equal(behind(6), "}\nend()");
+  assert.equal(behindStatement(text, 6).indent, "    ");
+  assert.equal(behind(8), "");
+  assert.equal(behind(null), "");
+});
+
+test("the setting at the cursor is the one whose argument it is in, also before its name", () => {
+  const at = (text) => settingAt(text.replace("|", ""), text.indexOf("|"));
+  assert.equal(at("moveL(p, |speed: 100mm/s)"), "speed");
+  assert.equal(at("moveL(p, speed: 1|00mm/s)"), "speed");
+  assert.equal(at("moveL(p,| time: 1s, speed: 2)"), "time");
+  assert.equal(at("moveL(|p, speed: 2)"), null);
+  assert.equal(at("moveL(f(a: 1), |b)"), null);
+  assert.equal(at("moveL(f(1, |b: 2), c: 3)"), "b");
+});
+
+test("a field gets another value at the start, written with its unit", () => {
+  const text = '// field load(1kg)\nlab a {\n    field load(0.5kg, range: [0kg, 5kg])\n    field n(3)\n    field on(true, label: "on, or not")\n    field name("a, b")\n}\n';
+  const written = (element, value) => {
+    const change = fieldChange(text, element, value);
+    return change && text.slice(0, change.from) + change.insert + text.slice(change.to);
+  };
+  assert.equal(written({ kind: "field", name: "load", unit: "kg", factor: 1 }, 2), text.replace("(0.5kg", "(2kg"));
+  assert.equal(written({ kind: "field", name: "load", unit: "g", factor: 1e-3 }, 0.25), text.replace("(0.5kg", "(250g"));
+  assert.equal(written({ kind: "field", name: "n", type: "int" }, 7), text.replace("n(3)", "n(7)"));
+  assert.equal(written({ kind: "field", name: "on" }, false), text.replace("(true", "(false"));
+  assert.equal(written({ kind: "field", name: "name" }, 'c"d'), text.replace('"a, b"', '"c\\"d"'));
+  assert.equal(written({ kind: "field", name: "none" }, 1), null);
+});
+
+test("the status counts moves and collisions; only a run without mistakes and advice is good", () => {
+  const state = initialState();
+  state.connection = "open";
+  const run = new Run(1);
+  Object.assign(run, { state: "done", tEnd: 3, described: true });
+  run.moves.push(...["moveJ", "moveL", ""].map((text) => ({ robot: 0, t0: 0, t1: 1, text })));
+  state.runs.set(1, run);
+  state.shown = 1;
+  const told = () => statusOf(state, true);
+  assert.deepEqual(told(), ["2 moves, 3.00 s", "good"]);
+  const collision = (line, message) => ({ severity: "advice", code: "W0711", message, t: 1, span: [line, 0, line, 5] });
+  run.advice.push(collision(2, "a"), collision(2, "a"), collision(3, "b"));
+  assert.deepEqual(told(), ["2 moves, 3.00 s, 3 collisions", "advice"]);
+  run.advice.push({ severity: "advice", code: "W0707", message: "c", t: 1 });
+  assert.deepEqual(told(), ["2 moves, 3.00 s, 3 collisions, advice: 1", "advice"]);
+  run.advice = [];
+  state.diagnostics = [{ severity: "advice", code: "W0709", message: "never used" }];
+  state.diagnosedVersion = 0;
+  assert.deepEqual(told(), ["2 moves, 3.00 s, advice: 1", "advice"]);
+  run.statements = [[0, 1], [3, 7]];
+  run.state = "stopped";
+  assert.deepEqual(told(), ["still running at line 7, stopped at 3.00 s", "advice"]);
+  run.state = "running";
+  run.advice = [];
+  state.diagnostics = [];
+  assert.deepEqual(told(), ["running at line 7, 3.0 s", "quiet"]);
+  run.state = "failed";
+  assert.deepEqual(told(), ["failed at 3.00 s", "error"]);
+  state.diagnostics = [{ severity: "error", code: "E0201", message: "d" }];
+  assert.deepEqual(told(), ["1 mistake: the last good run is shown", "error"]);
 });

@@ -70,6 +70,20 @@ test("who looks at the end waits for the end of the next run, and goes along whe
   assert.equal(state.t, 8);
 });
 
+test("who looks at the start stays there, also while the next run has only begun", () => {
+  const state = told(welcome, ...shown(1));
+  state.t = 0;
+  for (const message of [run(2, { state: "running", t_end: 0 }), description(2), { type: "shown", run: 2 }]) receive(state, message);
+  receive(state, run(2, { state: "running", t_end: 1 }));
+  receive(state, run(2, { t_end: 3 }));
+  assert.equal(state.shown, 2);
+  assert.equal(state.t, 0);
+  // The first run of a page is followed to its end.
+  const first = told(welcome, run(1, { state: "running", t_end: 0 }), description(1), { type: "shown", run: 1 });
+  receive(first, run(1, { t_end: 3 }));
+  assert.equal(first.t, 3);
+});
+
 test("a shorter run takes the instant back to its end", () => {
   const state = told(welcome, ...shown(1));
   state.t = 1.5;

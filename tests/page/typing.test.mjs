@@ -73,6 +73,63 @@ test("the first key is checked at once, and the text runs after a pause", () => 
   assert.equal(texts().length, 2);
 });
 
+// The run of the newest text has ended.
+function ended({ hear, texts }) {
+  const { version } = texts().at(-1);
+  hear({ type: "diagnostics", text_version: version, runs: true, items: [] });
+  hear({ type: "run", run: version, state: "done", t_end: 1, text_version: version });
+}
+
+test("after a run of less than 50 ms the first key runs at once, and the text again after a pause", () => {
+  const page = typing();
+  const { type, texts } = page;
+  const ran = () => texts().filter((each) => each.run ?? true).map((each) => [each.text, each.at]);
+  type("ab");
+  pass(150);
+  pass(40);
+  ended(page);
+  pass(1000);
+  const at = now;
+  type("abc");
+  assert.deepEqual(ran().at(-1), ["abc", at]);
+  pass(10);
+  ended(page);
+  pass(30);
+  type("abcd"); // a key that follows soon
+  pass(100);
+  assert.deepEqual(ran().at(-1), ["abc", at]);
+  pass(50);
+  assert.deepEqual(ran().at(-1), ["abcd", at + 190]);
+  // All of it is one change.
+  const changes = texts().filter((each) => each.change).map((each) => each.change);
+  assert.equal(changes.at(-1), changes.at(-2));
+  assert.notEqual(changes.at(-1), changes[0]);
+});
+
+test("after a slow run the first key is only checked", () => {
+  const page = typing();
+  const { type, texts } = page;
+  type("ab");
+  pass(150);
+  pass(80);
+  ended(page);
+  pass(1000);
+  type("abc");
+  assert.equal(texts().at(-1).run, false);
+});
+
+test("all texts of one number that is pulled are one change, those of another number another one", () => {
+  const page = typing();
+  const changes = [];
+  for (const [text, place] of [["a1", 1], ["a2", 1], ["a3", 1], ["b3", 7]]) {
+    page.intents.pullText(text, place);
+    changes.push(page.texts().at(-1).change);
+    ended(page);
+  }
+  assert.equal(new Set(changes.slice(0, 3)).size, 1);
+  assert.notEqual(changes[3], changes[2]);
+});
+
 test("of keys that follow soon only the last text is checked, 30 ms after the check before", () => {
   const { type, texts, answer } = typing();
   for (const text of ["ab", "abc", "abcd"]) {

@@ -45,6 +45,25 @@ test("a mesh with material and picture becomes a GLB beside the program", { skip
     assert.deepEqual(readdirSync(lab.folder).sort(), ["program.rbt", "sign.glb"]);
   }));
 
+test("a part that was drawn in millimetres is offered in millimetres", { skip: existsSync(converter) ? false : "there is no converter" }, () =>
+  withLab(`${ARM}${SHORT_MOVE}`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /1\.00 s/);
+    await page.locator(".stage canvas").waitFor();
+    const millimetres = OBJ.replace(/^v (.*)$/gm, (_, numbers) => `v ${numbers.split(" ").map((each) => 150 * Number(each)).join(" ")}`); // 60 mm high
+    const drop = () => dropFiles(page, { "part.obj": Buffer.from(millimetres.replace(/^(mtllib|usemtl).*$/gm, "")) });
+    const question = page.getByRole("dialog", { name: "Unit of lengths" });
+    const program = () => page.locator(".cm-content").innerText();
+    await drop();
+    await question.getByText("part.obj would be 60 m large.").waitFor();
+    await question.getByRole("button", { name: "Leave it out" }).click();
+    assert.doesNotMatch(await program(), /mesh/);
+    await drop();
+    await question.getByRole("button", { name: "Millimetres: 60 mm" }).click();
+    await until(async () => /object part \{ shape: mesh\("part\.glb", scale: 0\.001\); at: xyz\([^)]*, 30mm\) \}/.test(await program()), program);
+    await untilStatus(page, /^1 move, 1\.00 s/);
+  }));
+
 async function inFolder(files, work) {
   const folder = mkdtempSync(join(tmpdir(), "armlet-dropped-"));
   try {

@@ -135,13 +135,13 @@ test("a name under the pointer has the value of the instant that is looked at", 
     await valueAt(0.5, "1"); // in the function, whose own one is not meant
   }));
 
-test("the header has robots and world, play and speed; steps are beside the output of the program", () =>
+test("the header has robots and world, the time bar play and speed; steps are beside the output of the program", () =>
   withLab('insertObj("cube")\nrobot arm = robots.scara()\narm.moveJ(posJ(10deg, 0deg, 0mm, 0deg), time: 1s)\n', async (open) => {
     const page = await open();
     await untilStatus(page, /1\.00 s/);
     assert.equal(await page.locator("header .file").innerText(), "program.rbt · arm · world: table");
-    for (const label of ["Play", "To the start", "To the end"]) await page.locator("header").getByRole("button", { name: label }).waitFor();
-    await page.locator("header").getByLabel("Speed").waitFor();
+    for (const label of ["Play", "To the start", "To the end"]) await page.locator("footer").getByRole("button", { name: label }).waitFor();
+    await page.locator("footer").getByLabel("Speed").waitFor();
     assert.equal(await page.locator(".column.program .steps button").count(), 5);
     const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Record" }).click()]);
     const alone = await openPage(`file://${await saved(download)}`);

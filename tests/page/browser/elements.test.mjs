@@ -275,10 +275,9 @@ test("the tool is pulled in the view: the arm follows, and says why where it can
     await page.mouse.up();
     await until(async () => (await page.locator("output.where").innerText()) !== before, () => "the arm does not follow");
     await page.getByRole("button", { name: "Insert posJ" }).click();
-    await page.locator(".cm-line", { hasText: /^posJ\(.*deg\)/ }).waitFor();
-    await page.keyboard.press("Enter");
+    await page.locator(".cm-line", { hasText: /^arm\.moveJ\(posJ\(.*deg\)\)/ }).waitFor();
     await page.getByRole("button", { name: "Insert posC" }).click();
-    await page.locator(".cm-line", { hasText: /^pose\(x: .*mm, .*yaw: .*deg\)/ }).waitFor();
+    await page.locator(".cm-line", { hasText: /^arm\.moveJ\(pose\(x: .*mm, .*yaw: .*deg\)\)/ }).waitFor();
   }));
 
 test("the view is saved as a drawing, without what is hidden", () =>

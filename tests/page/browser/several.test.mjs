@@ -27,6 +27,25 @@ test("one page leads, the other follows; control is passed on", () =>
     await lineOf(teacher, "posJ(0deg").waitFor();
   }));
 
+test("who types without control is told how to take part", () =>
+  withLab(ONE_MOVE, async (open) => {
+    const teacher = await open();
+    await untilStatus(teacher, /2\.00 s/);
+    const student = await open({ acceptDownloads: true });
+    await untilStatus(student, /2\.00 s/);
+    await student.getByText("You follow page 1.").waitFor();
+    assert.equal(await student.locator(".control.urged").count(), 0);
+    await student.locator(".cm-content").focus();
+    await student.keyboard.type("wait", { delay: 60 });
+    await student.locator(".control.urged", { hasText: /What you type is not taken: ask for control, or go on in a copy/ }).waitFor();
+    const [copy] = await Promise.all([student.waitForEvent("download"), student.getByRole("button", { name: "Save a copy" }).click()]);
+    assert.equal(copy.suggestedFilename(), "program-copy.rbt");
+    await student.getByRole("button", { name: "Take control" }).click();
+    await teacher.getByRole("button", { name: "Hand over to 2 (asks)" }).click();
+    await student.getByText("in control").waitFor();
+    assert.equal(await student.locator(".control.urged").count(), 0);
+  }));
+
 test("a page whose connection was lost comes back to the present state", () =>
   withLab(ONE_MOVE, async (open) => {
     let sockets = [];

@@ -1,7 +1,7 @@
 // Going through a run in time: the bar, playing, statements.
 import assert from "node:assert/strict";
 import test, { after } from "node:test";
-import { closeBrowser, ONE_MOVE, typeAtEnd, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
+import { ARM, closeBrowser, ONE_MOVE, typeAtEnd, until, untilClock, untilStatus, withLab } from "../laboratory.mjs";
 import { STEPS, stepThrough } from "../stepping.mjs";
 
 after(closeBrowser);
@@ -120,6 +120,24 @@ test("playing goes from the start to the end and stops there", () =>
     await page.getByRole("button", { name: "Pause" }).waitFor();
     await page.getByRole("button", { name: "Play" }).waitFor();
     await untilClock(page, /^2\.00 /);
+  }));
+
+test("play keeps to the clock at five frames per second", () =>
+  withLab(`${ARM}arm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 20s)\n`, async (open) => {
+    const page = await open({ before: (fresh) => fresh.addInitScript(() => {
+      globalThis.requestAnimationFrame = (work) => setTimeout(() => work(performance.now()), 200);
+    }) });
+    await untilStatus(page, /1 move, 20\.00 s/);
+    await page.getByRole("button", { name: "To the start" }).click();
+    await untilClock(page, /^0\.00 /);
+    const now = () => page.evaluate(() => [performance.now() / 1000, parseFloat(document.querySelector("output.time").textContent)]);
+    await page.getByRole("button", { name: "Play" }).click();
+    await until(async () => (await now())[1] > 0.5, () => "it does not play");
+    const [wall, shown] = await now();
+    await page.waitForTimeout(4000);
+    const [later, then] = await now();
+    const share = (then - shown) / (later - wall);
+    assert.ok(share > 0.85 && share < 1.15, `${then - shown} s were shown in ${later - wall} s`);
   }));
 
 test("steps go over, into and out of calls and back, breakpoints hold, variables follow", () =>

@@ -29,10 +29,12 @@ const connection = new Connection(home.carry, {
 intents = new Intents(store, connection, home.live);
 buildPage(document.getElementById("page")!, store, intents, source, home.alone);
 
+// The clock decides, however many frames are drawn. A hidden page draws none: it goes on where it was.
 let last = 0;
+document.addEventListener("visibilitychange", () => (last = performance.now()));
 function frame(now: number): void {
   if (store.state.playing) {
-    intents!.advance(Math.min(0.1, (now - last) / 1000));
+    intents!.advance((now - last) / 1000);
     requestAnimationFrame(frame);
   }
   last = now;

@@ -13,6 +13,7 @@ const DRAWINGS = {
   left: "M1.5 2.5h13v11h-13zM3 4h3v8H3zM7 4v8h6V4z",
   middle: "M1.5 2.5h13v11h-13zM3 4v8h1.5V4zM6 4h4v8H6zM11.5 4v8H13V4z",
   right: "M1.5 2.5h13v11h-13zM10 4h3v8h-3zM3 4v8h6V4z",
+  wrap: "M1.5 2.5h13V4h-13zM1.5 6.5h10a2.7 2.7 0 0 1 0 5.4H9.5v1.8L6.6 11.2l2.9-2.5v1.7h2a1.2 1.2 0 0 0 0-2.4h-10zM1.5 11h3.2v1.5H1.5z",
   below: "M1.5 2.5h13v11h-13zM3 4v4h10V4zM3.5 11.5l3-2 3 1.5 3-2v1l-3 2-3-1.5-3 2z",
 } as const;
 

@@ -4,6 +4,7 @@ import { StateEffect, StateField, type Extension, type Text } from "@codemirror/
 import { closeHoverTooltips, EditorView, hoverTooltip, showTooltip, ViewPlugin, type Tooltip, type ViewUpdate } from "@codemirror/view";
 import type { IncomingOf, Position, Span } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
+import { settingAt } from "./settings.ts";
 
 export function positionOf(doc: Text, offset: number): Position {
   const line = doc.lineAt(offset);
@@ -30,8 +31,10 @@ async function complete(intents: Intents, context: CompletionContext): Promise<C
   const answer = await intents.ask<"completion">({ type: "complete", at: positionOf(context.state.doc, context.pos) }).catch(() => null);
   if (!answer?.items.length || context.aborted) return null;
   const from = answer.replaced ? rangeOf(context.state.doc, answer.replaced).from : (context.matchBefore(/\w*/)?.from ?? context.pos);
-  const options = answer.items.map((item): Completion => ({
+  // Of equally good matches the editor would take the first of the alphabet: the order of the laboratory counts.
+  const options = answer.items.map((item, i): Completion => ({
     label: item.text,
+    boost: Math.max(-99, 99 - i),
     type: KINDS[item.kind ?? ""] ?? "variable",
     ...(item.detail ? { detail: item.detail } : {}),
   }));
@@ -143,13 +146,14 @@ const call = StateField.define<Tooltip | null>({
   provide: (field) => showTooltip.from(field),
 });
 
-function callBox(answer: IncomingOf<"signature">): HTMLElement {
+function callBox(answer: IncomingOf<"signature">, setting: string | null): HTMLElement {
   const box = document.createElement("div");
   box.className = "tip";
   const overload = answer.overloads[answer.active ?? 0] ?? answer.overloads[0]!;
   const line = document.createElement("div");
   line.className = "tip-code";
-  const parameter = overload.parameters[answer.parameter ?? -1];
+  const named = setting === null ? undefined : overload.parameters.find((range) => overload.text.slice(...range).startsWith(`${setting}:`));
+  const parameter = named ?? overload.parameters[answer.parameter ?? -1];
   if (parameter) {
     const strong = document.createElement("strong");
     strong.textContent = overload.text.slice(...parameter);
@@ -184,7 +188,8 @@ function signatures(intents: Intents): Extension {
         const asked = this.asked;
         void intents.ask<"signature">({ type: "signature", at: positionOf(view.state.doc, at) }).catch(() => null).then((answer) => {
           if (asked !== this.asked) return;
-          const tooltip: Tooltip | null = answer?.overloads.length ? { pos: at, above: true, create: () => ({ dom: callBox(answer) }) } : null;
+          const setting = settingAt(view.state.doc.sliceString(Math.max(0, at - 2000), at + 200), Math.min(at, 2000));
+          const tooltip: Tooltip | null = answer?.overloads.length ? { pos: at, above: true, create: () => ({ dom: callBox(answer, setting) }) } : null;
           if (tooltip || view.state.field(call)) view.dispatch({ effects: setCall.of(tooltip) });
         });
       }

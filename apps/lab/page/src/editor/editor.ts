@@ -7,16 +7,19 @@ import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
 import { Compartment, EditorState, Transaction, type Annotation, type StateEffect } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
 import { fixed } from "../numbers/units.ts";
-import type { Diagnostic, Edit, Span } from "../protocol/messages.ts";
+import type { Diagnostic, Edit, ElementInfo, Span, Value } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
 import { adviceOfRun, currentLine, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
+import { fieldChange } from "./fields.ts";
 import { asking, positionOf, rangeOf, takeFirst } from "./ask.ts";
 import { language } from "./language.ts";
 import { marking, setMarks } from "./marks.ts";
 import { placeOfName } from "./names.ts";
+import { behindStatement, wantsValue } from "./placing.ts";
 import { numberPulling } from "./pull.ts";
+import { wrapLines, wrapping, wrapsLines } from "./wrapping.ts";
 
 export class Editor {
   readonly view: EditorView;
@@ -28,7 +31,7 @@ export class Editor {
 
   constructor(host: HTMLElement, store: Store, intents: Intents) {
     this.intents = intents;
-    const pulling = numberPulling((text) => intents.pullText(text), () => intents.endPull());
+    const pulling = numberPulling((text, place) => intents.pullText(text, place), () => intents.endPull());
     const hover = (line: number | null) => {
       const now = store.state.hover;
       if (line === null ? now === null : now?.from === "text" && now.line === line) return;
@@ -46,10 +49,12 @@ export class Editor {
           marking((line) => intents.toggleBreakpoint(line), hover),
           lineNumbers(), highlightActiveLineGutter(), highlightSpecialChars(), history(), drawSelection(), indentOnInput(), bracketMatching(),
           closeBrackets(), highlightSelectionMatches(), lintGutter(), EditorState.tabSize.of(4), indentUnit.of("    "),
-          pulling, asking(intents),
+          pulling, asking(intents), wrapping(),
+          EditorView.domEventHandlers({ keydown: (event) => this.refuseKey(event) }),
           keymap.of([
             { key: "Tab", run: takeFirst },
             { key: "Shift-Alt-f", run: () => (void this.format(), true) },
+            { key: "Alt-z", run: () => (this.wrap(!wrapsLines()), true) },
             { key: "F12", run: () => (void this.goToDefinition(), true) },
             { key: "F9", run: (view) => (intents.toggleBreakpoint(positionOf(view.state.doc, view.state.selection.main.head)[0]), true) },
           ]),
@@ -60,6 +65,7 @@ export class Editor {
         ],
       }),
     });
+    this.keepCursorInView();
     store.watch((s) => [s.welcome], (s) => this.view.dispatch({ effects: this.highlighting.reconfigure(language(s.welcome?.words)) }));
     store.watch((s) => [s.textFrom], (s) => this.take(s.text));
     store.watch((s) => [inControl(s), intents.live], (s) => this.view.dispatch({ effects: this.writing.reconfigure(EditorState.readOnly.of(!inControl(s) || !intents.live)) }));
@@ -70,11 +76,52 @@ export class Editor {
     );
   }
 
-  // Inserts a text at the cursor.
-  insert(text: string): void {
-    if (this.view.state.readOnly) return;
-    this.view.dispatch(this.view.state.replaceSelection(text), { userEvent: "input.paste", scrollIntoView: true });
+  // Inserts a position at the cursor where a value is written there, otherwise a move to it behind the current statement.
+  insertPosition(position: string, robot: string): void {
+    const { state } = this.view;
+    if (state.readOnly) return;
+    const text = state.doc.toString();
+    if (wantsValue(text, state.selection.main.from)) {
+      this.view.dispatch(state.replaceSelection(position), { userEvent: "input.paste", scrollIntoView: true });
+    } else {
+      const { at, indent } = behindStatement(text, currentLine(this.intents.state));
+      const move = `${indent}${robot}.moveJ(${position})`;
+      const insert = at > 0 && text[at - 1] !== "\n" ? `\n${move}\n` : `${move}\n`;
+      this.view.dispatch({ changes: { from: at, insert }, selection: { anchor: at + insert.length - 1 }, effects: EditorView.scrollIntoView(at, { y: "center" }), userEvent: "input.paste" });
+    }
     this.view.focus();
+  }
+
+  // Called when lines begin or cease to be wrapped.
+  wrapped: (on: boolean) => void = () => {};
+
+  wrap(on: boolean): void {
+    wrapLines(this.view, on);
+    this.wrapped(on);
+  }
+
+  // Who types into the program of another page, or into a recording, is told what to do.
+  private refuseKey(event: KeyboardEvent): boolean {
+    if (!this.view.state.readOnly || event.ctrlKey || event.metaKey || event.altKey) return false;
+    if (event.key.length > 1 && !["Enter", "Backspace", "Delete"].includes(event.key)) return false;
+    if (this.intents.live) this.intents.store.change((s) => s.refusedKeys++);
+    else this.intents.say("This is a recording: its program cannot be changed.");
+    return false;
+  }
+
+  // When the panels below grow, the line that is being written stays visible.
+  private keepCursorInView(): void {
+    const { scrollDOM } = this.view;
+    let before = scrollDOM.clientHeight;
+    new ResizeObserver(() => {
+      const [was, now] = [before, scrollDOM.clientHeight];
+      before = now;
+      if (now >= was || !this.view.hasFocus) return;
+      const { head } = this.view.state.selection.main;
+      const at = this.view.coordsAtPos(head);
+      const top = scrollDOM.getBoundingClientRect().top;
+      if (at && at.top >= top - 1 && at.top <= top + was) this.view.dispatch({ effects: EditorView.scrollIntoView(head, { y: "nearest" }) });
+    }).observe(scrollDOM);
   }
 
   // Inserts lines at `at`, the start of a line or the end of the text, shows them and runs the program.
@@ -114,6 +161,17 @@ export class Editor {
     const { doc } = this.view.state;
     const changes = edits.map((edit) => ({ ...rangeOf(doc, edit.span), insert: edit.text }));
     this.view.dispatch({ changes, userEvent: "input.fix" });
+    this.intents.typeText(this.view.state.doc.toString(), true);
+  }
+
+  // Gives fields other values at the start, and runs the program.
+  writeFields(fields: readonly [ElementInfo, Value][]): void {
+    if (this.view.state.readOnly) return;
+    const text = this.view.state.doc.toString();
+    const changes = fields.flatMap(([element, value]) => fieldChange(text, element, value) ?? []);
+    if (changes.length < fields.length) this.intents.say("The row of a field is not in this text: its value is not written.");
+    if (!changes.length) return;
+    this.view.dispatch({ changes, userEvent: "input.fields" });
     this.intents.typeText(this.view.state.doc.toString(), true);
   }
 
@@ -169,7 +227,7 @@ export class Editor {
   private lintOf(d: Diagnostic, range: { from: number; to: number }): LintDiagnostic {
     const actions: Action[] = d.fix?.edits.length ? [{ name: d.fix.text, apply: () => this.apply(d.fix!.edits) }] : [];
     const message = d.why ? `${d.message}\n${d.why}` : d.message;
-    return { ...range, severity: d.severity === "error" ? "error" : "info", message, source: d.code, actions };
+    return { ...range, severity: d.severity === "error" ? "error" : "warning", message, source: d.code, actions };
   }
 
   private mark(state: State): void {

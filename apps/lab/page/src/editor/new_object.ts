@@ -46,8 +46,8 @@ export function nameForObject(file: string, text: string, taken: Iterable<string
   }
 }
 
-// position  m.
-export function objectText(name: string, file: string, position: readonly number[]): string {
+// position  m. scale: of the lengths in the file.
+export function objectText(name: string, file: string, position: readonly number[], scale = 1): string {
   const mm = position.map((v) => `${+(1000 * v).toFixed(1) + 0}mm`).join(", ");
-  return `object ${name} { shape: mesh("${file}"); at: xyz(${mm}) }\n`;
+  return `object ${name} { shape: mesh("${file}"${scale === 1 ? "" : `, scale: ${scale}`}); at: xyz(${mm}) }\n`;
 }

@@ -1,6 +1,7 @@
-// A number changes when it is dragged with Alt, with Alt and the wheel, or with Alt and page up or down.
-import { Transaction, type Extension } from "@codemirror/state";
-import { EditorView, keymap } from "@codemirror/view";
+// A number changes when it is dragged with Alt, with Alt and the wheel, or with Alt and page up or down; with fingers, by buttons beside
+// it.
+import { StateField, Transaction, type EditorState, type Extension } from "@codemirror/state";
+import { EditorView, keymap, showTooltip, type Tooltip } from "@codemirror/view";
 import { numberAt, pulled } from "./numbers.ts";
 
 const PIXELS = 4; // of the pointer for one step
@@ -12,13 +13,13 @@ interface Pulling {
   x: number;
 }
 
-// `pulledText` is called after each change, `ended` when the number is released.
-export function numberPulling(pulledText: (text: string) => void, ended: () => void): Extension {
+// `pulledText` is called after each change with the text and the offset of the number, `ended` when the number is released.
+export function numberPulling(pulledText: (text: string, place: number) => void, ended: () => void): Extension {
   let pulling: Pulling | null = null;
   const replace = (view: EditorView, from: number, old: string, text: string) => {
     if (old === text || view.state.readOnly) return;
     view.dispatch({ changes: { from, to: from + old.length, insert: text }, annotations: Transaction.userEvent.of("input.pull") });
-    pulledText(view.state.doc.toString());
+    pulledText(view.state.doc.toString(), from);
   };
   const found = (view: EditorView, position: number | null) => {
     if (position === null) return null;
@@ -73,5 +74,37 @@ export function numberPulling(pulledText: (text: string) => void, ended: () => v
     { key: "Alt-PageUp", run: (view) => step(view, 1), shift: (view) => step(view, 10) },
     { key: "Alt-PageDown", run: (view) => step(view, -1), shift: (view) => step(view, -10) },
   ]);
-  return [handlers, keys];
+  return [handlers, keys, matchMedia("(pointer: coarse)").matches ? stepButtons(step) : []];
+}
+
+function stepButtons(step: (view: EditorView, steps: number) => boolean): Extension {
+  const dom = (view: EditorView) => {
+    const box = document.createElement("div");
+    box.className = "number-steps";
+    for (const [text, label, steps] of [["−", "Less", -1], ["+", "More", 1]] as const) {
+      const button = document.createElement("button");
+      button.textContent = text;
+      button.setAttribute("aria-label", label);
+      button.addEventListener("pointerdown", (event) => event.preventDefault()); // the cursor stays in the number
+      button.addEventListener("click", () => step(view, steps));
+      box.append(button);
+    }
+    return { dom: box };
+  };
+  const tooltipOf = (state: EditorState): Tooltip | null => {
+    const { main } = state.selection;
+    if (!main.empty || state.readOnly) return null;
+    const line = state.doc.lineAt(main.head);
+    const number = numberAt(line.text, main.head - line.from);
+    return number && { pos: line.from + number.from, above: false, create: dom };
+  };
+  return StateField.define<Tooltip | null>({
+    create: tooltipOf,
+    update(value, transaction) {
+      if (!transaction.docChanged && !transaction.selection) return value;
+      const next = tooltipOf(transaction.state);
+      return next && value && next.pos === value.pos ? value : next;
+    },
+    provide: (field) => showTooltip.from(field),
+  });
 }

@@ -15,8 +15,10 @@ class Slider {
   readonly shown: Shown;
   private held = false;
   private told = NaN;
+  private asks = false; // whether the laboratory has not answered yet
 
-  constructor(name: string, unit: string, lower: number, upper: number, changed: () => void, shown: Shown = shownUnit(unit)) {
+  // changed  gives the value to the laboratory; a refused one is not kept.
+  constructor(name: string, unit: string, lower: number, upper: number, changed: () => unknown, shown: Shown = shownUnit(unit)) {
     this.shown = shown;
     const id = `slider${++made}`;
     const [low, high] = [lower * shown.factor, upper * shown.factor];
@@ -31,8 +33,13 @@ class Slider {
     this.range.addEventListener("change", () => (this.held = false));
     this.number.addEventListener("change", () => {
       this.range.value = this.number.value;
-      changed();
+      this.asks = true;
+      void Promise.resolve(changed()).then((taken) => {
+        this.asks = false;
+        if (taken === false || document.activeElement !== this.number) this.write(this.told);
+      });
     });
+    this.number.addEventListener("blur", () => this.asks || this.write(this.told));
     this.root = el("div", { class: name.length > 6 ? "slider named" : "slider" }, el("label", { for: id }, name), this.range, this.number, el("span", { class: "unit" }, shown.unit));
   }
 
@@ -42,8 +49,12 @@ class Slider {
   }
 
   show(si: number): void {
-    if (this.held || document.activeElement === this.number) return;
     this.told = si;
+    if (!this.held && !this.asks && document.activeElement !== this.number) this.write(si);
+  }
+
+  private write(si: number): void {
+    if (Number.isNaN(si)) return;
     const text = written(si, this.shown);
     if (this.number.value === text) return;
     this.number.value = text;
@@ -74,7 +85,7 @@ export function jointSliders(place: Place, run: Run): ElementView {
   const robot = run.robots[index];
   const reason = reasonLine();
   const sliders: Slider[] = [];
-  const changed = () => robot && void intents.giveInput(element.name, { joints: robot.name, values: sliders.map((s) => s.value) });
+  const changed = () => robot && intents.giveInput(element.name, { joints: robot.name, values: sliders.map((s) => s.value) });
   robot?.joints.forEach((joint, i) => sliders.push(new Slider(joint.name ?? `q${i + 1}`, joint.unit, joint.lower, joint.upper, changed)));
   return {
     root: group(element.label || `Joints of ${robot?.name}`, ...sliders.map((s) => s.root), reason),
@@ -100,7 +111,7 @@ export function handSliders(place: Place, run: Run): ElementView {
   const axes = element.axes ?? [];
   const reason = reasonLine();
   const sliders: Slider[] = [];
-  const changed = () => void intents.giveInput(element.name, { hand: element.name, values: sliders.map((s) => s.value) });
+  const changed = () => intents.giveInput(element.name, { hand: element.name, values: sliders.map((s) => s.value) });
   for (const axis of axes) sliders.push(handSlider(axis, changed));
   return {
     root: group(element.label || `Hand of ${run.robots[index]?.name}`, ...sliders.map((s) => s.root), reason),
@@ -163,7 +174,7 @@ function numberField(place: Place, label: string, reason: HTMLElement): ElementV
   const span = low !== null && high !== null ? (high - low) / factor : Math.abs(start) / factor;
   const shown: Shown = { unit: element.unit ?? "", factor: 1 / factor, digits: element.type === "int" ? 0 : Math.min(6, Math.max(0, 3 - Math.floor(Math.log10(span || 1)) - 1)) };
   const slider = new Slider(label, "", low ?? start - Math.abs(start || 1), high ?? start + Math.abs(start || 1), () => {
-    void intents.giveInput(element.name, { set: element.name, value: slider.value });
+    return intents.giveInput(element.name, { set: element.name, value: slider.value });
   }, shown);
   return {
     root: el("div", { class: "element", role: "group", "aria-label": label }, slider.root, reason),

@@ -1,6 +1,6 @@
 // The column of a laboratory's elements, in their order.
 import { el } from "../dom/dom.ts";
-import type { ElementInfo } from "../protocol/messages.ts";
+import type { ElementInfo, Value } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import type { Run } from "../store/run.ts";
 import { inControl, shownRun, type State } from "../store/state.ts";
@@ -9,6 +9,7 @@ import { cameraView } from "./camera_view.ts";
 import { button, field, handSliders, jointSliders } from "./controls.ts";
 import { figures } from "./figures.ts";
 import { plot } from "./plot.ts";
+import { runAgain } from "./run_again.ts";
 import { image, noted, table, text, torques } from "./shown.ts";
 import type { ElementView, Place } from "./view.ts";
 
@@ -52,8 +53,9 @@ function viewOf(place: Place, run: Run): ElementView | null {
 }
 
 // below  for the plots along the time bar.
-// point  shows the row of the program in the editor.
-export function elementPanel(host: HTMLElement, below: HTMLElement, store: Store, intents: Intents, point: (element: ElementInfo) => void): void {
+// point  shows the row of the program in the editor. write: writes values of fields into the program and runs it.
+export function elementPanel(host: HTMLElement, below: HTMLElement, store: Store, intents: Intents, point: (element: ElementInfo) => void, write: (fields: [ElementInfo, Value][]) => void): void {
+  const again = runAgain(intents, write);
   let views: ElementView[] = [];
   let plots: HTMLElement[] = [];
   let built = "";
@@ -71,7 +73,12 @@ export function elementPanel(host: HTMLElement, below: HTMLElement, store: Store
     const quiet = elements.length ? [] : [el("p", { class: "quiet element" }, "This program has no robot and no laboratory.")];
     if (run.elements.length) views.forEach((view, i) => pointing(view.root, shownElements[i], point));
     plots = plotsBelow ? all.flatMap(([element, view]) => (view && element.kind === "plot" ? [view.root] : [])) : [];
-    host.replaceChildren(...quiet, ...views.map((view) => view.root).filter((root) => !plots.includes(root)));
+    const roots = views.map((view) => view.root).filter((root) => !plots.includes(root));
+    // Behind the last field, otherwise behind the last slider or button.
+    const last = (kinds: readonly string[]) => all.findLast(([element, view]) => view && kinds.includes(element.kind))?.[1]?.root;
+    const behind = last(["field"]) ?? last(["sliders", "button"]);
+    if (behind) roots.splice(roots.indexOf(behind) + 1, 0, again.root);
+    host.replaceChildren(...quiet, ...roots);
     below.replaceChildren(...plots);
     below.hidden = !plots.length;
   };
@@ -81,6 +88,7 @@ export function elementPanel(host: HTMLElement, below: HTMLElement, store: Store
     build(run);
     const allowed = intents.live && inControl(state);
     for (const view of views) view.update(run, state, allowed);
+    again.update(run, allowed);
   };
   store.watch((s) => [s.shown, shownRun(s)?.version, s.ghost, s.ghost === null ? 0 : s.runs.get(s.ghost)?.version, s.t, shownRun(s)?.values, shownRun(s)?.pictures, s.refusals, inControl(s), s.plotsBelow], update);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => update(store.state));

@@ -375,7 +375,7 @@ export type Incoming = { to?: number | null } & (
   | RunMessage
   | InstantMessage
   | Comparison
-  | { type: "control"; holder: number | null; pages: number[]; wishes?: number[] }
+  | { type: "control"; holder: number | null; pages: number[]; wishes?: number[]; names?: Record<string, string> }
   | { type: "text"; text: string; text_version: number; from?: number }
   | { type: "diagnostics"; text_version: number; runs: boolean; items: Diagnostic[] }
   | { type: "shown"; run: number }
@@ -413,7 +413,8 @@ export type Input = { set: string; value: number | string | boolean } | { press:
 // From the page to the laboratory; `seq` is added when it is sent.
 export type Outgoing =
   | { type: "hello"; protocol: 1; key?: string }
-  | { type: "text"; text: string; version: number; run?: boolean }
+  | { type: "text"; text: string; version: number; run?: boolean; change?: number }
+  | { type: "name"; name: string }
   | { type: "complete" | "hover" | "signature" | "definition"; at: Position }
   | { type: "format" | "stop" | "export" | "take" }
   | { type: "goto"; t: number; run?: number; looks?: boolean }

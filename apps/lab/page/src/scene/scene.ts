@@ -35,6 +35,7 @@ export interface SceneHost {
   file(name: string): Promise<ArrayBuffer>;
 }
 
+const LEAST_FORCE = 0.05; // N: what would be shown as "0.0 N" is no arrow
 const LATE = 0.3; // s: while playing, distances of this age are still shown
 
 export class SceneView {
@@ -104,6 +105,7 @@ export class SceneView {
     };
     scheme.addEventListener("change", theme);
     theme();
+    this.frame("iso"); // a floor to look at, also before the first run
     this.pointer = new ScenePointer(store, intents, this.stage, this.handle, {
       canvas: this.canvas,
       paths: () => this.paths,
@@ -324,7 +326,8 @@ export class SceneView {
       const tool = force && run.toolAt(i, t);
       return force && tool ? [{ at: pointOf(tool), force: new Vector3(...force), share: Math.hypot(...force) / most(i) }] : [];
     });
-    this.forces.show([...forces, ...points], this.showClearance, this.reach, this.palette, labels);
+    const felt = [...forces, ...points].filter((each) => each.force.length() >= LEAST_FORCE);
+    this.forces.show(felt, this.showClearance, this.reach, this.palette, labels);
     this.ways.show(run, t, this.palette);
   }
 

@@ -1,6 +1,7 @@
 // Files dropped onto the 3D view: they are saved beside the program, and an object with the mesh is added under the pointer.
 import type { Editor } from "../editor/editor.ts";
 import { nameForObject, objectText, placeForObject } from "../editor/new_object.ts";
+import { el } from "../dom/dom.ts";
 import { Refused } from "../home/connection.ts";
 import type { MeshConverter } from "../home/converter.ts";
 import type { SceneView } from "../scene/scene.ts";
@@ -44,23 +45,54 @@ export function droppedFiles(stage: HTMLElement, scene: SceneView, store: Store,
       const bytes = new Uint8Array(await file.arrayBuffer());
       const mesh = converter ? await converter.take(file.name, bytes) : { name: file.name, bytes };
       if (!mesh) return;
-      const { name: kept, size } = await intents.keepFile(mesh.name, mesh.bytes);
+      const { name: kept, size: written } = await intents.keepFile(mesh.name, mesh.bytes);
       if (kept === "") return;
+      const largest = Math.max(...written);
+      const scale = largest > MANY_METRES ? await askForUnit(file.name, largest) : 1;
+      if (scale === null) return;
+      const size = written.map((each) => each * scale);
       const { text } = store.state;
       const found = scene.pointer.pointAt(pointer);
       const at = found ? found.at.toArray() : [0, 0, 0];
       // The frame of a mesh is in the middle of its bounding box.
-      const height = Math.max(at[2]!, 0) + size[2] / 2;
+      const height = Math.max(at[2]!, 0) + size[2]! / 2;
       const words = Object.values(store.state.welcome?.words ?? {}).flat();
       const things = shownRun(store.state)?.objects.map((object) => object.name) ?? [];
       const name = nameForObject(kept, text, [...words, ...things]);
-      editor.insertLines(...lines(text, objectText(name, kept, [at[0]!, at[1]!, height])));
+      editor.insertLines(...lines(text, objectText(name, kept, [at[0]!, at[1]!, height], scale)));
       const widest = Math.max(...size);
-      if (widest > MANY_METRES || widest < 1e-3) intents.say(`${kept} is ${widest > 1 ? `${widest.toFixed(0)} m` : `${(1000 * widest).toFixed(3)} mm`} wide: where a file does not say what its lengths are, they are taken for metres.`);
+      if (widest < 1e-3) intents.say(`${kept} is ${(1000 * widest).toFixed(3)} mm large: where a file does not say what its lengths are, they are taken for metres.`);
     } catch (error) {
       intents.say(error instanceof Refused || error instanceof Error ? `${file.name}: ${error.message}` : `${file.name} cannot be read.`);
     }
   }
+}
+
+// Many files do not say what their lengths are, and parts are drawn in millimetres: more than ten metres are doubtful. Returns the scale
+// of the lengths; null: the file shall not be used.
+function askForUnit(name: string, size: number): Promise<number | null> {
+  return new Promise((resolve) => {
+    let scale: number | null = null;
+    const choose = (chosen: number | null) => () => {
+      scale = chosen;
+      dialog.close();
+    };
+    const length = (metres: number) => (metres < 1 ? `${+(1000 * metres).toPrecision(3)} mm` : `${+metres.toPrecision(3)} m`);
+    const dialog: HTMLDialogElement = el(
+      "dialog", { class: "help ask", "aria-label": "Unit of lengths" },
+      el("p", {}, `${name} would be ${length(size)} large. Are its lengths in millimetres?`),
+      el("div", { class: "row" },
+        el("button", { onclick: choose(0.001) }, `Millimetres: ${length(size / 1000)}`),
+        el("button", { onclick: choose(1) }, `Metres: ${length(size)}`),
+        el("button", { onclick: choose(null) }, "Leave it out")),
+    );
+    dialog.addEventListener("close", () => {
+      dialog.remove();
+      resolve(scale);
+    });
+    document.body.append(dialog);
+    dialog.showModal();
+  });
 }
 
 // The offset for the new lines, and the lines.

@@ -1,15 +1,15 @@
-// Title, robots and world, play and speed, sharing, and the visible columns; below, the page that has control.
+// Title, robots and world, the state of the program, sharing, and the visible columns; below, the page that has control.
 import { el, remember, remembered, setText } from "../dom/dom.ts";
 import { icon } from "../dom/icons.ts";
 import { fileName, isUnsaved } from "../store/document.ts";
 import type { Intents } from "../store/intents.ts";
-import type { Run } from "../store/run.ts";
-import { adviceOfRun, comingRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
+import { comingRun, isStale, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
-import { transport } from "../timebar/transport.ts";
 import type { ColumnName } from "./columns.ts";
+import { drawControl, tellKnownName } from "./control.ts";
 import { hashToText } from "./link.ts";
 import { handIn, record } from "./share.ts";
+import { statusOf } from "./status.ts";
 
 export interface HeaderActions {
   // The HTML of the page before anything was shown in it, and whether its laboratory is in it.
@@ -45,7 +45,6 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
   }, icon("below"));
   if (remembered("plotsBelow") === "yes") below(true);
   const row = el("div", { class: "row" }, title, file, status);
-  transport(row, store, intents);
   row.append(
     el("span", { class: "gap" }),
     ...actions.program,
@@ -68,44 +67,10 @@ export function header(host: HTMLElement, store: Store, intents: Intents, action
     setText(status, text);
     status.dataset["kind"] = kind;
   });
-  store.watch((s) => [s.control, s.welcome], (s) => drawControl(control, s, intents));
+  store.watch((s) => [s.control, s.welcome, s.refusedKeys], (s) => drawControl(control, s, intents));
+  store.watch((s) => [s.welcome, s.control.names !== null], (s) => s.welcome && s.control.names && tellKnownName(intents));
   void offerLink(offer, intents);
   addEventListener("hashchange", () => void offerLink(offer, intents));
-}
-
-function statusOf(state: State, live: boolean): [string, string] {
-  const run = shownRun(state);
-  const errors = state.diagnostics.filter((d) => d.severity === "error").length;
-  if (state.connection === "connecting") return ["connecting …", "quiet"];
-  if (state.connection === "lost") return ["connection lost", "warning"];
-  if (errors) return [`${errors} ${errors === 1 ? "mistake" : "mistakes"}${run ? ": the last good run is shown" : ""}`, "warning"];
-  if (!run) return ["", "quiet"];
-  const coming = comingRun(state);
-  if (coming?.taken) return [`running anew, ${progressOf(coming)}`, "quiet"];
-  if (run.state === "running") return [`running, ${progressOf(run)}`, "quiet"];
-  if (run.state === "failed") return [`failed at ${run.error?.t.toFixed(2) ?? run.tEnd.toFixed(2)} s`, "warning"];
-  if (run.state === "stopped") return [`stopped at ${run.tEnd.toFixed(2)} s`, "warning"];
-  const what = run.moves.length ? `${run.moves.length} ${run.moves.length === 1 ? "move" : "moves"}, ` : "";
-  const advice = adviceOfRun(state).length;
-  return [`${live ? "" : "recording, "}${what}${run.tEnd.toFixed(2)} s${advice ? `, advice: ${advice}` : ""}`, advice ? "advice" : "good"];
-}
-
-const progressOf = (run: Run) => `${run.tEnd.toFixed(1)} s${run.taken ? `, ${run.taken} ${run.taken === 1 ? "picture" : "pictures"}` : ""}`;
-
-function drawControl(host: HTMLElement, state: State, intents: Intents): void {
-  const { holder, pages, wishes } = state.control;
-  const me = state.welcome?.page;
-  const others = pages.filter((page) => page !== me);
-  host.hidden = me === undefined || !intents.live || (!others.length && holder === me);
-  if (host.hidden) return;
-  if (!inControl(state)) {
-    const wished = me !== undefined && wishes.includes(me);
-    const who = holder === null ? "Nobody is in control." : `You follow page ${holder}.`;
-    host.replaceChildren(el("span", { class: "quiet" }, who), el("button", { onclick: () => intents.takeControl(), disabled: wished }, wished ? "Asked for control" : "Take control"));
-    return;
-  }
-  const list = others.map((page) => el("button", { class: wishes.includes(page) ? "wish" : "", onclick: () => intents.giveControl(page) }, `Hand over to ${page}${wishes.includes(page) ? " (asks)" : ""}`));
-  host.replaceChildren(el("span", { class: "quiet" }, `You are page ${me}, in control.`), ...list.slice(0, 4));
 }
 
 // A program in the address of the page is not run until the user confirms it.

@@ -16,6 +16,7 @@ export const KEYS: [string, string][] = [
   ["F5", "on to the next breakpoint"],
   ["F12", "where a name is declared"],
   ["Shift Alt F", "lay the program out"],
+  ["Alt Z", "wrap long lines, or not"],
   ["Ctrl Space", "what can be written here"],
   ["1 to 6 in the 3D view", "iso, front, side, top, hand, fit"],
   ["Escape, then Tab", "leave the editor"],

@@ -11,6 +11,7 @@ import type { Intents } from "../store/intents.ts";
 import { inControl, isStale, shownRun } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
 import { TimeBar } from "../timebar/bar.ts";
+import { transport } from "../timebar/transport.ts";
 import { COLUMNS, TITLES, type ColumnName } from "./columns.ts";
 import { droppedFiles } from "./drop.ts";
 import { emptyPage } from "./gallery.ts";
@@ -20,6 +21,7 @@ import { globalKeys, helpDialog } from "./keys.ts";
 import { editorPanels } from "./panels.ts";
 import { programFile } from "./program_file.ts";
 import { sceneTools } from "./scene_tools.ts";
+import { splitters } from "./splitters.ts";
 
 // source, alone  see HeaderActions.
 export function buildPage(root: HTMLElement, store: Store, intents: Intents, source: string, alone: boolean): void {
@@ -30,10 +32,11 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   const below = el("div", { class: "below" });
   const stage = el("div", { class: "stage" });
   const labels = el("div", { class: "labels", "aria-hidden": "true" });
+  const over = el("div", { class: "over" });
   const elements = el("div", { class: "elements" });
   const columns: Record<ColumnName, HTMLElement> = {
     program: el("section", { class: "column program", "aria-label": TITLES.program }, editorHost, below),
-    view: el("section", { class: "column view", "aria-label": TITLES.view }, el("div", { class: "stage-box" }, stage, labels)),
+    view: el("section", { class: "column view", "aria-label": TITLES.view }, el("div", { class: "stage-box" }, stage, labels), over),
     elements: el("section", { class: "column side", "aria-label": TITLES.elements }, elements),
   };
   const main = el("main", { class: "columns" }, columns.program, columns.view, columns.elements);
@@ -48,6 +51,7 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
   top.append(program.question);
   const editor = new Editor(editorHost, store, intents);
   editorPanels(below, store, intents, editor);
+  splitters(main, columns, below);
   const legend = el("div", { class: "legend", hidden: true });
   const version = () => shownRun(store.state)?.textVersion ?? null;
   const startView = () => {
@@ -59,25 +63,25 @@ export function buildPage(root: HTMLElement, store: Store, intents: Intents, sou
         topSpeed: (v) => drawLegend(legend, v),
         file: (name) => intents.file(name),
       });
-      sceneTools(columns.view, scene, store, intents, editor);
+      sceneTools(over, legend, scene, store, intents, editor);
       droppedFiles(stage, scene, store, intents, editor, findConverter());
     } catch (error) {
       // All other parts work without it.
       columns.view.append(el("p", { class: "quiet element no-view" }, `There is no 3D view: ${error instanceof Error ? error.message : String(error)}`));
     }
-    columns.view.append(legend);
   };
   const along = el("div", { class: "along", hidden: true });
-  elementPanel(elements, along, store, intents, ({ name, kind, span }) => editor.find(name, kind, span, version()));
+  elementPanel(elements, along, store, intents, ({ name, kind, span }) => editor.find(name, kind, span, version()), (fields) => editor.writeFields(fields));
   columns.view.append(noRun(store, (span) => {
     choose("program");
     editor.select(span);
   }));
   columns.view.append(emptyPage(store, intents, load));
+  transport(bottom, store, intents);
   new TimeBar(bottom, store, intents);
   bottom.append(along);
   globalKeys(intents, open);
-  hints(columns, store);
+  hints({ program: [columns.program, below], view: [over, null], elements: [columns.elements, elements] }, store);
   for (const name of COLUMNS) if (remembered(`closed.${name}`) === "yes") columns[name].classList.add("closed");
   watchMessage(message, store);
   whenPainted(store, startView);
@@ -127,7 +131,7 @@ function phoneTabs(main: HTMLElement): { tabs: HTMLElement; choose: (name: Colum
     main.dataset["tab"] = name;
     buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(COLUMNS[i] === name)));
   };
-  choose("view");
+  choose("elements"); // with the 3D view above
   return { tabs: el("nav", { class: "phone", "aria-label": "Parts of the page" }, ...buttons), choose };
 }
 

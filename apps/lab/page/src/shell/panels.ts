@@ -5,6 +5,8 @@ import type { Diagnostic } from "../protocol/messages.ts";
 import type { Intents } from "../store/intents.ts";
 import { adviceOfRun, inControl, isStale, shownRun, type State } from "../store/state.ts";
 import type { Store } from "../store/store.ts";
+import { icon } from "../dom/icons.ts";
+import { wrapsLines } from "../editor/wrapping.ts";
 import { stepButtons } from "../timebar/transport.ts";
 
 export interface Tab {
@@ -14,8 +16,8 @@ export interface Tab {
 }
 
 // Tabs with their panels; arrow keys select the next one.
-// beside  an element at the end of the line of tabs.
-export function tabs(host: HTMLElement, list: Tab[], label: string, beside: HTMLElement): { choose(name: string): void; count(name: string, n: number): void } {
+// beside  an element at the end of the line of tabs. chosen  called after each choice.
+export function tabs(host: HTMLElement, list: Tab[], label: string, beside: HTMLElement, chosen: (name: string) => void = () => {}): { choose(name: string): void; count(name: string, n: number): void } {
   const buttons = new Map<string, HTMLButtonElement>();
   const counts = new Map<string, HTMLElement>();
   const choose = (name: string) => {
@@ -25,6 +27,7 @@ export function tabs(host: HTMLElement, list: Tab[], label: string, beside: HTML
       buttons.get(tab.name)!.setAttribute("aria-selected", String(on));
       buttons.get(tab.name)!.tabIndex = on ? 0 : -1;
     }
+    chosen(name);
   };
   const bar = el("div", { class: "tabs", role: "tablist", "aria-label": label });
   list.forEach((tab, i) => {
@@ -70,19 +73,26 @@ export function editorPanels(host: HTMLElement, store: Store, intents: Intents, 
   const output = el("div", { class: "panel output" });
   const variables = el("div", { class: "panel" });
   const runs = el("ul", { class: "panel list runs" });
+  let shownTab = "problems";
+  // Without problems there is only the line of tabs.
+  const flatten = () => host.classList.toggle("flat", shownTab === "problems" && !problems.childElementCount);
   const bar = tabs(host, [
     { name: "problems", title: "Problems", content: el("div", {}, problems) },
     { name: "output", title: "Output", content: output },
     { name: "variables", title: "Variables", content: variables },
     { name: "runs", title: "Runs", content: el("div", {}, runs) },
-  ], "About the program", stepButtons(store, intents));
+  ], "About the program", el("div", { class: "beside" }, wrapButton(editor), stepButtons(store, intents)), (name) => {
+    shownTab = name;
+    flatten();
+  });
   const at = (t: number, times: number) => el("button", { class: "tiny", onclick: () => intents.goTo(t) }, `${t.toFixed(2)} s${times > 1 ? `, ${times} times` : ""}`);
   store.watch((s) => [s.diagnostics, shownRun(s)?.error, shownRun(s), shownRun(s)?.advice.length, isStale(s), inControl(s)], (s) => {
     const failure = shownRun(s)?.error;
     const all = failure ? [...s.diagnostics, failure] : s.diagnostics;
     const allowed = inControl(s) && intents.live;
     const items = [...all.map((d) => problem(d, editor, allowed)), ...adviceOfRun(s).map((d) => problem(d, editor, allowed, at(d.t, d.times)))];
-    problems.replaceChildren(...(items.length ? items : [el("li", { class: "quiet" }, "No problems.")]));
+    problems.replaceChildren(...items);
+    flatten();
     bar.count("problems", items.length);
   });
   store.watch((s) => [s.shown, shownRun(s)?.version, s.t], (s) => drawOutput(output, s, intents, bar));
@@ -91,6 +101,12 @@ export function editorPanels(host: HTMLElement, store: Store, intents: Intents, 
     drawRuns(runs, s, intents);
     bar.count("runs", s.list.length > 1 ? s.list.length : 0);
   });
+}
+
+function wrapButton(editor: Editor): HTMLElement {
+  const button: HTMLButtonElement = el("button", { class: "icon", "aria-label": "Wrap long lines", title: "Wrap long lines (Alt Z)", "aria-pressed": String(wrapsLines()), onclick: () => editor.wrap(!wrapsLines()) }, icon("wrap"));
+  editor.wrapped = (on) => button.setAttribute("aria-pressed", String(on));
+  return button;
 }
 
 let drawnOutput = "";
@@ -110,17 +126,19 @@ function drawOutput(host: HTMLElement, state: State, intents: Intents, bar: { co
 
 function drawVariables(host: HTMLElement, state: State): void {
   const instant = state.instant?.run === state.shown ? state.instant : null;
-  if (!instant?.variables.length) {
+  // Functions have no value to look at.
+  const variables = (instant?.variables ?? []).filter((v) => !v.type.startsWith("fn"));
+  if (!instant || !variables.length) {
     host.replaceChildren(el("p", { class: "quiet" }, "No variables at this instant."));
     return;
   }
-  const scopes = [...new Set(instant.variables.map((v) => v.scope))].sort((a, b) => b - a);
+  const scopes = [...new Set(variables.map((v) => v.scope))].sort((a, b) => b - a);
   const calls = instant.tasks?.[0]?.calls ?? [];
   const rows = scopes.flatMap((scope) => [
     ...(scopes.length > 1 ? [el("tr", {}, el("th", { colspan: 3, scope: "rowgroup" }, scope === 0 ? "program" : (calls[scope - 1] ?? `call ${scope}`)))] : []),
-    ...instant.variables.filter((v) => v.scope === scope).map((v) => el("tr", {}, el("td", { class: "name" }, v.name), el("td", { class: "type" }, v.type), el("td", { class: "value" }, v.value ?? "–"))),
+    ...variables.filter((v) => v.scope === scope).map((v) => el("tr", {}, el("td", { class: "name" }, v.name), el("td", { class: "type" }, v.type), el("td", { class: "value" }, v.value ?? "–"))),
   ]);
-  const tasks = (instant.tasks ?? []).filter((task) => task.waits).map((task) => el("p", { class: "quiet" }, `${task.name} waits for ${task.waits}`));
+  const tasks = (instant.tasks ?? []).filter((task) => task.waits && !/its host$/.test(task.waits)).map((task) => el("p", { class: "quiet" }, `${task.name || "the program"} ${/^waits/.test(task.waits!) ? "" : "waits for "}${task.waits}`));
   const signals = (instant.signals ?? []).map(({ name, value }) => el("tr", {}, el("td", { class: "name" }, name), el("td", { class: "type" }, "signal"), el("td", { class: "value" }, String(value))));
   host.replaceChildren(el("table", { class: "variables" }, el("tbody", {}, ...rows, ...signals)), ...tasks);
 }

@@ -33,7 +33,9 @@ function joints(state: State, robot: number): readonly number[] {
   return shownRun(state)?.qAt(robot, state.t) ?? [];
 }
 
-export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, intents: Intents, editor: Editor): void {
+// host    a column over the view, from top to bottom, so that nothing in it covers anything else.
+// legend  of the speeds on the path, at the end of the last line.
+export function sceneTools(host: HTMLElement, legend: HTMLElement, scene: SceneView, store: Store, intents: Intents, editor: Editor): void {
   const frames: HTMLButtonElement = el("button", { class: "tiny", "aria-pressed": "false", onclick: () => {
     scene.showFrames = !scene.showFrames;
     frames.setAttribute("aria-pressed", String(scene.showFrames));
@@ -69,24 +71,25 @@ export function sceneTools(host: HTMLElement, scene: SceneView, store: Store, in
     el("button", { class: "tiny", onclick: () => save("view.svg", new Blob([scene.drawing()], { type: "image/svg+xml" })) }, "SVG"),
     videoButton(scene.canvas, store, intents),
   );
-  const more: HTMLButtonElement = el("button", { class: "tiny more", "aria-label": "More tools", title: "More tools", "aria-expanded": "false", onclick: () => more.setAttribute("aria-expanded", String(extra.classList.toggle("open"))) }, "…");
-  host.append(el(
+  const more: HTMLButtonElement = el("button", { class: "tiny more", "aria-label": "More tools", title: "More tools", "aria-expanded": "false", onclick: () => more.setAttribute("aria-expanded", String(tools.classList.toggle("open"))) }, "…");
+  const tools = el(
     "div", { class: "scene-tools", role: "toolbar", "aria-label": "3D view" },
-    ...PRESETS.map(([preset, label]) => el("button", { class: "tiny", onclick: () => scene.look(preset) }, label)),
+    ...PRESETS.map(([preset, label]) => el("button", { class: "tiny preset", onclick: () => scene.look(preset) }, label)),
     el("button", { class: "tiny", onclick: () => scene.fit() }, "Fit"), robots, more, extra,
-  ));
-  host.append(viewCube(scene));
+  );
   const where = el("output", { class: "where", "aria-label": "Hand" });
   const why = el("p", { class: "reason" });
   const insertJ = el("button", { class: "tiny", onclick: () => {
     const info = shownRun(store.state)?.robots[scene.active];
-    if (info) editor.insert(positionText(joints(store.state, scene.active), info.joints.map((j) => j.unit)));
+    if (info) editor.insertPosition(positionText(joints(store.state, scene.active), info.joints.map((j) => j.unit)), info.name);
   } }, "Insert posJ");
   const insertC = el("button", { class: "tiny", onclick: () => {
-    const pose = shownRun(store.state)?.toolAt(scene.active, store.state.t);
-    if (pose) editor.insert(poseText(pose));
+    const run = shownRun(store.state);
+    const pose = run?.toolAt(scene.active, store.state.t);
+    if (run && pose) editor.insertPosition(poseText(pose), run.robots[scene.active]!.name);
   } }, "Insert posC");
-  host.append(el("div", { class: "hand" }, where, insertJ, insertC, why));
+  host.prepend(tools, viewCube(scene));
+  host.append(el("div", { class: "hand" }, why, where, insertJ, insertC, legend));
   scene.canvas.tabIndex = 0;
   scene.canvas.setAttribute("role", "img");
   scene.canvas.addEventListener("keydown", (event) => {

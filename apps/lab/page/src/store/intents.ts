@@ -8,6 +8,7 @@ import type { Store } from "./store.ts";
 import { inControl, shownRun, type State } from "./state.ts";
 
 const PAUSE_IN_TYPING = 150; // ms without a key after which the text runs
+const SHORT_RUN = 50; // ms: after such a run the first key runs at once
 const CHECK_EVERY = 30; // ms, least time between two checks of a text that is being typed
 const WHILE_PLAYING = 200; // ms between questions for variables
 const WHILE_LOOKING = 60; // the same, while clearances are shown
@@ -26,6 +27,10 @@ export class Intents {
   private checkedAt = -Infinity;
   private awaited: number | null = null; // the version of the text whose diagnostics have not arrived yet
   private wantsCheck = false;
+  private sentAt = 0;
+  private tookRun = Infinity; // ms from the text that was sent last to the end of its run
+  private change = 0; // number of the change that the text belongs to
+  private pulledPlace: number | null = null;
   private waitsForRun = false;
   private asking = false;
   private steps = 0;
@@ -61,6 +66,7 @@ export class Intents {
       this.givingInput = false;
     }
     if (message.type === "text") this.sentText = this.checkedText = message.text;
+    if (message.type === "run" && message.state !== "running" && message.text_version === this.state.textVersion && this.waitsForRun) this.tookRun = performance.now() - this.sentAt;
     const ended = (message.type === "run" && message.state !== "running") || (message.type === "diagnostics" && !message.runs);
     // A run that continues with an input, of whichever page, may have other values at the same instant.
     if (message.type === "run" && message.run === this.state.shown && message.state !== "running") {
@@ -95,12 +101,20 @@ export class Intents {
       s.ghost = null;
       s.nearest = null;
     });
-    clearTimeout(this.typing);
+    const isFirst = this.typing === undefined;
+    this.endTyping();
+    if (isFirst || now) this.change++;
+    this.pulledPlace = null;
     if (now) {
       this.sendText();
       return;
     }
-    this.typing = setTimeout(() => this.sendText(), PAUSE_IN_TYPING);
+    const runsNow = isFirst && !this.waitsForRun && this.tookRun < SHORT_RUN;
+    this.typing = setTimeout(() => {
+      this.typing = undefined;
+      this.sendText();
+    }, PAUSE_IN_TYPING);
+    if (runsNow) return this.sendText(true, true);
     this.wantsCheck = true;
     this.checkSoon();
   }
@@ -117,15 +131,23 @@ export class Intents {
     }, wait);
   }
 
+  private endTyping(): void {
+    clearTimeout(this.typing);
+    this.typing = undefined;
+  }
+
   // A number in the text is dragged: the path before the change stays visible, and as many texts run as possible.
-  pullText(text: string): void {
+  // place  of the number: the runs of one number are one entry in the list.
+  pullText(text: string, place: number): void {
+    if (place !== this.pulledPlace) this.change++;
+    this.pulledPlace = place;
     this.store.change((s) => {
       s.text = text;
       s.followed = 0;
       s.ghost ??= s.shown;
       s.nearest = null;
     });
-    clearTimeout(this.typing);
+    this.endTyping();
     if (!this.waitsForRun) this.sendText();
   }
 
@@ -133,24 +155,42 @@ export class Intents {
     if (this.state.text !== this.sentText) this.sendText();
   }
 
+  // The program from its start, without the inputs of the shown run.
+  runAgain(): void {
+    this.change++;
+    this.sentText = null;
+    this.sendText();
+  }
+
   clearGhost(): void {
     this.store.change((s) => (s.ghost = null));
   }
 
   // Sends the text of the editor to the laboratory; without `run` it is only checked.
-  sendText(run = true): void {
-    if (run) clearTimeout(this.typing);
+  sendText(run = true, typesOn = false): void {
+    if (run && !typesOn) this.endTyping();
     this.wantsCheck = false;
     if (!this.live || !inControl(this.state) || this.state.text === (run ? this.sentText : this.checkedText)) return;
     if (!run && this.state.text === this.sentText) return;
     this.checkedText = this.state.text;
     if (run) this.sentText = this.state.text;
+    if (run) this.sentAt = performance.now();
     this.waitsForRun ||= run;
     const version = this.state.textVersion + 1;
     this.awaited = version;
     this.checkedAt = performance.now();
     this.store.change((s) => (s.textVersion = version));
-    this.connection.send({ type: "text", text: this.state.text, version, ...(run ? {} : { run: false }) });
+    this.connection.send({ type: "text", text: this.state.text, version, ...(run ? { change: this.changeNumber() } : { run: false }) });
+  }
+
+  // Other pages count their own changes.
+  private changeNumber(): number {
+    return 10_000 * (this.state.welcome?.page ?? 0) + (this.change % 10_000);
+  }
+
+  // The name of the person at this page, as others see it.
+  tellName(name: string): void {
+    if (this.live) this.connection.send({ type: "name", name });
   }
 
   // Writes the program into its file. If another program has changed the file, this is done only with `replaces`; otherwise the page asks.
@@ -262,10 +302,11 @@ export class Intents {
     this.connection.send({ type: "breakpoints", lines: next });
   }
 
-  // A slider was moved or a button pressed: while the laboratory is busy, only the last input is kept.
-  async giveInput(element: string, what: Input): Promise<void> {
+  // A slider was moved or a button pressed: while the laboratory is busy, only the last input is kept. False: it was refused.
+  async giveInput(element: string, what: Input): Promise<boolean> {
     this.input = { element, what };
-    if (this.givingInput || !this.live) return;
+    if (this.givingInput || !this.live) return true;
+    let taken = true;
     this.givingInput = true;
     while (this.input) {
       const { element: name, what: next } = this.input;
@@ -275,6 +316,7 @@ export class Intents {
       try {
         await Promise.race([this.connection.ask({ type: "input", ...t, ...next }), after(LONGEST_WAIT)]);
         this.refuse(name, "");
+        taken = true;
         this.showNearest(null);
         this.askedFor = ""; // the same instant of the same run has other values now
         this.store.change((s) => (s.instant = null));
@@ -282,11 +324,13 @@ export class Intents {
       } catch (error) {
         const reason = error instanceof Error ? error.message : String(error);
         this.refuse(name, reason);
+        taken = false;
         const answer = error instanceof Refused ? error.answer : null;
         this.showNearest(answer?.nearest ? { ...answer.nearest, robot: answer.robot ?? 0 } : null);
       }
     }
     this.givingInput = false;
+    return taken;
   }
 
   refuse(element: string, reason: string): void {

@@ -4,7 +4,7 @@ import type { Incoming, IncomingOf } from "../protocol/messages.ts";
 import { CONTACT_ROWS, DRAWING_ROWS, ELEMENT_ROWS, FORCE_ROWS, OBJECT_ROWS, ROBOT_ROWS, type RowBlock } from "../protocol/rows.ts";
 import { Rows, Track } from "./rows.ts";
 import { grow, Run } from "./run.ts";
-import { shownRun, type State } from "./state.ts";
+import { inControl, shownRun, type State } from "./state.ts";
 
 const KEPT = 40; // runs whose records stay in the page; the laboratory has the others
 
@@ -23,7 +23,8 @@ const handlers: Handlers = {
     state.comparison = null;
   },
   control(state, message) {
-    state.control = { holder: message.holder, pages: message.pages, wishes: message.wishes ?? [] };
+    state.control = { holder: message.holder, pages: message.pages, wishes: message.wishes ?? [], names: message.names ?? null };
+    if (inControl(state)) state.refusedKeys = 0;
   },
   text(state, message) {
     takeText(state, message.text, message.text_version);
@@ -37,7 +38,7 @@ const handlers: Handlers = {
   },
   run(state, message) {
     const run = runOf(state, message.run);
-    const atEnd = run === shownRun(state) && !state.playing && state.t >= run.tEnd - 1e-9;
+    const atEnd = run === shownRun(state) && !state.playing && isAtEnd(state, run);
     run.state = message.state;
     if (atEnd) state.t = message.t_end; // at the end of a run that continues, the shown instant follows it
     run.tEnd = message.t_end;
@@ -175,6 +176,10 @@ function growList<T>(state: State, name: "moves" | "ways" | "stretches" | "state
   run.version++;
 }
 
+function isAtEnd(state: State, run: Run): boolean {
+  return state.t >= run.tEnd - 1e-9 && (run.tEnd > 0 || run.followsEnd);
+}
+
 // A new run is shown when it has ended or has reached the shown instant: until then the run before it stays, so that the view does not
 // flicker. If the end was shown, the end stays shown.
 function showAnnounced(state: State): void {
@@ -183,11 +188,12 @@ function showAnnounced(state: State): void {
   const now = shownRun(state);
   if (!next || !next.described) return;
   const ended = next.state !== "running";
-  const atEnd = now === null || state.t >= now.tEnd - 1e-9;
+  const atEnd = now === null || isAtEnd(state, now);
   if (next === now) return;
   if (now && !ended && (atEnd || next.tEnd < state.t)) return;
   if (now && next.parent !== now.id) state.comparison = null;
   state.shown = next.id;
+  next.followsEnd = atEnd;
   state.instant = null;
   state.t = atEnd ? next.tEnd : Math.min(state.t, next.tEnd);
 }

@@ -63,6 +63,8 @@ export class Run {
   pictures: ReadonlyMap<string, SeenPicture> = new Map();
   taken = 0; // number of pictures that its cameras took
   described = false;
+  // Whether the end was shown when this run took the place of the one before; a run that has only begun looks as if it were at its end.
+  followsEnd = true;
   // Counts received messages, so that views notice changes.
   version = 0;
 

@@ -16,7 +16,8 @@ export interface State {
   connection: "connecting" | "open" | "lost";
   connectionNote: string;
   welcome: M.Welcome | null;
-  control: { holder: number | null; pages: number[]; wishes: number[] };
+  // names: of the people, by the number of the page; null: the laboratory knows none.
+  control: { holder: number | null; pages: number[]; wishes: number[]; names: Record<string, string> | null };
   // The program: the text of the editor and the text of the laboratory.
   text: string;
   textVersion: number;
@@ -52,6 +53,8 @@ export interface State {
   // The pose nearest to the last refused goal of the tool; null: the last one was accepted.
   nearest: (M.Nearest & { robot: number }) | null;
   message: string;
+  // The number of keys that were typed into the program while another page was in control.
+  refusedKeys: number;
   // Whether plots are shown below the time bar, with its scale.
   plotsBelow: boolean;
 }
@@ -61,7 +64,7 @@ export function initialState(): State {
     connection: "connecting",
     connectionNote: "",
     welcome: null,
-    control: { holder: null, pages: [], wishes: [] },
+    control: { holder: null, pages: [], wishes: [], names: null },
     text: "",
     textVersion: 0,
     textFrom: 0,
@@ -87,6 +90,7 @@ export function initialState(): State {
     refusals: new Map(),
     nearest: null,
     message: "",
+    refusedKeys: 0,
     plotsBelow: false,
   };
 }

@@ -227,7 +227,7 @@ export class TimeBar {
   private drawTicks(c: CanvasRenderingContext2D, color: (name: string) => string, run: Run, bottom: number, state: State): void {
     for (const tick of this.ticks) {
       const x = this.x(tick.t);
-      c.fillStyle = tick.kind === "message" ? color("--warning") : tick.kind === "advice" ? color("--s4") : color("--text");
+      c.fillStyle = tick.kind === "message" ? color("--error") : tick.kind === "advice" ? color("--s4") : color("--text");
       c.beginPath();
       c.moveTo(x - 3.5, RULER - 5);
       c.lineTo(x + 3.5, RULER - 5);
@@ -236,7 +236,7 @@ export class TimeBar {
     }
     if (run.error) {
       const x = this.x(run.error.t);
-      c.strokeStyle = c.fillStyle = color("--warning");
+      c.strokeStyle = c.fillStyle = color("--error");
       c.lineWidth = 2;
       c.beginPath();
       c.moveTo(x, RULER);

@@ -1,4 +1,4 @@
-// Play and speed, in the header; steps, beside the state of the program.
+// Play, speed and the instant, at the left end of the time bar; steps, beside the panels of the program.
 import { el, setText } from "../dom/dom.ts";
 import { icon, type IconName } from "../dom/icons.ts";
 import type { StepHow } from "../protocol/messages.ts";
@@ -15,7 +15,7 @@ export function transport(host: HTMLElement, store: Store, intents: Intents): vo
   const speed = el("select", { "aria-label": "Speed", onchange: () => store.change((s) => (s.speed = Number(speed.value))) });
   speed.append(...SPEEDS.map((x) => el("option", { value: x, selected: x === 1 }, `${x}×`)));
   const time = el("output", { class: "time", "aria-label": "Instant" });
-  host.append(el("div", { class: "transport", role: "toolbar", "aria-label": "Time" }, play, speed, start, end, time));
+  host.append(el("div", { class: "transport", role: "toolbar", "aria-label": "Play" }, start, play, end, speed, time));
   store.watch(
     (s) => [s.playing, s.t, s.shown, shownRun(s)?.version],
     (s) => {
