@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/image/files.hpp"
 
@@ -42,6 +43,8 @@ void FrameFiles::write(ImageFrame frame) {
                                       frame.pixels.size()));
     std::ranges::copy(frame.pixels, image.row(0));
     const std::string name = frame_file_name(frame);
+    // The steps of a program do not depend on what is written about it.
+    const Supervised nobody(nullptr);
     if (const auto failed = folder_->save(name, write_png(image))) {
       error_ =
           fmt::format("The picture {}/{} cannot be written: {}.", path_, name, failed->message);

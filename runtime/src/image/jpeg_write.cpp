@@ -6,6 +6,7 @@
 //
 #include <fmt/format.h>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
 #include "armlet/image/check_kind.hpp"
 #include "armlet/image/files.hpp"
@@ -13,7 +14,12 @@
 namespace armlet {
 namespace {
 
+// Operations, for a byte of the pixels and for one of the file.
+constexpr std::uint64_t kOfPixels = 8, kOfFile = 64;
+
+// Is called for some 64 bytes of the file; the encoder holds no memory when a checkpoint stops it.
 void append(void* bytes, void* data, int size) {
+  checkpoint(kOfFile * static_cast<std::uint64_t>(size));
   static_cast<std::string*>(bytes)->append(static_cast<const char*>(data),
                                            static_cast<std::size_t>(size));
 }
@@ -25,6 +31,7 @@ std::string write_jpeg(const Image& image, int quality) {
   if (quality < 1 || quality > 100)
     throw ArgumentError(
         fmt::format("`quality` of `write_jpeg` is {}; expected 1 to 100.", quality));
+  checkpoint(kOfPixels * image.bytes().size());
   std::string bytes;
   stbi_write_jpg_to_func(append, &bytes, image.width(), image.height(), image.channels(),
                          image.bytes().data(), quality);

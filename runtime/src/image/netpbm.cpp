@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/image/check_kind.hpp"
 #include "armlet/image/files.hpp"
 #include "image/read_formats.hpp"
@@ -80,7 +81,9 @@ Result<Image> read_values(const Header& header, Reader& reader, std::string_view
               header.channels == 3 ? PixelKind::kRgb : PixelKind::kGrey);
   const std::size_t first = reader.at();
   std::uint8_t* out = image.row(0);
+  constexpr std::size_t kBlock = 4096;  // values between two checkpoints
   for (std::size_t i = 0; i < count; ++i) {
+    if (i % kBlock == 0) checkpoint(4 * kBlock);
     const int value = header.is_text ? reader.number() : binary_value(bytes, first, size, i);
     if (value < 0 || value > header.most) {
       return error(fmt::format("Value {} of the {} file, before byte {}, is {}; expected 0 to {}.",
@@ -124,6 +127,7 @@ Result<Image> read_netpbm(std::string_view bytes) {
 
 std::string write_netpbm(const Image& image) {
   check_8_bit("write_netpbm", image);
+  checkpoint(image.bytes().size());
   std::string bytes = fmt::format("P{}\n{} {}\n255\n", image.channels() == 3 ? 6 : 5, image.width(),
                                   image.height());
   bytes.append(reinterpret_cast<const char*>(image.bytes().data()), image.bytes().size());

@@ -15,6 +15,8 @@
 namespace armlet {
 namespace {
 
+constexpr std::size_t kBlock = 1U << 16U;  // bytes between two checkpoints
+
 void append_word(std::string& out, std::uint32_t word) {
   for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(word >> shift & 0xffU);
 }
@@ -32,16 +34,19 @@ constexpr std::array<std::uint32_t, 256> kRemainders = [] {
 
 std::uint32_t crc(std::string_view bytes) {
   std::uint32_t word = 0xffffffffU;
-  for (const char byte : bytes)
-    word = kRemainders[(word ^ static_cast<std::uint8_t>(byte)) & 0xffU] ^ (word >> 8U);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (i % kBlock == 0) checkpoint(2 * kBlock);
+    word = kRemainders[(word ^ static_cast<std::uint8_t>(bytes[i])) & 0xffU] ^ (word >> 8U);
+  }
   return ~word;
 }
 
 std::uint32_t adler(std::string_view bytes) {
   constexpr std::uint32_t kBase = 65521;
   std::uint32_t a = 1, b = 0;
-  for (const char byte : bytes) {
-    a = (a + static_cast<std::uint8_t>(byte)) % kBase;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (i % kBlock == 0) checkpoint(2 * kBlock);
+    a = (a + static_cast<std::uint8_t>(bytes[i])) % kBase;
     b = (b + a) % kBase;
   }
   return b << 16U | a;
@@ -105,7 +110,12 @@ std::string compressed(std::string_view bytes) {
   FixedCodes codes;
   codes.bits(1, 1);  // the last block
   codes.bits(1, 2);  // with fixed codes
+  std::size_t looked = 0;
   for (std::size_t i = 0; i < bytes.size();) {
+    if (i >= looked) {
+      checkpoint(8 * kBlock);
+      looked = i + kBlock;
+    }
     unsigned run = 0;
     while (i > 0 && run < 258 && i + run < bytes.size() && bytes[i + run] == bytes[i - 1]) ++run;
     if (run >= 3) {
@@ -128,6 +138,7 @@ std::string filtered(const Image& image) {
   std::string out;
   std::array<std::string, 2> rows;
   for (int y = 0; y < image.height(); ++y) {
+    checkpoint(4 * size);
     const std::uint8_t* now = image.row(y);
     const std::uint8_t* above =
         y > 0 ? image.row(y - 1) : reinterpret_cast<const std::uint8_t*>(nothing.data());
@@ -151,8 +162,6 @@ std::string filtered(const Image& image) {
 
 std::string plain_png(const Image& image) {
   check_8_bit("plain_png", image);
-  constexpr std::uint64_t kCost = 16;  // operations for a byte
-  checkpoint(kCost * image.bytes().size());
   std::string head;
   append_word(head, static_cast<std::uint32_t>(image.width()));
   append_word(head, static_cast<std::uint32_t>(image.height()));

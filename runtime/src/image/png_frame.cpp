@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include "armlet/core/checkpoint.hpp"
 #include "image/read_formats.hpp"
 
 namespace armlet {
@@ -8,6 +9,7 @@ namespace {
 
 // The CRC of a chunk.
 std::uint32_t checksum(std::string_view bytes) {
+  checkpoint(bytes.size());
   const auto* const first = reinterpret_cast<const Bytef*>(bytes.data());
   return static_cast<std::uint32_t>(crc32(0, first, static_cast<uInt>(bytes.size())));
 }

@@ -7,6 +7,7 @@
 #include "armlet/stdlib/host.hpp"
 #include "rules/rules_settings.hpp"
 #include "values/setting_words.hpp"
+#include "values/world/cameras.hpp"
 #include "values/world/pictures.hpp"
 #include "vision/picture_files.hpp"
 
@@ -38,9 +39,7 @@ Answer<Image> load_image(Vm& vm, std::string_view file) try {
   if (!charge_work(vm, kCost * (bytes->size() + pixels))) return Failed{};
   Result<Image> image = read_image(*bytes);
   if (!image.ok()) {
-    std::string why = image.error().message;
-    if (why.ends_with('.')) why.pop_back();
-    return bad_picture(vm, file, std::move(why), 0);
+    return bad_picture(vm, file, clause_of(image.error()), 0);
   }
   if (std::int64_t{image->width()} * image->height() > kMostPixels) {
     return bad_picture(
@@ -83,8 +82,7 @@ Answer<void> save_picture(Vm& vm, const Image& image, std::string_view file, int
                                : "it is RGB, and .pgm files are grey: take .ppm or .png",
                        parameter);
   }
-  constexpr std::uint64_t kEachValue = 32;  // operations
-  const auto bytes = with_pictures(vm, kEachValue * bytes_of(image), [&] {
+  const auto bytes = with_pictures(vm, 0, [&] {
     if (path.ends_with(".png")) return write_png(image);
     return path.ends_with(".jpg") || path.ends_with(".jpeg") ? write_jpeg(image)
                                                              : write_netpbm(image);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/image/files.hpp"
 #include "armlet/interpreter/host/tasks.hpp"
 #include "armlet/stdlib/host.hpp"
@@ -35,7 +36,10 @@ Answer<std::optional<Image>> given_frame(Vm& vm, const Camera& camera, std::uint
   const auto bytes = host.host_frame(asked);
   if (!bytes) return std::optional<Image>();
   if (!bytes->ok()) return fail_frame(vm, asked, bytes->error().message);
-  Result<Image> image = read_image(**bytes);
+  Result<Image> image = [&] {
+    const Supervised nobody(nullptr);  // a replay, which has the pixels, takes as many steps
+    return read_image(**bytes);
+  }();
   if (!image.ok()) return fail_frame(vm, asked, image.error().message);
   if (image->width() != lens.width || image->height() != lens.height) {
     return fail_frame(vm, asked,

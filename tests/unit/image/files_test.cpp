@@ -7,10 +7,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <random>
 #include <sstream>
 
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/core/error.hpp"
+#include "armlet/image/plain_png.hpp"
 #include "random_image.hpp"
 #include "refusal_of.hpp"
 
@@ -250,6 +253,45 @@ TEST_CASE("any bytes give a picture or a sentence") {
   }
   CHECK(pictures > 100);
   CHECK(pictures < 2900);
+}
+
+TEST_CASE("work on files can be stopped, several times in each pass over the pixels") {
+  // Counts operations, each about a nanosecond, and stops when `left` of them are done.
+  class Watch final : public Supervisor {
+   public:
+    explicit Watch(std::uint64_t left) : left_(left) {}
+    bool go_on(std::uint64_t operations) override {
+      longest_ = std::max(longest_, operations);
+      done_ += operations;
+      return done_ <= left_;
+    }
+    [[nodiscard]] std::uint64_t longest() const { return longest_; }
+    [[nodiscard]] std::uint64_t done() const { return done_; }
+
+   private:
+    std::uint64_t left_, longest_ = 0, done_ = 0;
+  };
+  std::mt19937_64 generator(3);
+  const Image image = random_image(generator, 1024, 1024, PixelKind::kRgb);
+  const std::string png = write_png(image), jpeg = write_jpeg(image);
+  const std::function<void()> works[] = {
+      [&] { (void)write_png(image); }, [&] { (void)write_jpeg(image); },
+      [&] { (void)plain_png(image); }, [&] { (void)read_image(png); },
+      [&] { (void)read_image(jpeg); }};
+  for (const auto& work : works) {
+    Watch whole(UINT64_MAX);
+    {
+      const Supervised watch(&whole);
+      work();
+    }
+    CHECK(whole.done() > 10'000'000);  // some operations for each value
+    CHECK(whole.longest() < 30'000'000);
+    for (const std::uint64_t share : {0, 1, 2}) {
+      Watch some(whole.done() * share / 3);
+      const Supervised watch(&some);
+      CHECK_THROWS_AS(work(), Stopped);
+    }
+  }
 }
 
 TEST_CASE("pictures of depths and qualities out of range are refused in words") {

@@ -7,6 +7,7 @@
 
 #include "armlet/camera/colors.hpp"
 #include "armlet/camera/surfaces.hpp"
+#include "armlet/core/checkpoint.hpp"
 #include "armlet/image/files.hpp"
 #include "armlet/math/rotation.hpp"
 #include "armlet/model/joint_coupling.hpp"
@@ -141,6 +142,8 @@ const SceneBody& Cameras::Surfaces::body_of(const Object& object) {
                  .surface = std::make_shared<const Surface>(surface_of(object.shape)),
                  .materials = {plain, plain}};
   if (object.texture != nullptr) {
+    // Decoded once, perhaps for a page: the steps of a program do not depend on it.
+    const Supervised nobody(nullptr);
     // An object whose texture cannot be decoded has its plain colour.
     if (const Result<Image> picture = read_image(*object.texture); picture.ok())
       body.materials[kPicturedMaterial] = {.color = {1.0F, 1.0F, 1.0F},
