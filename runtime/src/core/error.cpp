@@ -16,7 +16,8 @@ void check_size(std::string_view name, std::ptrdiff_t given, std::ptrdiff_t expe
 
 void check_finite(std::string_view name, double value) {
   if (std::isfinite(value)) return;
-  throw ArgumentError(fmt::format("`{}` is {}; it must be a finite number.", name, value));
+  throw ArgumentError(fmt::format("`{}` is {}; it must be a finite number.", name,
+                                  std::isnan(value) ? std::abs(value) : value));
 }
 
 void check_positive(std::string_view name, double value) {

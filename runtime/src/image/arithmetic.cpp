@@ -44,7 +44,7 @@ Image combined(const Image& a, const Image& b, OfBytes of_bytes, OfDepths of_dep
 }  // namespace
 
 Image to_grey(const Image& image) {
-  check_8_bit("to_grey", image);
+  check_8_bit("gray", image);
   if (image.kind() == PixelKind::kGrey) return image;
   Image grey(image.width(), image.height(), PixelKind::kGrey);
   for (int y = 0; y < image.height(); ++y) {

@@ -109,7 +109,7 @@ class GaussianBlur {
 }  // namespace
 
 Image box_blurred(const Image& image, int radius) {
-  check_8_bit("box_blurred", image);
+  check_8_bit("boxBlur", image);
   check_picture_parameter("boxBlur", "radius", radius);
   if (radius == 0) return image;
   const std::size_t channels = static_cast<std::size_t>(image.channels());
@@ -148,7 +148,7 @@ Image box_blurred(const Image& image, int radius) {
 }
 
 Image gaussian_blurred(const Image& image, double sigma) {
-  check_8_bit("gaussian_blurred", image);
+  check_8_bit("blur", image);
   check_picture_parameter("blur", "sigma", sigma);
   // Below this every weight except the central one rounds to 0.
   constexpr double kLeastSigma = 0.2;

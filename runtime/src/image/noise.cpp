@@ -41,7 +41,7 @@ std::vector<float> upper_quantiles() {
 }  // namespace
 
 void add_noise(Image& image, double sigma, Random& random) {
-  check_8_bit("add_noise", image);
+  check_8_bit("noise", image);
   check_picture_parameter("noise", "sigma", sigma);
   if (sigma == 0.0) return;
   static const std::vector<float> kQuantiles = upper_quantiles();

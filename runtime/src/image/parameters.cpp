@@ -198,13 +198,18 @@ const PictureParameter& picture_parameter(std::string_view function, std::string
 }
 
 void check_picture_parameter(std::string_view function, std::string_view parameter, double value) {
-  const PictureParameter& row = picture_parameter(function, parameter);
+  check_picture_parameter_as(function, parameter, picture_parameter(function, parameter), value);
+}
+
+void check_picture_parameter_as(std::string_view function, std::string_view parameter,
+                                const PictureParameter& row, double value) {
   const bool must_be_whole = row.kind != kNumber;
   // Comparisons with NaN are false, so NaN is refused too.
   if (value >= row.least && value <= row.most && (!must_be_whole || value == std::floor(value)))
     return;
   throw ArgumentError(fmt::format("`{}` of `{}` is {}; expected {}{}{}.", parameter, function,
-                                  value, range_of(row), row.unit.empty() ? "" : " ", row.unit));
+                                  std::isnan(value) ? std::abs(value) : value, range_of(row),
+                                  row.unit.empty() ? "" : " ", row.unit));
 }
 
 }  // namespace armlet

@@ -213,7 +213,7 @@ class Regions {
 
 std::vector<Blob> find_blobs(const Image& mask, const Image& picture, const BlobOptions& options) {
   check_grey("find_blobs", mask);
-  check_8_bit("find_blobs", picture);
+  check_8_bit("blobs", picture);
   check_picture_parameter("blobs", "minArea", options.min_area);
   if (mask.width() != picture.width() || mask.height() != picture.height()) {
     throw ArgumentError(
@@ -227,7 +227,7 @@ std::vector<Blob> find_blobs(const Image& mask, const Image& picture, const Blob
 }
 
 Image color_mask(const Image& picture, std::array<std::uint8_t, 3> color, int tolerance) {
-  check_8_bit("color_mask", picture);
+  check_8_bit("blobs", picture);
   check_picture_parameter("blobs", "tolerance", tolerance);
   Image mask(picture.width(), picture.height(), PixelKind::kGrey);
   const int channels = picture.channels();

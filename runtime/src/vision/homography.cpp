@@ -16,6 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 constexpr Index kBlock = 64;               // points whose equations are processed at once
 constexpr double kSmallestSecond = 1e-10;  // relative bound on a singular value of the equations
@@ -60,6 +61,23 @@ PlanePoints normalised(const Matrix3d& T, const PlanePoints& points) {
   return out;
 }
 
+// Products of larger coordinates could overflow.
+void check_range(std::string_view name, const PlanePoints& points) {
+  constexpr double kMost = 1e100;
+  const double largest = points.cwiseAbs().maxCoeff();
+  if (largest <= kMost) return;
+  throw ArgumentError(fmt::format("The largest coordinate of `{}` is {:g}; expected at most {:g}.",
+                                  name, largest, kMost));
+}
+
+// Why points of one picture determine no homography; empty: they are not at fault by themselves.
+std::string fault_of(std::string_view use, const Matrix3d& T, const PlanePoints& points) {
+  if (T.isZero(0.0)) return fmt::format("the points to {} are all at one place", use);
+  const VectorXd s = singular_values(normalised(T, points)).s;
+  if (s[1] >= kSmallestSecond * s[0]) return {};
+  return fmt::format("the points to {} are all on one line", use);
+}
+
 }  // namespace
 
 Result<Matrix3d> homography(const PlanePoints& from, const PlanePoints& to) {
@@ -71,14 +89,20 @@ Result<Matrix3d> homography(const PlanePoints& from, const PlanePoints& to) {
   }
   check_finite("from", from);
   check_finite("to", to);
-  const Error degenerate{"degenerate",
-                         "the points do not determine a homography: three of any four of them "
-                         "must not be on one line"};
+  check_range("from", from);
+  check_range("to", to);
   const Matrix3d T_from = normaliser(from), T_to = normaliser(to);
-  if (T_from.isZero(0.0) || T_to.isZero(0.0)) return degenerate;
+  const auto undetermined = [&] {
+    std::string why = fault_of("map from", T_from, from);
+    if (why.empty()) why = fault_of("map to", T_to, to);
+    if (why.empty())
+      why = "a homography needs four pairs of points of which no three are on one line";
+    return Error{"degenerate", why};
+  };
+  if (T_from.isZero(0.0) || T_to.isZero(0.0)) return undetermined();
   const SvdParts parts =
       full_singular_values(triangle_of_equations(normalised(T_from, from), normalised(T_to, to)));
-  if (parts.s[7] < kSmallestSecond * parts.s[0]) return degenerate;
+  if (parts.s[7] < kSmallestSecond * parts.s[0]) return undetermined();
   const Eigen::VectorXd h = parts.V.col(8);
   Matrix3d N;
   N << h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7], h[8];
@@ -89,7 +113,7 @@ Result<Matrix3d> homography(const PlanePoints& from, const PlanePoints& to) {
   const double last = H(2, 2), size = H.norm();
   H /= std::abs(last) > 1e-12 * size ? last : size;
   // A map onto a line is not a homography.
-  if (std::abs(N.determinant()) < kSmallestSecond) return degenerate;
+  if (std::abs(N.determinant()) < kSmallestSecond) return undetermined();
   return H;
 }
 

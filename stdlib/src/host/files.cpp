@@ -48,6 +48,9 @@ Result<fs::path> Host::write(const FileKind& kind, const std::string& name,
   if (!name.empty() && std::ranges::none_of(kind.endings, ends_so)) {
     return refuse(fmt::format("{} is a {} file", kind.what, fmt::join(kind.endings, " or ")));
   }
+  const std::string_view last = std::string_view(name).substr(name.find_last_of('/') + 1);
+  if (std::ranges::find(kind.endings, last) != kind.endings.end())
+    return refuse(fmt::format("a name before {} is missing", last));
   const Result<Folder> folder = Folder::open(options_.folder.string());
   if (!folder.ok()) return refuse("the folder of the program cannot be opened");
   const Result<std::string> clean = folder->clean(name);

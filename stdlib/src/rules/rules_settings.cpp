@@ -48,12 +48,15 @@ std::optional<Fix> meant_word(std::string_view written, const std::vector<std::s
              .confidence = Confidence::kMaybe};
 }
 
-void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words) {
+void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words,
+                 std::string_view setting) {
   const auto constant = written(call, parameter);
   if (!constant || constant->kind != Constant::Kind::kText ||
       std::ranges::find(words, constant->text) != words.end())
     return;
-  Diagnostic out = refused(call, parameter, choice_of(words), '"' + constant->text + '"');
+  std::string accepted = choice_of(words);
+  if (!setting.empty()) accepted += fmt::format(" for `{}`", setting);
+  Diagnostic out = refused(call, parameter, std::move(accepted), '"' + constant->text + '"');
   out.fix = meant_word(constant->text, {words.begin(), words.end()}, call.span(parameter));
   call.report(std::move(out));
 }
@@ -64,10 +67,15 @@ void check_method_word(CheckCall& call, int parameter) {
 
 void check_endings(CheckCall& call, int parameter, std::span<const std::string_view> endings) {
   const auto constant = written(call, parameter);
-  if (!constant || constant->kind != Constant::Kind::kText ||
-      std::ranges::any_of(endings, [&](std::string_view ending) {
-        return std::string_view(constant->text).ends_with(ending);
-      }))
+  if (!constant || constant->kind != Constant::Kind::kText) return;
+  const std::string_view text = constant->text;
+  const std::string_view name = text.substr(text.find_last_of('/') + 1);
+  if (std::ranges::find(endings, name) != endings.end()) {
+    call.report(refused(call, parameter, fmt::format("a name before \"{}\"", name),
+                        '"' + constant->text + '"'));
+    return;
+  }
+  if (std::ranges::any_of(endings, [&](std::string_view ending) { return text.ends_with(ending); }))
     return;
   call.report(refused(call, parameter, "a file that ends with " + choice_of(endings),
                       '"' + constant->text + '"'));

@@ -21,7 +21,10 @@ namespace armlet::bind {
 [[nodiscard]] std::string choice_of(std::span<const std::string_view> words);
 
 // Checks a text that must be one of some words.
-void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words);
+//
+// setting  the name that the message gives; empty: none.
+void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words,
+                 std::string_view setting = {});
 template <int kParameter, const auto& kWords>
 void check_word(CheckCall& call) {
   check_words(call, kParameter, kWords);

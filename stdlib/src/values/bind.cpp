@@ -47,6 +47,9 @@ Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t
 
 std::string clause_of(const std::exception& error) {
   std::string sentence = error.what();
+  // A number that is none has no sign.
+  for (std::size_t at = sentence.find("-nan"); at != sentence.npos; at = sentence.find("-nan", at))
+    sentence.erase(at, 1);
   if (sentence.ends_with('.')) sentence.pop_back();
   // A capital at the start becomes a small letter, unless a second capital follows.
   if (sentence.size() > 1 && std::isupper(static_cast<unsigned char>(sentence[0])) != 0 &&

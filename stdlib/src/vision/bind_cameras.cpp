@@ -125,7 +125,7 @@ constexpr int kRate = 15;
 // kShift  number of additional parameters.
 template <int kShift>
 void check_camera(CheckCall& call) {
-  check_words(call, kLight + kShift, kLightWords);
+  check_words(call, kLight + kShift, kLightWords, "light");
   note_rate(call, kRate + kShift);
 }
 

@@ -266,10 +266,36 @@ Answer<Obj*> blobs(Vm& vm, const Image& image, std::int64_t min_area,
 
 // ---- planes
 
+// The rows of a matrix as points, with finite coordinates.
+Answer<PlanePoints> points_in_plane(Vm& vm, const MatrixObj& matrix, int parameter,
+                                    std::string_view name) {
+  if (matrix.cols != 2) {
+    return failure(vm, "R0613",
+                   fmt::format("points are the rows of an N x 2 matrix, x first; `{}` is {} x {}",
+                               name, matrix.rows, matrix.cols),
+                   parameter);
+  }
+  const PlanePoints points = Eigen::Map<const PlanePoints>(matrix.data(), matrix.rows, 2);
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    if (!std::isfinite(points.data()[i]))
+      return not_finite(vm,
+                        fmt::format("{} of point {} of `{}`", i % 2 == 0 ? "x" : "y", i / 2, name),
+                        points.data()[i], parameter);
+  }
+  return points;
+}
+
 Answer<Eigen::Matrix3d> homography_of(Vm& vm, const MatrixObj& a, const MatrixObj& b) try {
-  const auto from = pixels_of(vm, a, 0);
-  const auto to = from ? pixels_of(vm, b, 1) : Failed{};
+  const auto from = points_in_plane(vm, a, 0, "a");
+  const auto to = from ? points_in_plane(vm, b, 1, "b") : Failed{};
   if (!to || !charge_work(vm, 1000 * from->rows())) return Failed{};
+  if (from->rows() != to->rows()) {
+    return failure(vm, "R0613",
+                   fmt::format("`a` has {} points and `b` {}; row i of the one belongs to row i of "
+                               "the other",
+                               from->rows(), to->rows()),
+                   1);
+  }
   const auto H = homography(*from, *to);
   if (!H) return undetermined(vm, H.error());
   return *H;
@@ -282,6 +308,13 @@ Answer<RecordObj*> pose_from_points(Vm& vm, const CameraRef& c, const MatrixObj&
   const auto pixels = pixels_of(vm, matrix, 1);
   const auto points = pixels ? points_of(vm, rows, 2) : Failed{};
   if (!points) return Failed{};
+  if (pixels->rows() != points->rows()) {
+    return failure(vm, "R0613",
+                   fmt::format("`pixels` has {} rows and `points` {}; row i of the one belongs to "
+                               "row i of the other",
+                               pixels->rows(), points->rows()),
+                   2);
+  }
   return flat_pose(vm, c, *pixels, *points);
 }
 

@@ -81,12 +81,17 @@ Answer<Obj*> store_at(Vm& vm, Slot picture, PixelKind kind, std::int64_t x, std:
   if (image.kind() != kind) {
     constexpr std::string_view kStores[] = {"a number from 0 to 255", "a colour, rgb(r, g, b)",
                                             "a length"};
-    return fail_picture(
-        vm,
-        fmt::format("a picture of {} takes {}", size_of(image),
-                    kStores[static_cast<int>(image.kind())]),
-        kStored,
-        image.kind() == PixelKind::kDepth ? "" : fmt::format("it is {}", kind_of(image.kind())));
+    constexpr std::string_view kFixes[] = {
+        "store the grey level alone, or make an RGB picture: image(m, m, m) of m = matrix(img)",
+        "store rgb(r, g, b), or make a grey picture: gray(img)", ""};
+    const auto is = static_cast<std::size_t>(image.kind());
+    Failure f;
+    f.headline = {row("R0681"),
+                  {fmt::format("a pixel of a picture of {}, {}, takes {}", size_of(image),
+                               kind_of(image.kind()), kStores[is])}};
+    f.mark_parameter = kStored;
+    f.fix = kFixes[is];
+    return fail(vm, std::move(f));
   }
   PictureValue* own = own_picture(vm, picture);
   if (own == nullptr) return Failed{};
@@ -120,7 +125,9 @@ Answer<Obj*> store_color(Vm& vm, Slot picture, std::int64_t x, std::int64_t y,
 
 Answer<Obj*> store_depth(Vm& vm, Slot picture, std::int64_t x, std::int64_t y, double value) {
   if (!(value >= 0.0 && value <= 1e6))
-    return fail_picture(vm, fmt::format("{} m is no depth; expected 0 m to 1000 km", value),
+    return fail_picture(vm,
+                        fmt::format("{} is no depth; expected 0 m to 1000 km",
+                                    std::isnan(value) ? "nan" : fmt::format("{} m", value)),
                         kStored);
   return store_at(vm, picture, PixelKind::kDepth, x, y, [&](Image& image) {
     image.depth_row(static_cast<int>(y))[x] = static_cast<float>(value);
@@ -167,7 +174,8 @@ Answer<Image> sum(Vm& vm, const Image& a, const Image& b) {
 }
 Answer<Image> times(Vm& vm, const Image& image, double factor) {
   if (!(factor >= 0.0 && factor <= 1e6))
-    return fail_picture(vm, fmt::format("{} is no factor; expected 0 to 1000000", factor));
+    return fail_picture(vm, fmt::format("{} is no factor; expected 0 to 1000000",
+                                        std::isnan(factor) ? std::abs(factor) : factor));
   return with_pictures(vm, 4 * values_of(image), [&] { return scaled(image, factor); });
 }
 Answer<Image> of_times(Vm& vm, double factor, const Image& image) {
@@ -263,10 +271,12 @@ Answer<void> fill_channel(Vm& vm, const MatrixObj& A, int parameter, int channel
   };
   if (in_blocks(vm, A.rows, 4 * A.cols, fill)) return {};
   if (bad == count_of(A)) return Failed{};
-  return fail_picture(vm,
-                      fmt::format("element [{}, {}] is {}; grey levels go from 0 to 255",
-                                  bad / A.cols, bad % A.cols, A.data()[bad]),
-                      parameter);
+  const double level = A.data()[bad];
+  return fail_picture(
+      vm,
+      fmt::format("element [{}, {}] is {}; grey levels go from 0 to 255", bad / A.cols,
+                  bad % A.cols, std::isnan(level) ? std::abs(level) : level),
+      parameter);
 }
 
 Answer<Image> from_matrix(Vm& vm, const MatrixObj& A) {

@@ -60,6 +60,11 @@ bool mentions_pi(std::string_view text) {
   return false;
 }
 
+// A time of which a whole number hardly counts seconds: from one picture or sample to the next.
+bool is_short_time(std::string_view name) {
+  return name == "period" || name == "every" || name == "step";
+}
+
 }  // namespace
 
 void plain_number_for_quantity(Checker& checker, const hir::Expr& value, const Target& target) {
@@ -83,8 +88,13 @@ void plain_number_for_quantity(Checker& checker, const hir::Expr& value, const T
     // 0.3 for a length or a speed hardly means a third of a millimetre.
     const bool is_small = constant && std::abs(constant->real) < 1.0;
     const bool metres = target.type->dim == dims::kLength || target.type->dim == dims::kSpeed;
-    const std::string written = text + (is_small && metres ? si_unit(target.type->dim) : unit);
+    const bool is_short = target.type->dim == dims::kTime && is_short_time(target.name);
+    const bool is_milli = is_short && constant && std::abs(constant->real) >= 1.0;
+    const std::string written = text + (is_milli             ? "ms"
+                                        : is_small && metres ? si_unit(target.type->dim)
+                                                             : unit);
     out.fix = Fix{.text = "write " + written, .edits = {{value.span, written}}};
+    if (is_milli) out.fix->text += ", or " + text + unit + " if seconds are meant";
     const double turns = constant ? std::abs(constant->real) / (2.0 * std::numbers::pi) : 0.0;
     if (target.type->dim == dims::kAngle && turns >= 1.0) {
       out.fix->text += " (or " + text + "rad, which is more than " +

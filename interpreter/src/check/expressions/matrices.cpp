@@ -304,12 +304,17 @@ hir::Stmt* assign_part(Checker& checker, const ast::IndexExpr& target,
 std::optional<Fix> matrix_operator_fix(const Checker& checker, const ast::BinaryExpr& node,
                                        const hir::Expr& left, const hir::Expr& right) {
   const bool sum = node.op == ast::BinaryOp::kAdd || node.op == ast::BinaryOp::kSub;
-  if (sum && left.type->is(Kind::kMatrix) && right.type->is_number() &&
-      left.kind == ExprKind::kVariable) {
-    const std::string A = checker.text_of(left.span);
+  const bool is_left = left.type->is(Kind::kMatrix);
+  const hir::Expr& matrix = is_left ? left : right;
+  const hir::Expr& number = is_left ? right : left;
+  if (sum && matrix.type->is(Kind::kMatrix) && number.type->is_number()) {
+    const bool is_variable = matrix.kind == ExprKind::kVariable;
+    const std::string A = is_variable ? checker.text_of(matrix.span) : "m";
     const std::string all = "ones(" + A + ".rows, " + A + ".cols)";
-    const std::string each = as_operand(checker.text_of(right.span)) + " * " + all;
-    return Fix{.text = "to every element: " + each, .edits = {{right.span, each}}};
+    const std::string each = as_operand(checker.text_of(number.span)) + " * " + all;
+    if (is_variable)
+      return Fix{.text = "to every element: " + each, .edits = {{number.span, each}}};
+    return Fix{.text = "for every element, name the matrix m and write " + each};
   }
   if (!right.type->is(Kind::kMatrix)) return std::nullopt;
   const std::string a = as_operand(checker.text_of(left.span));

@@ -412,8 +412,12 @@ hir::Expr* no_operator(Checker& checker, const ast::BinaryExpr& node, const hir:
   diagnostic.related.push_back({left.span, type_name(left.type)});
   diagnostic.related.push_back({right.span, type_name(right.type)});
   diagnostic.fix = matrix_operator_fix(checker, node, left, right);
-  if (!diagnostic.fix && node.op == BinaryOp::kAdd &&
-      has_operator(checker, "operator*", left, right)) {
+  // Of two poses; a product with a number is a multiple.
+  const auto is_placed = [](const Type* type) {
+    return !type->is_number() && !type->is(Kind::kMatrix);
+  };
+  if (!diagnostic.fix && node.op == BinaryOp::kAdd && is_placed(left.type) &&
+      is_placed(right.type) && has_operator(checker, "operator*", left, right)) {
     const std::string product =
         as_operand(checker.text_of(left.span)) + " * " + as_operand(checker.text_of(right.span));
     diagnostic.fix = Fix{.text = "to put one behind the other, write " + product,

@@ -45,7 +45,13 @@ std::string ordinal(int position) {
       "first", "second",  "third",  "fourth", "fifth",
       "sixth", "seventh", "eighth", "ninth",  "tenth"};
   if (position >= 1 && position <= 10) return std::string(kWords[position - 1]);
-  return std::to_string(position) + "th";
+  const int last = position % 10;
+  const bool teen = position % 100 >= 11 && position % 100 <= 13;
+  const char* const ending = teen || last == 0 || last > 3 ? "th"
+                             : last == 1                   ? "st"
+                             : last == 2                   ? "nd"
+                                                           : "rd";
+  return std::to_string(position) + ending;
 }
 
 }  // namespace
@@ -122,8 +128,9 @@ Diagnostic host_value_needed(const Checker& checker, const hir::Expr& value, con
   out.mark.label = "this is " + type_phrase(value.type);
   if (!host.use.empty()) out.why = in_backticks(target.function) + ' ' + std::string(host.use);
   if (!constructible) return out;
-  const std::string made =
-      "new " + std::string(host.name) + '(' + checker.text_of(value.span) + ')';
+  // What the classic style calls an object is made with `new`.
+  const std::string made = (host.use.empty() ? "" : "new ") + std::string(host.name) + '(' +
+                           checker.text_of(value.span) + ')';
   const Span before{target.call.begin, value.span.begin, value.span.source};
   Span after{value.span.end, target.call.end, value.span.source};
   if (checker.text_of({after.end, after.end + 1, after.source}) == ";") ++after.end;
@@ -177,8 +184,8 @@ hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& targ
     quantity_for_number(checker, value);
   } else if (want->is_quantity() && have->is_quantity()) {
     other_quantity(checker, value, target);
-  } else if (target.role == Target::Role::kArgument && want->is(Kind::kHost) &&
-             !want->host->noun.empty()) {
+  } else if (target.role == Target::Role::kArgument && target.position >= 1 &&
+             want->is(Kind::kHost) && !want->host->noun.empty()) {
     checker.report(host_value_needed(checker, value, target, is_made_from(checker, want, have)));
   } else if (want->is_number() && have->is(Kind::kText)) {
     Diagnostic diagnostic = make_diagnostic("E0314", value.span, {"a text"});
@@ -187,6 +194,12 @@ hir::Expr* mismatch(Checker& checker, const hir::Expr& value, const Target& targ
     Diagnostic diagnostic = make_diagnostic(
         "E0313", value.span, {std::string(target.function), type_phrase(want), type_phrase(have)});
     diagnostic.why = namesakes(want, have);
+    if (diagnostic.why.empty() && target.role == Target::Role::kSetting && !target.name.empty() &&
+        !want->is(Kind::kHost))
+      diagnostic.why = in_backticks(target.name) + " is " + type_phrase(want);
+    if (want->is(Kind::kHost) && have->is(Kind::kList) && have->element == want &&
+        value.kind == hir::ExprKind::kVariable)
+      diagnostic.fix = Fix{.text = "for one of them write " + checker.text_of(value.span) + "[0]"};
     if (want->is(Kind::kHost) && is_made_from(checker, want, have)) {
       const std::string made =
           std::string(want->host->name) + '(' + checker.text_of(value.span) + ')';

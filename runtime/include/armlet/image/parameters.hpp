@@ -59,5 +59,8 @@ const PictureParameter& picture_parameter(std::string_view function, std::string
 // throws  ArgumentError with the value, the range and the unit unless the range of the table holds
 //         the value (and the value is whole where whole numbers are expected).
 void check_picture_parameter(std::string_view function, std::string_view parameter, double value);
+// The same for a function that is not in the table; the message names its parameter.
+void check_picture_parameter_as(std::string_view shown_function, std::string_view shown_parameter,
+                                const PictureParameter& range, double value);
 
 }  // namespace armlet

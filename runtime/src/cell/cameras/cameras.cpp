@@ -46,8 +46,8 @@ int Cameras::add(Camera camera) {
   }
   if (camera.samples != 1 && camera.samples != 4)
     throw ArgumentError(fmt::format("`samples` is {}; expected 1 or 4.", camera.samples));
-  check_picture_parameter("noise", "sigma", camera.noise);
-  check_picture_parameter("blur", "sigma", camera.blur);
+  for (const auto& [name, value] : {std::pair("noise", camera.noise), {"blur", camera.blur}})
+    check_picture_parameter_as("camera", name, picture_parameter(name, "sigma"), value);
   if (camera.rate != 0.0 && !(camera.rate >= kLeastRate && camera.rate <= kMostRate))
     throw ArgumentError(fmt::format("`rate` is {} pictures a second; expected {} to {}.",
                                     camera.rate, kLeastRate, kMostRate));
