@@ -31,12 +31,19 @@ const HostType kTracker = {
     .size = sizeof(TrackerValue),
     .is_handle = true,
     .destroy = [](void* value) { static_cast<TrackerValue*>(value)->~TrackerValue(); },
+    .equal =
+        [](const void* a, const void* b) {
+          return static_cast<const TrackerValue*>(a)->state ==
+                 static_cast<const TrackerValue*>(b)->state;
+        },
     .text =
         [](const void* value, std::string& out) {
           const auto& state = *static_cast<const TrackerValue*>(value)->state;
           out += fmt::format("tracker of {} points", state.points.points().rows());
         },
-    .help = "Points that are followed from picture to picture.",
+    .help =
+        "Points that are followed from picture to picture. Another name for it is the same "
+        "tracker.",
     .noun = "a tracker"};
 
 }  // namespace armlet::bind
@@ -56,8 +63,11 @@ Answer<TrackerValue> track(Vm& vm, const MatrixObj& start, double gate, std::int
   const auto points = pixels_of(vm, start, 0);
   const auto found_by = points ? corner_method(vm, method, kTrackMethod) : Failed{};
   if (!found_by) return Failed{};
-  check_picture_parameter("corners", "within", gate);
-  check_picture_parameter("corners", "threshold", static_cast<double>(threshold));
+  const auto check = [](std::string_view name, std::string_view of_corners, double value) {
+    check_picture_parameter_as("track", name, picture_parameter("corners", of_corners), value);
+  };
+  check("gate", "within", gate);
+  check("threshold", "threshold", static_cast<double>(threshold));
   if (patience < 0 || patience > 1'000'000)
     return fail_picture(
         vm, fmt::format("`patience` of `track` is {}; expected 0 to 1000000", patience), 2);
@@ -117,7 +127,8 @@ constexpr NativeFunction kTrackerFunctions[] = {
         "counts as a point if it is within gate px of where that is expected; one that is not "
         "found stays there for at most patience pictures. method and threshold are those of "
         "corners. "
-        "A tracker remembers: update changes it.",
+        "A tracker remembers: update changes it, by whichever name; track(tr.points) starts "
+        "another from where the points are now.",
         ARMLET_SHOWN_TRACK "print(tr)",
         {.check = check_word<kTrackMethod, kCornerMethods>, .acts = true}),
     def<update>("update(tr: tracker, img: image, predicted: matrix?) -> matrix",
