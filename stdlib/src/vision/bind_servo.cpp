@@ -68,6 +68,16 @@ Answer<ServoLaw> law_of(Vm& vm, std::string_view word) {
   return static_cast<ServoLaw>(found - kServoLaws.begin());
 }
 
+// What a camera stands on: "is on `right`", "stands in the world".
+std::string mount_text(const Cell& cell, const Mount& on, int carrier) {
+  const std::string robot = carrier >= 0 ? cell.robot(carrier).name : std::string();
+  if (on.base == FrameBase::kWorld) return "stands in the world, on no robot";
+  if (on.base == FrameBase::kCarrier) return fmt::format("is on `{}`", robot);
+  const char* const kind = on.base == FrameBase::kObject ? "object" : "frame";
+  return fmt::format("is on the {} `{}`, which {}", kind, on.on,
+                     carrier >= 0 ? fmt::format("is on `{}`", robot) : "no robot carries");
+}
+
 // The arm whose flange carries the camera; fails if it may not be moved now.
 Answer<void> check_carrier(Vm& vm, const RobotRef& r, const CameraRef& camera) {
   if (!check_arm(vm, r.id)) return Failed{};
@@ -76,8 +86,16 @@ Answer<void> check_carrier(Vm& vm, const RobotRef& r, const CameraRef& camera) {
   const int carrier =
       on.base == FrameBase::kFrame ? cell.world().mount_of_frame(on.on).carrier : on.carrier;
   if (carrier < 0 || (carrier != r.id && cell.robot(carrier).on != r.id)) {
-    return fail_servo(vm, fmt::format("`{}` does not carry this camera", cell.robot(r.id).name),
-                      ServoAt::kEye, "mount it on the arm: camera eye { on: arm }");
+    const std::string& arm = cell.robot(r.id).name;
+    const std::string& eye = cell.cameras().at(camera.id).name;
+    const std::string mount = fmt::format("mount it there: camera {} {{ on: {} }}", eye, arm);
+    return fail_servo(vm,
+                      fmt::format("`{}` does not carry the camera `{}`, which {}", arm, eye,
+                                  mount_text(cell, on, carrier)),
+                      ServoAt::kEye,
+                      carrier < 0 ? mount
+                                  : fmt::format("move the robot that carries it, `{}`, or {}",
+                                                cell.robot(carrier).name, mount));
   }
   try {
     (void)cell.cameras().T_world_camera_for(cell, camera.id, cell.T_world_tool(r.id));
@@ -88,14 +106,25 @@ Answer<void> check_carrier(Vm& vm, const RobotRef& r, const CameraRef& camera) {
   return check_idle(vm, r.id);
 }
 
-// The period in whole nanoseconds; above 0 and at most an hour.
-Answer<std::int64_t> period_of(Vm& vm, double seconds) {
-  constexpr double kLongest = 3600.0;
+// The period in whole nanoseconds; above 0 and at most an hour. Of a camera with a rate it is the
+// next whole number of its pictures.
+Answer<std::int64_t> period_of(Vm& vm, double seconds, double rate) {
+  constexpr double kLongest = 3600.0, kRounding = 1e-6;
+  if (!std::isfinite(seconds)) return not_finite(vm, "`period`", seconds, ServoAt::kPeriod);
   const std::int64_t ns = seconds > 0.0 && seconds <= kLongest ? to_ns(seconds) : 0;
-  if (ns > 0) return ns;
-  return fail_servo(
-      vm, fmt::format("`period` is {:g} s; expected a time above 0 and up to an hour", seconds),
-      ServoAt::kPeriod);
+  if (ns == 0) {
+    return fail_servo(
+        vm, fmt::format("`period` is {:g} s; expected a time above 0 and up to an hour", seconds),
+        ServoAt::kPeriod);
+  }
+  if (rate == 0.0) return ns;
+  const double pictures = std::max(1.0, std::ceil(seconds * rate - kRounding));
+  if (pictures <= kLongest * rate) return to_ns(pictures / rate);
+  return fail_servo(vm,
+                    fmt::format("the camera takes a picture every {:g} s; the loop needs one in an "
+                                "hour at least",
+                                1.0 / rate),
+                    ServoAt::kEye);
 }
 
 Answer<void> check_numbers(Vm& vm, double within, double timeout, double smooth) {
@@ -144,7 +173,8 @@ Started visual_servo(Vm& vm, const RobotRef& r, const CameraRef& camera, Functio
                      double smooth) try {
   const auto known_law = law_of(vm, law);
   if (!known_law || !check_carrier(vm, r, camera)) return Failed{};
-  const auto period_ns = period_of(vm, period);
+  const double rate = Host::of(vm).cell().cameras().at(camera.id).rate;
+  const auto period_ns = period_of(vm, period, rate);
   if (!period_ns || !check_numbers(vm, within, timeout, smooth)) return Failed{};
   if (!check_time_left(vm, "a motion", timeout, ServoAt::kTimeout)) return Failed{};
   auto goal = goal_of(vm, wanted, depths_of(depth), points);
@@ -178,8 +208,12 @@ Started visual_servo(Vm& vm, const RobotRef& r, const CameraRef& camera, Functio
 
 Answer<RecordObj*> adaptive(Vm& vm, double at_zero, double at_infinity, double slope) try {
   const double numbers[] = {at_zero, at_infinity, slope};
+  constexpr std::string_view kNames[] = {"`atZero`", "`atInfinity`", "`slope`"};
   for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(numbers[i])) return not_finite(vm, "a number of a gain", numbers[i], i);
+    if (!std::isfinite(numbers[i])) return not_finite(vm, kNames[i], numbers[i], i);
+    if (numbers[i] > 0.0) continue;
+    return fail_servo(
+        vm, fmt::format("{} is {:g}; it must be greater than zero", kNames[i], numbers[i]), i);
   }
   (void)AdaptiveGain{at_zero, at_infinity, slope}.at(0.0);
   RecordObj* record = new_record(vm, vm.program().library_record("ServoGain"));
@@ -206,12 +240,14 @@ constexpr std::string_view kServoHelp =
     "point straight through the picture. gain: a number in 1/s or adaptive(...). depth: of the "
     "points along the axis of the camera; without it, and for the last two laws, points: of a flat "
     "object, in a frame in which they rest. It ends when the norm of all differences is at most "
-    "within px. A picture is taken every period. Where features fails with FeatureLost or "
+    "within px. A picture is taken every period; by a camera with a rate, each time after as many "
+    "of its pictures as fill a period. Where features fails with FeatureLost or "
     "NoFeatures, points are predicted for at most patience pictures; those that corners or update "
     "found in it still count. smooth: 1/s, the speeds begin at 0 like 1 - "
     "exp(-smooth t). The reason of the result is Converged, Timeout, FeatureLost, LocalMinimum, "
     "Singular, JointLimit, OutOfImage or Stopped, and why says it with numbers; t, error, twist, "
-    "features, smallest and condition (singular values of L) and qd have a row for each picture.";
+    "features, smallest and condition (singular values of L, at the predicted points where they "
+    "are lost) and qd have a row for each picture.";
 
 #define ARMLET_SERVO_HEAD "visualServo(r: robot, c: camera, features: "
 #define ARMLET_SERVO_PLAIN "fn(image) -> matrix"

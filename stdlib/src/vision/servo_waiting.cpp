@@ -20,6 +20,7 @@
 #include "moves/motion_torques.hpp"
 #include "values/eigen_results.hpp"
 #include "values/world/pictures.hpp"
+#include "vision/capture.hpp"
 #include "vision/features.hpp"
 
 namespace armlet::bind {
@@ -76,7 +77,7 @@ class ServoWaiting : public Waiting {
         call_(std::move(call)),
         servo_(std::move(servo)),
         begin_ns_(host_.now_ns()),
-        next_ns_(begin_ns_) {
+        next_ns_(frame_after(begin_ns_)) {
     retain(call_.features);
   }
   ServoWaiting(const ServoWaiting&) = delete;
@@ -85,6 +86,9 @@ class ServoWaiting : public Waiting {
 
   // Takes a picture, and moves the arm until the next one.
   Answer<void> step(Vm& vm) {
+    // While nothing moves, another task may have moved the arm.
+    if (!moves() && !host_.cell().can_drive(call_.robot) && !check_idle(vm, call_.robot))
+      return Failed{};
     auto sight = seen_now(vm);
     if (!sight || !keep_row(vm)) return Failed{};
     Eigen::VectorXd qd;
@@ -95,9 +99,13 @@ class ServoWaiting : public Waiting {
     }
     is_done_ = servo_.end() != ServoEnd::kNone;
     if (is_done_) return {};
-    next_ns_ += call_.period_ns;
+    next_ns_ = has_rate() ? frame_after(next_ns_ + call_.period_ns - frame_ns() / 2)
+                          : next_ns_ + call_.period_ns;
     return drive(vm, std::move(qd));
   }
+
+  // Whether the first picture is taken at once.
+  [[nodiscard]] bool starts_now() const { return !has_rate(); }
 
   [[nodiscard]] std::int64_t due_ns() const override {
     if (!moves()) return is_done_ ? host_.now_ns() : next_ns_;
@@ -149,6 +157,14 @@ class ServoWaiting : public Waiting {
   }
   [[nodiscard]] MoveCall motion_call() const {
     return {.function = "visualServo", .robot = call_.robot};
+  }
+
+  [[nodiscard]] double rate() const { return host_.cell().cameras().at(call_.camera.id).rate; }
+  [[nodiscard]] bool has_rate() const { return rate() > 0.0; }
+  [[nodiscard]] std::int64_t frame_ns() const { return to_ns(1.0 / rate()); }
+  // The next picture of a camera with a rate; of others, the same instant.
+  [[nodiscard]] std::int64_t frame_after(std::int64_t ns) const {
+    return host_.cell().cameras().next_frame_ns(call_.camera.id, ns);
   }
 
   // Charges one more row of the table.
@@ -322,7 +338,7 @@ ServoArm servo_arm(const Robot& robot, const Eigen::Isometry3d& T_tool_camera) {
 
 Started start_servo(Vm& vm, const ServoCall& call, VisualServo servo) {
   auto waiting = std::make_unique<ServoWaiting>(vm, call, std::move(servo));
-  if (!waiting->step(vm)) return Failed{};
+  if (waiting->starts_now() && !waiting->step(vm)) return Failed{};
   return std::unique_ptr<Waiting>(std::move(waiting));
 }
 

@@ -112,7 +112,9 @@ struct ServoSight {
 // points    k x 2, px; some or all of them predicted if `held`.
 // twist     of the camera in its own axes, m/s and rad/s, and qd, of the joints: the command.
 // smallest, condition  of the singular values of the law's interaction matrix, or that of the
-//                      points if the law has none, in normalised coordinates.
+//                      points if the law has none, in normalised coordinates. Of a picture in
+//                      which the loop ends because points are lost or outside: at the predicted
+//                      points, or at the border of the picture.
 struct ServoRow {
   double t = 0.0;
   double error = 0.0;
@@ -191,6 +193,7 @@ class VisualServo {
   [[nodiscard]] bool find_pose(const PlanePoints& seen);
   [[nodiscard]] std::optional<Task> task_of(const ServoSight& sight);
   void set_errors(Task& task, const ServoSight& sight) const;
+  [[nodiscard]] Eigen::MatrixXd last_interaction(const ServoSight& sight) const;
   void end_if_outside(const Eigen::VectorXd& depths, bool depths_are_known);
   void end_if_singular(const Task& task, const ServoSight& sight);
   void end_if_stuck(const Task& task, const ServoSight& sight, const Eigen::VectorXd& speeds);

@@ -26,8 +26,8 @@ MatrixXd reach_of(const MatrixXd& A) {
   return parts.U.leftCols(rank_above(A, kRank));
 }
 
-// "move along its x axis or `turn` about its y axis": the motions that the joints cannot give the
-// camera.
+// "move the camera along its x axis or rotate it about its y axis": the motions that the joints
+// cannot give the camera.
 std::string lacking_axes(const MatrixXd& J) {
   constexpr double kNearlyAll = 0.99;
   const MatrixXd reach = reach_of(J);
@@ -35,8 +35,9 @@ std::string lacking_axes(const MatrixXd& J) {
   for (Index i = 0; i < 6; ++i) {
     const double given = reach.row(i).squaredNorm();
     if (1.0 - given < kNearlyAll * kNearlyAll) continue;
-    out += fmt::format("{}{} its {} axis", out.empty() ? "" : " or ",
-                       i < 3 ? "move along" : "turn about", "xyz"[i % 3]);
+    out +=
+        fmt::format("{}{} {} {} its {} axis", out.empty() ? "" : " or ", i < 3 ? "move" : "rotate",
+                    out.empty() ? "the camera" : "it", i < 3 ? "along" : "about", "xyz"[i % 3]);
   }
   return out;
 }
@@ -147,21 +148,22 @@ std::string VisualServo::explanation() const {
   std::string out = fmt::format("{}: {}.", name_of(end_), why_);
   if (rows_.empty() || pixel_L_.size() == 0) return out;
   const ServoRow& last = rows_.back();
-  out += fmt::format(" {} pictures in {:g} s.", rows_.size(), last.t);
+  out += fmt::format(" The loop took {} picture{} in {:g} s.", rows_.size(),
+                     rows_.size() == 1 ? "" : "s", last.t);
   const MatrixXd blind = uncontrollable();
   const Index free = reach_of(pixel_L_).cols();
   out += fmt::format(
       "\nThe picture of {} points has {} coordinates. A camera that moves freely changes them in "
-      "{} "
-      "directions, this arm in {} (rank of L J).",
+      "{} directions, this arm in {} (rank of L J).",
       k, 2 * k, free, free - blind.cols());
   if (const std::string lacking = lacking_axes(J_camera_); !lacking.empty())
-    out += fmt::format("\nThe joints cannot {} of the camera.", lacking);
+    out += fmt::format("\nThe joints cannot {}.", lacking);
   const Eigen::Map<const VectorXd> at(last.points.data(), 2 * k), goal(goal_.wanted.data(), 2 * k);
   const VectorXd error = at - goal;
   for (Index d = 0; d < blind.cols(); ++d) {
-    out += fmt::format("\nNot controlled, {:.1f} px of the last error:",
-                       std::abs(blind.col(d).dot(error)));
+    out +=
+        fmt::format("\nThis arm does not control the direction with {:.1f} px of the last error:",
+                    std::abs(blind.col(d).dot(error)));
     for (Index i = 0; i < std::min<Index>(k, 8); ++i)
       out += fmt::format("{} point {} ({}, {})", i == 0 ? "" : ",", i, share_text(blind(2 * i, d)),
                          share_text(blind(2 * i + 1, d)));
@@ -169,10 +171,11 @@ std::string VisualServo::explanation() const {
   }
   const auto worst = std::ranges::min_element(rows_, {}, &ServoRow::smallest);
   out += fmt::format(
-      "\nThe smallest singular value of L is {:.3g} at last, {:.3g} at least (at {:g} s).",
+      "\nThe smallest singular value of L is {:.3g} in the last picture; its minimum is {:.3g}, at "
+      "{:g} s.",
       last.smallest, worst->smallest, worst->t);
   if (worst->smallest < kPoor)
-    out += fmt::format(" Below {:g} small errors of the picture become large motions.", kPoor);
+    out += fmt::format(" Below {:g}, small errors in the picture cause large motions.", kPoor);
   return out;
 }
 

@@ -27,6 +27,7 @@ constexpr double kBorder = 0.05;
 constexpr double kOfRoom = 0.25;   // of the distance to the border, in one period
 constexpr double kStopped = 0.02;  // speeds scaled by less count as zero
 constexpr int kStoppedPictures = 10;
+constexpr double kNoRoom = 1e-9;     // m or rad: what rounding leaves between a joint and its limit
 constexpr std::size_t kWindow = 50;  // number of pictures in which the error has to decrease
 constexpr double kFallen = 0.999;
 constexpr double kChanges = 0.05;  // of the change of the picture that the gain demands
@@ -129,7 +130,7 @@ void VisualServo::end_if_lost(const std::string& lost) {
                             : count == 1                 ? "point " + rows + " was"
                                                          : "points " + rows + " were";
   finish(ServoEnd::kFeatureLost,
-         fmt::format("{} not found in {} picture{}, at most {} are bridged{}{}", which, longest,
+         fmt::format("{} not found in {} picture{}; at most {} are bridged{}{}", which, longest,
                      longest == 1 ? "" : "s one after the other", options_.patience,
                      lost.empty() ? "" : ": ", lost));
 }
@@ -214,6 +215,26 @@ void VisualServo::set_errors(Task& task, const ServoSight& sight) const {
   task.gain = options_.gain.at(task.error.lpNorm<Eigen::Infinity>());
 }
 
+// The interaction matrix for a picture that has ended the loop before the law was computed. The
+// points are moved to the border of the picture where they are outside, and to their goals where
+// the lens has no ray; depths are those of the goal where they are not known.
+MatrixXd VisualServo::last_interaction(const ServoSight& sight) const {
+  const Intrinsics& of = lens_.intrinsics();
+  PlanePoints seen = wanted_;
+  for (Index i = 0; i < seen.rows(); ++i) {
+    const Eigen::Vector2d pixel(std::clamp(points_(i, 0), 0.0, of.width - 1.0),
+                                std::clamp(points_(i, 1), 0.0, of.height - 1.0));
+    if (const auto ray = lens_.ray(pixel)) seen.row(i) = ray->head<2>().transpose();
+  }
+  VectorXd depths = sight.depths.size() > 0 ? sight.depths
+                    : T_camera_obj_         ? depths_in(goal_.points, *T_camera_obj_)
+                                            : depths_wanted_;
+  if (!(depths.array() > 0.0).all()) depths = depths_wanted_;
+  if (!is_image_law()) return point_interaction(seen, depths);
+  return law_interaction(static_cast<ImageLaw>(options_.law),
+                         {seen, wanted_, depths, depths_wanted_});
+}
+
 void VisualServo::end_if_singular(const Task& task, const ServoSight& sight) {
   const Index of_arm = camera_directions(sight.J_camera);
   if (of_arm < arm_.rank) {
@@ -290,10 +311,11 @@ VectorXd VisualServo::command(const Task& task, const ServoSight& sight) {
   stopped_by_joint_ = stops ? stopped_by_joint_ + 1 : 0;
   if (stopped_by_joint_ >= kStoppedPictures) {
     const JointAtLimit& at = *limited.at;
+    const std::string where =
+        at.room < kNoRoom ? "is at" : "stands " + joint_text(arm_, at.joint, at.room) + " from";
     finish(ServoEnd::kJointLimit,
-           fmt::format("joint {} stands {} from its limit of {}, and the law moves it on by {}/s",
-                       at.joint + 1, joint_text(arm_, at.joint, at.room),
-                       joint_text(arm_, at.joint, at.limit),
+           fmt::format("joint {} {} its limit of {}, and the law moves it on by {}/s", at.joint + 1,
+                       where, joint_text(arm_, at.joint, at.limit),
                        joint_text(arm_, at.joint, std::abs(at.asked))));
   }
   VectorXd qd = limited.qd * keep_in_picture(limited.qd);
@@ -319,13 +341,14 @@ const VectorXd& VisualServo::look(const ServoSight& sight) {
   row.held = *std::ranges::max_element(missed_) > 0;
   row.qd = speeds_;
   row.error = (points_ - goal_.wanted).norm();
-  if (const auto task = task_of(sight)) {
-    const VectorXd s = singular_values(task->L).s;
-    row.smallest = s[s.size() - 1];
-    row.condition = row.smallest > 0.0 ? s[0] / row.smallest : HUGE_VAL;
+  const auto task = task_of(sight);
+  const VectorXd s = singular_values(task ? task->L : last_interaction(sight)).s;
+  row.smallest = s[s.size() - 1];
+  row.condition = row.smallest > 0.0 ? s[0] / row.smallest : HUGE_VAL;
+  if (task) {
     if (!row.held && row.error <= options_.within)
       finish(ServoEnd::kConverged,
-             fmt::format("the error is {:.3g} px, at most {:g} px were asked for", row.error,
+             fmt::format("the error is {:.3g} px; at most {:g} px were asked for", row.error,
                          options_.within));
     end_if_singular(*task, sight);
     if (sight.t >= options_.timeout)
