@@ -12,6 +12,7 @@ from pathlib import Path
 COMMAND = Path(sys.argv[1]).resolve()
 FAILED, USAGE, NO_FILE = 70, 64, 66
 EYE = "camera eye { at: lookingAt(xyz(400mm, 0mm, 0mm), from: xyz(400mm, 0mm, 900mm)); size: [8, 6]; noise: 4.0 }\n"
+ONE = EYE + "let img = eye.capture()\n"
 THREE = EYE + "for (i in range(3)) { print(eye.capture()[2, 3]); wait(100ms) }\n"
 
 
@@ -132,6 +133,19 @@ def check_frames(folder):
     check("without files", [row.endswith(",") for row in rows], [True] * 3)
     run(folder, THREE, "--trace", "t.csv", "--frames", "more")
     check("with files", (folder / "t.csv").read_text().count("more/eye-00000"), 3)
+    done = run(folder, ONE, "--frames", "more", "--quiet")
+    check("pictures of an earlier run", (done.returncode, done.stderr),
+          (0, "armlet: more also holds 2 pictures of an earlier run: eye-000001.png to eye-000002.png\n"))
+    (folder / "more/own-notes.png").write_text("")
+    done = run(folder, THREE, "--frames", "more", "--quiet")
+    check("other files are not counted", (done.returncode, done.stderr), (0, ""))
+    for option in ("--frames", "--storyboard", "--video", "--trace", "--record"):
+        done = run(folder, THREE, option, "")
+        check(f"{option} without a name: {done.stderr}", (done.returncode, "expected the name of a" in done.stderr),
+              (USAGE, True))
+    for option, ending in (("--storyboard", ".png"), ("--trace", ".csv"), ("--video", ".mp4"), ("--record", "below/.arec")):
+        done = run(folder, THREE, option, ending)
+        check(f"{option} {ending}: {done.stderr}", (done.returncode, "expected a name before ." in done.stderr), (USAGE, True))
     (folder / "file").write_text("")
     done = run(folder, THREE, "--frames", "file/below")
     check("a folder that cannot be made", (done.returncode, "cannot be made" in done.stderr), (NO_FILE, True))

@@ -62,6 +62,18 @@ Result<std::string> picture_of(const Recorded& recorded, const FrameRequest& ask
   return Error{"frames", fmt::format("{} cannot be read: {}", path, bytes.error().message)};
 }
 
+// Whether a file has the name of a picture that --frames writes: "eye-000012.png".
+bool is_frame_name(std::string_view name) {
+  constexpr std::string_view kEnding = ".png";
+  constexpr std::size_t kDigits = 6;
+  if (!name.ends_with(kEnding)) return false;
+  name.remove_suffix(kEnding.size());
+  const std::size_t hyphen = name.find_last_of('-');
+  return hyphen != 0 && hyphen != name.npos && name.size() - hyphen > kDigits &&
+         std::ranges::all_of(name.substr(hyphen + 1),
+                             [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
 }  // namespace
 
 int choose_recorded_frames(const std::vector<std::string>& named, SessionOptions& session) {
@@ -126,9 +138,24 @@ int FrameFolder::open() {
 }
 
 int FrameFolder::finish() const {
-  if (files_ == nullptr || files_->own_error().empty()) return kDone;
-  progress(fmt::format("armlet: {}", files_->own_error()));
-  return kFailed;
+  if (files_ == nullptr) return kDone;
+  if (!files_->own_error().empty()) {
+    progress(fmt::format("armlet: {}", files_->own_error()));
+    return kFailed;
+  }
+  std::vector<std::string> old;
+  std::error_code failed;
+  for (fs::directory_iterator files(path_, failed); !failed && files != fs::directory_iterator();
+       files.increment(failed)) {
+    const std::string name = files->path().filename().string();
+    if (is_frame_name(name) && !files_->has_written(name)) old.push_back(name);
+  }
+  if (old.empty()) return kDone;
+  std::ranges::sort(old);
+  progress(fmt::format("armlet: {} also holds {} picture{} of an earlier run: {}{}", path_,
+                       old.size(), old.size() == 1 ? "" : "s", old.front(),
+                       old.size() == 1 ? "" : " to " + old.back()));
+  return kDone;
 }
 
 }  // namespace armlet::cli

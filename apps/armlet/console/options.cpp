@@ -1,5 +1,8 @@
 #include "console/options.hpp"
 
+#include <filesystem>
+#include <system_error>
+
 #include "armlet/backend/trace_format.hpp"
 
 namespace armlet::cli {
@@ -12,6 +15,30 @@ CLI::Validator pair_like(const char* example) {
         const std::size_t equals = text.find('=');
         const bool good = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
         return good ? std::string() : std::string(example);
+      },
+      "");
+}
+
+// Accepts the path of a folder.
+CLI::Validator not_empty(const char* what) {
+  return CLI::Validator(
+      [what](const std::string& text) {
+        return text.empty() ? std::string("expected the name of ") + what : std::string();
+      },
+      "");
+}
+
+// Accepts the path of a file.
+CLI::Validator path_like(const char* what) {
+  return CLI::Validator(
+      [what](const std::string& text) {
+        const std::string name = text.substr(text.find_last_of('/') + 1);
+        if (text.empty()) return std::string("expected the name of ") + what;
+        std::error_code none;
+        const bool is_ending = name.size() > 1 && name[0] == '.' && name.find('.', 1) == name.npos;
+        return is_ending && !std::filesystem::is_directory(text, none)
+                   ? "expected a name before " + name
+                   : std::string();
       },
       "");
 }
@@ -51,12 +78,14 @@ void add_run_outputs(CLI::App& command, RunOptions& run, CLI::Option* needed) {
   all.push_back(command
                     .add_option("--trace", run.trace,
                                 "write the run over time to a " + armlet::trace_endings() + " file")
-                    ->type_name("FILE"));
+                    ->type_name("FILE")
+                    ->check(path_like("a file")));
   all.push_back(command
                     .add_option("--frames", run.frames,
                                 "write each picture that a camera takes to a PNG file in this "
                                 "folder; a trace names the files")
-                    ->type_name("FOLDER"));
+                    ->type_name("FOLDER")
+                    ->check(not_empty("a folder")));
   all.push_back(command
                     .add_option("--camera", run.cameras,
                                 "pictures of a camera from the PNG and JPEG files of a folder, in "
@@ -73,17 +102,20 @@ void add_run_outputs(CLI::App& command, RunOptions& run, CLI::Option* needed) {
   all.push_back(command
                     .add_option("--storyboard", run.storyboard,
                                 "draw the cell at the end of each move, on one sheet, a .png file")
-                    ->type_name("FILE"));
+                    ->type_name("FILE")
+                    ->check(path_like("a .png file")));
   all.push_back(command
                     .add_option("--video", run.video,
                                 "film the cell, 25 pictures a second of virtual time: an .mp4 or "
                                 ".mkv file, or a folder for PNG files, such as frames/")
-                    ->type_name("FILE"));
+                    ->type_name("FILE")
+                    ->check(path_like("a video, or of a folder")));
   all.push_back(command
                     .add_option("--record", run.record,
                                 "leave what `armlet replay` needs to take the run again in an "
                                 ".arec file; of a laboratory also as a page, an .html file")
-                    ->type_name("FILE"));
+                    ->type_name("FILE")
+                    ->check(path_like("an .arec file")));
   for (CLI::Option* each : all) {
     // A laboratory without inputs can be recorded, too, as a page.
     if (needed != nullptr && each != all.back()) each->needs(needed);

@@ -188,18 +188,20 @@ bool has_picture(const LabRow& row) {
   return row.kind == LabRowKind::kView || (row.kind == LabRowKind::kImage && row.is_read);
 }
 
+// Prints what a row shows, or why it shows nothing, as on the page: its function has failed, and
+// the run and the other rows go on.
+template <class Shown>
+std::optional<Error> print_row(const std::string& row, const Result<Shown>& what) {
+  if (!what && what.error().code != "failed") return what.error();
+  print_out(what ? fmt::format("{} = {}\n", row, shown(*what))
+                 : fmt::format("{} shows nothing: {}\n", row, what.error().message));
+  return std::nullopt;
+}
+
 std::optional<Error> show_row(LabControls& controls, const std::string& row) {
   const LabRow* known = controls.rows() == nullptr ? nullptr : controls.rows()->find(row);
-  if (known != nullptr && has_picture(*known)) {
-    const Result<LabPicture> picture = controls.picture(row);
-    if (!picture) return picture.error();
-    print_out(fmt::format("{} = {}\n", row, shown(*picture)));
-    return std::nullopt;
-  }
-  const Result<Value> value = controls.read(row);
-  if (!value) return value.error();
-  print_out(fmt::format("{} = {}\n", row, shown(*value)));
-  return std::nullopt;
+  if (known != nullptr && has_picture(*known)) return print_row(row, controls.picture(row));
+  return print_row(row, controls.read(row));
 }
 
 std::optional<Error> apply(LabControls& controls, const InputScript::Line& line) {

@@ -50,6 +50,7 @@ void FrameFiles::write(ImageFrame frame) {
           fmt::format("The picture {}/{} cannot be written: {}.", path_, name, failed->message);
     } else {
       ++written_;
+      names_.insert(name);
       file = path_.ends_with('/') ? path_ + name : path_ + "/" + name;
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "armlet/backend/backend.hpp"
@@ -30,6 +31,8 @@ class FrameFiles : public Backend {
   [[nodiscard]] const std::string& own_error() const { return error_; }
 
   [[nodiscard]] std::uint64_t written() const { return written_; }
+  // Whether a file of this name is a picture of this run.
+  [[nodiscard]] bool has_written(const std::string& name) const { return names_.contains(name); }
 
  private:
   void write(ImageFrame frame);
@@ -39,6 +42,7 @@ class FrameFiles : public Backend {
   Backend* next_;
   std::string error_;
   std::uint64_t written_ = 0;
+  std::set<std::string> names_;
 };
 
 // "eye-000012.png".
