@@ -137,10 +137,8 @@ Answer<void> check_numbers(Vm& vm, double within, double timeout, double smooth)
 // The goal of a call, with its sizes checked.
 Answer<ServoGoal> goal_of(Vm& vm, const MatrixObj& wanted, Eigen::VectorXd depths,
                           std::optional<std::span<const Slot>> rows) {
-  const auto pixels = pixels_of(vm, wanted, ServoAt::kWanted);
+  const auto pixels = pixels_of(vm, wanted, ServoAt::kWanted, " of `wanted`");
   if (!pixels) return Failed{};
-  if (!pixels->allFinite())
-    return not_finite(vm, "a pixel of `wanted`", pixels->sum(), ServoAt::kWanted);
   if (!depths.allFinite()) return not_finite(vm, "a depth", depths.sum(), ServoAt::kDepth);
   ServoGoal goal{.wanted = *pixels, .depths = std::move(depths)};
   if (rows) {
@@ -154,9 +152,7 @@ Answer<ServoGoal> goal_of(Vm& vm, const MatrixObj& wanted, Eigen::VectorXd depth
 // The expected points in the first picture.
 Answer<PlanePoints> start_of(Vm& vm, std::optional<Slot> start, const PlanePoints& wanted) {
   if (!start) return wanted;
-  auto points = pixels_of(vm, matrix_value(*start), ServoAt::kStart);
-  if (points && !points->allFinite())
-    return not_finite(vm, "a pixel of `start`", points->sum(), ServoAt::kStart);
+  auto points = pixels_of(vm, matrix_value(*start), ServoAt::kStart, " of `start`");
   if (points && points->rows() != wanted.rows()) {
     return fail_servo(
         vm, fmt::format("`start` has {} points and {} are wanted", points->rows(), wanted.rows()),

@@ -124,7 +124,8 @@ Answer<Eigen::VectorXd> depths_of(Vm& vm, std::span<const double> depths, Eigen:
   for (Eigen::Index i = 0; i < count; ++i)
     out[i] = depths[depths.size() == 1 ? 0 : static_cast<std::size_t>(i)];
   for (const double z : out) {
-    if (!(z > 0.0) || !std::isfinite(z))
+    if (!std::isfinite(z)) return not_finite(vm, "a depth", z, parameter);
+    if (!(z > 0.0))
       return fail_blind(vm, fmt::format("a depth of {} m; expected more than 0", z), parameter);
   }
   return out;

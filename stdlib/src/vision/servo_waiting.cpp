@@ -215,11 +215,9 @@ class ServoWaiting : public Waiting {
       take_found(taken->detail.get(), expected, sight);
       return {};
     }
-    auto points = pixels_of(vm, matrix_value(found), kFeatures);
+    auto points = pixels_of(vm, matrix_value(found), kFeatures, " that `features` gives");
     release(vm, found.o);
     if (!points) return Failed{};
-    if (!points->allFinite())
-      return not_finite(vm, "a pixel that `features` gives", points->sum(), kFeatures);
     sight.pixels = *std::move(points);
     return {};
   }

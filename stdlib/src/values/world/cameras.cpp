@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "armlet/stdlib/host.hpp"
 #include "messages/library_messages.hpp"
 
@@ -51,7 +53,8 @@ Answer<Points> points_of(Vm& vm, std::span<const Slot> rows, int parameter) {
   return points;
 }
 
-Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter) {
+Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter,
+                              std::string_view origin) {
   if (matrix.cols != kPixelSides || matrix.rows == 0) {
     return failure(
         vm, "R0613",
@@ -59,7 +62,13 @@ Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter) {
                     matrix.rows, matrix.cols),
         parameter);
   }
-  return PlanePoints(Eigen::Map<const PlanePoints>(matrix.data(), matrix.rows, kPixelSides));
+  PlanePoints pixels = Eigen::Map<const PlanePoints>(matrix.data(), matrix.rows, kPixelSides);
+  for (Eigen::Index i = 0; i < pixels.size(); ++i) {
+    if (!std::isfinite(pixels.data()[i]))
+      return not_finite(vm, fmt::format("pixel {}{}", i / kPixelSides, origin), pixels.data()[i],
+                        parameter);
+  }
+  return pixels;
 }
 
 Answer<Eigen::Isometry3d> pose_now(Vm& vm, const CameraRef& camera) try {

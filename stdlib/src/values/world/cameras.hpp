@@ -26,8 +26,10 @@ struct CameraRef {
 // R0684: "this camera cannot see that: ...".
 Failed fail_blind(Vm& vm, std::string_view clause, int parameter = -1, std::string fix = {});
 
-// An N x 2 matrix of pixels, x first; R0613 for another number of columns or no rows.
-Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter);
+// An N x 2 matrix of pixels, x first; R0613 for another number of columns or no rows, R0612 for a
+// coordinate that is not finite: "pixel 3" and `origin`.
+Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter,
+                              std::string_view origin = {});
 
 // Rows of [x, y, z], m; R0613 for another number of values or no rows.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
