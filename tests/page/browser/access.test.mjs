@@ -9,7 +9,7 @@ test("on a phone the parts are tabs, and nothing is wider than the screen", () =
   withLab(null, async (open) => {
     const page = await open({ viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true });
     await untilStatus(page, /moves/);
-    for (const [name, part] of [["Laboratory", ".elements"], ["Program", ".cm-editor"], ["3D view", ".stage canvas"]]) {
+    for (const [name, part] of [["Laboratory", ".column.side"], ["Program", ".cm-editor"], ["3D view", ".stage canvas"]]) {
       await page.getByRole("button", { name, exact: true }).tap();
       const box = await page.locator(part).boundingBox();
       assert.ok(box && box.width > 300 && box.height > 150, `${name} is ${JSON.stringify(box)}`);
