@@ -12,6 +12,13 @@ else()
   set(urdf_library urdf_library)
 endif()
 
+# The runtime library is made of these layers.
+function(armlet_join_layers)
+  foreach(layer IN LISTS ARGN)
+    target_sources(armlet_runtime PRIVATE $<TARGET_OBJECTS:armlet_layer_${layer}>)
+  endforeach()
+endfunction()
+
 # Kernels for wider registers, chosen at run time; -ffp-contract=off keeps their bits the same.
 function(armlet_compile_wide_kernels)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")

@@ -40,7 +40,7 @@ tests_of() {
   local names
   case $2 in
     interpreter) names='^unit[.](interpreter|host|opcodes|checked|convert|oracle)$|^fuzz[.]' ;;
-    runtime) names='^layer[.]|^unit[.](backend|camera|cell|chain|collision|core|dynamics|grasp|image|kinematics|math|mesh|model|opencv|planning|plot|support|trajectory|vision|world)$' ;;
+    runtime) names='^layer[.]|^unit[.](backend|camera|cell|chain|collision|control|core|dynamics|grasp|image|kinematics|math|mesh|model|opencv|planning|plot|support|trajectory|vision|world)$' ;;
     library) names='^unit[.](apps|lab|stdlib)$' ;;
     scripts) names='^(tests/scripts|examples)/' ;;
     commands) names='[.](command|server|secrets|read|write)$|^(hostile|trace[.]numpy)$' ;;

@@ -31,8 +31,9 @@ MAY_INCLUDE = {
     "plot": ["core", "math", "image"],
     "backend": ["core", "math", "plot", "image"],
     "cell": RUNTIME,
+    "control": RUNTIME + ["cell"],
     "interpreter": ["core", "math"],
-    "stdlib": ["interpreter", "cell"] + RUNTIME,
+    "stdlib": ["interpreter", "cell", "control"] + RUNTIME,
 }
 EVERYTHING = list(MAY_INCLUDE)
 
@@ -195,7 +196,7 @@ def layer_of_header(path, header, layer):
     parts = header.split("/")
     if len(parts) == 3 and parts[0] == "armlet":
         return parts[1]
-    if layer in RUNTIME + ["cell"] and parts[0] in MAY_INCLUDE:
+    if layer in RUNTIME + ["cell", "control"] and parts[0] in MAY_INCLUDE:
         return parts[0]  # private runtime headers are included as <layer>/file.hpp
     return None
 

@@ -215,7 +215,7 @@ void show_stage(const std::string& file, const std::string& stage, int seconds) 
   }
 }
 
-void show_move(const MoveReport& move) {
+void show_move(const FinishedMove& move) {
   progress(fmt::format("[t = {:.2f} s] {} {} {:.2f} s{}, hand at {}", move.start + move.duration,
                        move.robot, move.function, move.duration, move.stopped ? " (stopped)" : "",
                        format_point_mm(move.T_world_tool.translation())));

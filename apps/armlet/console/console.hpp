@@ -69,7 +69,7 @@ void status_line(std::string_view text);
 // Shows the file, the stage and the duration of long work, in one line of a terminal or in many.
 void show_stage(const std::string& file, const std::string& stage, int seconds);
 // Shows a finished motion as a line of progress.
-void show_move(const MoveReport& move);
+void show_move(const FinishedMove& move);
 // "held by scara", "on table"; empty if it is neither.
 std::string place_text(const Cell& cell, std::string_view object);
 // "(10 deg, 20 deg, 50 mm)"

@@ -99,7 +99,7 @@ SessionOptions Prompt::listened(SessionOptions options) {
     return !interrupted() || std::exchange(was_told_, true);
   };
   if (interactive_) {
-    options.on_move = [this](const MoveReport& move) {
+    options.on_move = [this](const FinishedMove& move) {
       end_live();
       show_move(move);
     };

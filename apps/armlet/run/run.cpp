@@ -101,7 +101,7 @@ class Outputs {
   }
 
   [[nodiscard]] bool wants_moves() const { return storyboard_.is_wanted(); }
-  void take(const MoveReport& move, const Cell& cell) { storyboard_.take(move, cell); }
+  void take(const FinishedMove& move, const Cell& cell) { storyboard_.take(move, cell); }
   [[nodiscard]] bool wants_time() const { return video_.is_wanted(); }
   void look(const Cell& cell) { video_.look(cell); }  // before time goes on
 
@@ -243,7 +243,7 @@ int run(const RunOptions& options) {
   const Session* running = nullptr;
   setup.session.pace = pace_of(options, outputs, running);
   if (talks || outputs.wants_moves()) {
-    setup.session.on_move = [&](const MoveReport& move) {
+    setup.session.on_move = [&](const FinishedMove& move) {
       if (talks) show_move(move);
       outputs.take(move, running->host()->cell());
     };

@@ -47,7 +47,7 @@ int Storyboard::open(const std::vector<std::string>& texts) {
   return is_wanted() ? file_.open(texts) : kDone;
 }
 
-void Storyboard::take(const MoveReport& move, const Cell& cell) {
+void Storyboard::take(const FinishedMove& move, const Cell& cell) {
   if (!is_wanted() || moves_++ % each_ != 0) return;
   if (frames_.size() == kMostFrames) {
     for (std::size_t i = 0; 2 * i < frames_.size(); ++i) std::swap(frames_[i], frames_[2 * i]);

@@ -23,7 +23,7 @@ class Storyboard {
   int open(const std::vector<std::string>& texts);
   // Stores the state of the cell at the end of a move. If there are more moves than a sheet can
   // show, every second, fourth ... one is stored.
-  void take(const MoveReport& move, const Cell& cell);
+  void take(const FinishedMove& move, const Cell& cell);
   // Draws the sheet. Returns the exit status, after a message if it cannot be written or shows only
   // a part of the moves.
   int finish();

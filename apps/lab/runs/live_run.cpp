@@ -40,7 +40,7 @@ LiveRun::LiveRun(const SessionOptions& options, const RunBounds& bounds, RunReco
     : bounds_(bounds), record_(record), recording_(record, files) {
   SessionOptions own = options;
   own.backends = {&recording_, &marks_};
-  own.on_move = [this](const MoveReport& report) { recording_.on_move(report); };
+  own.on_move = [this](const FinishedMove& report) { recording_.on_move(report); };
   own.advice = [this](const Diagnostic& advice) { recording_.on_advice(advice); };
   own.on_press = [this](const PressReport& report) { recording_.on_press(report); };
   own.pace = [this](std::int64_t) {

@@ -201,7 +201,7 @@ class Recording : public Backend {
   void listen_to(Session& session) { session_ = &session; }
   void on(const Event& event) override;
   // Called from on_move, `advice` and on_press of the session.
-  void on_move(const MoveReport& report);
+  void on_move(const FinishedMove& report);
   void on_advice(const Diagnostic& advice);
   void on_press(const PressReport& report);
   // Called from `pace` of the session before the clock advances: records what holds until then.

@@ -184,7 +184,7 @@ void Recording::end_motion(int robot) {
   motion.number = -1;
 }
 
-void Recording::on_move(const MoveReport& report) {
+void Recording::on_move(const FinishedMove& report) {
   const std::optional<int> robot = record_.find_robot(report.robot);
   if (!robot) return;
   Motion& motion = motions_[static_cast<std::size_t>(*robot)];

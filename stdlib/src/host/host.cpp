@@ -101,7 +101,7 @@ void Host::note_way(PlannedWay way) {
   if (ways_.size() < kMostWays) ways_.push_back(std::move(way));
 }
 
-void Host::report_move(const MoveReport& report) {
+void Host::report_move(const FinishedMove& report) {
   ++moves_;
   const bool is_silent = options_.journal != nullptr && options_.journal->is_silent();
   if (options_.on_move && !is_silent) options_.on_move(report);

@@ -183,7 +183,7 @@ TEST_CASE("what runs once more is not heard, and writes no files") {
   SessionOptions options = at_the_table();
   options.folder = folder;
   int moves = 0;
-  options.on_move = [&](const MoveReport&) { ++moves; };
+  options.on_move = [&](const FinishedMove&) { ++moves; };
   Typed enter(std::move(options));
   CHECK(enter("print(7)") == "7\n");
   enter("moveJ(posJ(20deg, 30deg, 50mm, 0deg), time: 1s)");
@@ -223,7 +223,7 @@ TEST_CASE("entries are taken one at a time") {
     SessionOptions options = at_the_table();
     int refused = 0;
     Session* session = nullptr;
-    options.on_move = [&](const MoveReport&) {
+    options.on_move = [&](const FinishedMove&) {
       for (int i = 0; i < 2; ++i) {
         const auto ask = [&] {
           try {

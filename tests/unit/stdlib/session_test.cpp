@@ -314,7 +314,7 @@ TEST_CASE("compiling is cancelled from another thread") {
 TEST_CASE("what functions of the host throw is a failure, and the session runs again") {
   SessionOptions made = at_the_table();
   int moves = 0;
-  made.on_move = [&](const MoveReport&) {
+  made.on_move = [&](const FinishedMove&) {
     if (++moves == 1) throw std::runtime_error("nobody listens");
   };
   std::string printed;
@@ -428,7 +428,7 @@ TEST_CASE("a session runs one program at a time") {
   SessionOptions made = at_the_table();
   Session* itself = nullptr;
   std::string said;
-  made.on_move = [&](const MoveReport&) {
+  made.on_move = [&](const FinishedMove&) {
     try {
       (void)itself->run();
     } catch (const ArgumentError& error) {

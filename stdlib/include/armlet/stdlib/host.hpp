@@ -31,7 +31,7 @@ namespace armlet {
 class Journal;
 
 // A finished motion, for listeners that show progress.
-struct MoveReport {
+struct FinishedMove {
   std::string robot;
   std::string function;   // as called: "moveJ"
   double start = 0.0;     // s
@@ -117,7 +117,7 @@ struct NamedPlanner {
 struct HostOptions {
   std::shared_ptr<const Robot> robot;  // for programs that declare none; null: no robot
   std::vector<NamedPlanner> planners;  // in addition to the built-in ones
-  std::function<void(const MoveReport&)> on_move;
+  std::function<void(const FinishedMove&)> on_move;
   // Called before the clock advances to t, and at each multiple of 10 ms before that; may sleep.
   // False: the program must stop. Null: the clock advances at once.
   std::function<bool(std::int64_t t_ns)> pace;
@@ -252,7 +252,7 @@ class Host : public Timeline {
   void note_way(PlannedWay way);
   [[nodiscard]] const std::vector<PlannedWay>& ways() const { return ways_; }
 
-  void report_move(const MoveReport& report);
+  void report_move(const FinishedMove& report);
   [[nodiscard]] int move_count() const { return moves_; }
 
   // ---- Timeline

@@ -48,7 +48,7 @@ struct SessionOptions : SharedBySessions {
   std::function<bool(std::int64_t t_ns)> pace;  // see HostOptions
   Output output;
   std::function<void(const Diagnostic&)> advice;
-  std::function<void(const MoveReport&)> on_move;
+  std::function<void(const FinishedMove&)> on_move;
 };
 
 }  // namespace armlet
