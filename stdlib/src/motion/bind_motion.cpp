@@ -8,6 +8,7 @@
 #include "moves/limit_policy.hpp"
 #include "moves/move_failures.hpp"
 #include "moves/move_waiting.hpp"
+#include "moves/move_words.hpp"
 #include "moves/moves.hpp"
 #include "moves/trajectories.hpp"
 #include "rules/rules.hpp"
@@ -53,8 +54,9 @@ Started move_l(Vm& vm, const RobotRef& r, const PosC& target, Number time, Numbe
 
 Started follow(Vm& vm, const RobotRef& r, const PlannedMotion& plan) {
   const MoveCall call{.function = "follow", .robot = r.id, .fixed_time = true};
-  if (!check_idle(vm, call.robot) || !check_follows(vm, call, plan)) return Failed{};
-  return start_motion(vm, call, plan.motion, path_between_ends(vm, call, plan.motion));
+  MoveCommand command = command_of(vm, call);
+  command.target = GivenMotion{.motion = plan.motion, .planner = plan.planner};
+  return run_move(vm, call, command);
 }
 
 // A motion from the present joint values through all points.
@@ -68,8 +70,10 @@ Started through(Vm& vm, MoveCall call, std::vector<Eigen::VectorXd> points,
   auto motion = plan_through(vm, call, points, planner, {.move = settings});
   if (!motion) return Failed{};
   if (!starts_and_stops(*motion)) return fail_no_ramps(vm, call, planner);
-  const double length = path_between_ends(vm, call, *motion);
-  return start_motion(vm, call, *std::move(motion), length);
+  MoveCommand command = command_of(vm, call);
+  command.target =
+      GivenMotion{.motion = *std::move(motion), .is_verified = true, .model = call.model};
+  return run_move(vm, call, command);
 }
 Started spline(Vm& vm, MoveCall call, HostList<PosJ> list, std::string_view planner,
                const MoveSettings& settings) {
@@ -117,7 +121,7 @@ Answer<void> set_joints(Vm& vm, const RobotRef& r, const PosJ& given_q) {
   if (const auto outside = limit_violations(*robot.model, q); !outside.empty()) {
     if (settings_of(vm).limits != LimitCheck::kWarn)
       return fail_outside(vm, call, q, outside.front());
-    report_excess(vm, call, Trajectory::at_rest(q, 0.0));
+    advise_beyond(vm, call, outside);
   }
   if (!check_idle(vm, id)) return Failed{};
   host.cell().set_joints(id, q);

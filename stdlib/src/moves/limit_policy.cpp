@@ -2,20 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "armlet/control/tool_goals.hpp"
 #include "armlet/core/format.hpp"
-#include "armlet/math/angles.hpp"
 #include "messages/library_messages.hpp"
 #include "values/bind.hpp"
 
 namespace armlet::bind {
 namespace {
-
-constexpr double kMoreTurns = 8.0 * kPi;  // rad, beyond the limits of a revolute joint
-constexpr double kMoreTravel = 10.0;      // m
-constexpr double kAtLimit = 1e-9;         // rad or m, the tolerance with which motions are verified
 
 const Robot& in_cell(Vm& vm, const MoveCall& call) {
   return *Host::of(vm).cell().robot(call.robot).model;
@@ -34,12 +29,15 @@ Failure advice_about(Vm& vm, const MoveCall& call, MessageCode<4> code, const Li
   return advice;
 }
 
-const LimitViolation* farthest(const std::vector<LimitViolation>& violations) {
-  const auto most = std::ranges::max_element(violations, {}, &LimitViolation::excess);
-  return most == violations.end() ? nullptr : &*most;
-}
-
 }  // namespace
+
+void advise_clamped(Vm& vm, const MoveCall& call, const std::vector<LimitViolation>& moved) {
+  for (const LimitViolation& each : moved) {
+    Failure advice = advice_about(vm, call, row("W0757"), each);
+    advice.fix = "give it a value inside its limits";
+    vm.advise(advice);
+  }
+}
 
 Eigen::VectorXd clamped(Vm& vm, MoveCall& call, const Eigen::VectorXd& q) {
   const Robot& robot = in_cell(vm, call);
@@ -47,65 +45,33 @@ Eigen::VectorXd clamped(Vm& vm, MoveCall& call, const Eigen::VectorXd& q) {
     return q;
   const std::vector<LimitViolation> outside = limit_violations(robot, q);
   Eigen::VectorXd inside = q;
-  for (const LimitViolation& each : outside) {
-    inside[each.joint] = each.limit;
-    Failure advice = advice_about(vm, call, row("W0757"), each);
-    advice.fix = "give it a value inside its limits";
-    vm.advise(advice);
-  }
+  for (const LimitViolation& each : outside) inside[each.joint] = each.limit;
+  advise_clamped(vm, call, outside);
   if (const LimitViolation* most = farthest(outside); most && most->excess() > call.excess.by)
     call.excess = {most->joint, most->excess()};
   return inside;
 }
 
-bool lift_limits(Vm& vm, MoveCall& call, const Eigen::VectorXd& q) {
+bool lift_limits(Vm& vm, MoveCall& call) {
   if (settings_of(vm).limits != LimitCheck::kWarn) return false;
-  const Robot& robot = model_of(vm, call);
-  Eigen::VectorXd lower = robot.lower(), upper = robot.upper();
-  for (int i = 0; i < robot.n(); ++i) {
-    if (robot.joint(i).is_continuous()) continue;
-    const double more = robot.is_revolute(i) ? kMoreTurns : kMoreTravel;
-    lower[i] -= more;
-    upper[i] += more;
-    if (q.size() != robot.n() || !std::isfinite(q[i])) continue;
-    lower[i] = std::min(lower[i], q[i] - more);
-    upper[i] = std::max(upper[i], q[i] + more);
-  }
-  const Eigen::VectorXd home = robot.home();
-  call.model = std::make_shared<const Robot>(robot.with_limits(lower, upper).with_home(home));
+  call.model = std::make_shared<const Robot>(with_wider_limits(model_of(vm, call)));
   return true;
 }
 
-LimitExcess report_excess(Vm& vm, const MoveCall& call, const Trajectory& motion) {
-  if (settings_of(vm).limits != LimitCheck::kWarn) return call.excess;
-  const Robot& robot = in_cell(vm, call);
-  std::vector<LimitViolation> outside;
-  for (int i = 0; i < robot.n(); ++i) {
-    const Trajectory::Range range = motion.range(i);
-    if (range.upper > robot.upper()[i] + kAtLimit)
-      outside.push_back({.joint = i, .value = range.upper, .limit = robot.upper()[i]});
-    if (range.lower < robot.lower()[i] - kAtLimit)
-      outside.push_back({.joint = i, .value = range.lower, .limit = robot.lower()[i]});
-  }
-  for (const LimitViolation& each : outside) {
+void advise_beyond(Vm& vm, const MoveCall& call, const std::vector<LimitViolation>& beyond) {
+  for (const LimitViolation& each : beyond) {
     Failure advice = advice_about(vm, call, row("W0758"), each);
     advice.why = "a real arm would stop there";
     vm.advise(advice);
   }
-  const LimitViolation* most = farthest(outside);
-  return most == nullptr ? call.excess : LimitExcess{most->joint, most->excess()};
 }
 
 bool may_be_too_fast(Vm& vm, const MoveCall& call) {
-  const LimitCheck limits = settings_of(vm).limits;
-  return limits == LimitCheck::kWarn || (call.classic && limits == LimitCheck::kError);
+  return MovePolicies{.limits = settings_of(vm).limits, .report_too_fast = call.classic}
+      .may_be_too_fast();
 }
 
-std::optional<double> lengthened(Vm& vm, const MoveCall& call, const TooFast& fast) {
-  constexpr double kRounding = 1.0 + 1e-9;
-  if (settings_of(vm).limits != LimitCheck::kClamp || !std::isfinite(fast.least_time) ||
-      fast.least_time <= fast.given)
-    return std::nullopt;
+void advise_lengthened(Vm& vm, const MoveCall& call, const TooFast& fast) {
   Failure advice;
   advice.headline = {row("W0759"),
                      {format_number(fast.given, 6) + " s", format_number(fast.least_time, 3) + " s",
@@ -113,6 +79,14 @@ std::optional<double> lengthened(Vm& vm, const MoveCall& call, const TooFast& fa
   advice.mark_parameter = call.time;
   advice.place = call.place;
   vm.advise(advice);
+}
+
+std::optional<double> lengthened(Vm& vm, const MoveCall& call, const TooFast& fast) {
+  constexpr double kRounding = 1.0 + 1e-9;
+  if (settings_of(vm).limits != LimitCheck::kClamp || !std::isfinite(fast.least_time) ||
+      fast.least_time <= fast.given)
+    return std::nullopt;
+  advise_lengthened(vm, call, fast);
   return fast.least_time * kRounding;
 }
 

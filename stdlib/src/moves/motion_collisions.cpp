@@ -64,12 +64,12 @@ Failure failure_of_meeting(Vm& vm, const MoveCall& call, const CellCollision& me
   return f;
 }
 
-// Whether the tool or its payload presses into an object, which causes a contact force.
-bool is_felt(const Cell& cell, const CellCollision& met) {
-  return feels(cell, met.body) && !met.other.object.empty();
-}
+// Lines and curves have a prescribed path, so no path around obstacles is searched for them.
+bool has_a_way(const MoveCall& call) { return call.function != "moveJ"; }
 
-void advise(Vm& vm, const MoveCall& call, const CellCollision& met, double duration) {
+}  // namespace
+
+void advise_collision(Vm& vm, const MoveCall& call, const CellCollision& met, double duration) {
   Host& host = Host::of(vm);
   const void* code = (call.place.code() != nullptr ? call.place : place_of_call(vm)).code();
   const std::string pair =
@@ -77,20 +77,6 @@ void advise(Vm& vm, const MoveCall& call, const CellCollision& met, double durat
   if (host.first_collision(code, pair))
     vm.advise(failure_of_meeting(vm, call, met, false, duration));
 }
-
-// Whether a robot started a motion with a number above `last` at t_ns or before.
-bool has_started(const Cell& cell, int robot, int last, std::int64_t t_ns) {
-  for (int motion = last + 1; motion <= cell.robot(robot).motion_id; ++motion) {
-    const MotionReport& report = cell.report(motion);
-    if (report.robot == robot) return report.start_ns <= t_ns;
-  }
-  return false;
-}
-
-// Lines and curves have a prescribed path, so no path around obstacles is searched for them.
-bool has_a_way(const MoveCall& call) { return call.function != "moveJ"; }
-
-}  // namespace
 
 Failed fail_meeting(Vm& vm, const MoveCall& call, const CellCollision& met, double duration) {
   Failure f = failure_of_meeting(vm, call, met, true, duration);
@@ -101,58 +87,27 @@ Failed fail_meeting(Vm& vm, const MoveCall& call, const CellCollision& met, doub
   return fail(vm, std::move(f));
 }
 
-Answer<std::vector<PossibleCollision>> check_collisions(Vm& vm, const MoveCall& call,
-                                                        const Trajectory& motion,
-                                                        std::span<const MotionBeside> beside) {
+Answer<std::vector<PossibleCollision>> check_finger_collisions(
+    Vm& vm, const MoveCall& call, const Trajectory& motion, std::span<const MotionBeside> beside) {
   const BlockSettings settings = settings_of(vm);
-  const CollisionCheck wanted = settings.avoid ? CollisionCheck::kError : settings.collisions;
-  if (wanted == CollisionCheck::kIgnore || motion.duration() <= 0.0)
-    return std::vector<PossibleCollision>{};
-  Host& host = Host::of(vm);
-  auto met = find_collisions(host.cell(), call.robot, motion, beside);
-  // Closing fingers are meant to touch; their contact force is checked instead (R0637).
-  if (call.function == kCloseHand)
-    std::erase_if(met, [](const CellCollision& each) { return !each.other.object.empty(); });
-  const bool guarded = is_guarded(vm);
-  if (guarded && wanted == CollisionCheck::kError)
-    std::erase_if(met, [&](const CellCollision& each) { return is_felt(host.cell(), each); });
-  std::vector<PossibleCollision> possible;
-  if (met.empty()) return possible;
-  if (wanted == CollisionCheck::kError)
-    return fail_meeting(vm, call, met.front(), motion.duration());
-  for (CellCollision& each : met) {
-    const int other = each.other.robot;
-    const bool is_other = other >= 0 && other != call.robot;
-    const bool is_known =
-        is_other && std::ranges::find(beside, other, &MotionBeside::robot) != beside.end();
-    const bool stands = is_other && !is_known && !host.cell().is_moving(other);
-    if (each.at_start || !(guarded || stands)) {
-      advise(vm, call, each, motion.duration());
-      continue;
-    }
-    std::optional<int> last;
-    if (is_other && !is_known) last = host.cell().robot(other).motion_id;
-    possible.push_back({.met = std::move(each), .guarded = guarded, .last = last});
-  }
-  return possible;
+  CollisionReport report = check_collisions(Host::of(vm).cell(), call.robot, motion,
+                                            {.collisions = settings.collisions,
+                                             .avoid = settings.avoid,
+                                             .guarded = is_guarded(vm),
+                                             .touching = call.function == kCloseHand},
+                                            beside);
+  if (report.is_refused) return fail_meeting(vm, call, report.certain.front(), motion.duration());
+  for (const CellCollision& each : report.certain)
+    advise_collision(vm, call, each, motion.duration());
+  return std::move(report.possible);
 }
 
 void report_collisions(Vm& vm, const MoveCall& call, int motion,
                        const std::vector<PossibleCollision>& possible) {
-  constexpr double kPressed = 0.010;  // m: a deeper contact is not a touch
   const Cell& cell = Host::of(vm).cell();
   const MotionReport& report = cell.report(motion);
-  const double duration = to_seconds(report.end_ns - report.start_ns);
-  for (const PossibleCollision& each : possible) {
-    const CellCollision& met = each.met;
-    if (report.state == MotionState::kStopped && met.t >= duration) continue;
-    if (each.last && has_started(cell, met.other.robot, *each.last, report.start_ns + to_ns(met.t)))
-      continue;
-    if (each.guarded && is_felt(cell, met) &&
-        -distance_between(cell, met.body, met.other, Carried::kLeftOut) <= kPressed)
-      continue;
-    advise(vm, call, met, duration);
-  }
+  for (const CellCollision& met : confirmed_collisions(cell, motion, possible))
+    advise_collision(vm, call, met, to_seconds(report.end_ns - report.start_ns));
 }
 
 }  // namespace armlet::bind

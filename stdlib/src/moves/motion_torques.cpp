@@ -22,13 +22,6 @@ std::string remedy(const MotionForces& forces, double duration) {
   return fmt::format("let it take {} s, or carry less", format_number(1e-3 * milliseconds, 3));
 }
 
-// Whether a motor would exceed its limit.
-bool is_beyond(const MotionForces& forces) {
-  constexpr double kRounding = 1e-9;
-  return forces.nearest >= 0 &&
-         forces.peaks[static_cast<std::size_t>(forces.nearest)].share() > 1.0 + kRounding;
-}
-
 // Whether a command that directly follows another one is checked.
 bool is_looked_at(const Host& host, int robot, std::int64_t during_ns) {
   constexpr std::int64_t kEvery = 5'000'000;  // ns
@@ -69,16 +62,29 @@ Failure too_strong(const MoveCall& call, const Robot& robot, const MotionForces&
 }
 
 // Forces beyond the range of doubles exceed the limit of any motor.
-Answer<double> beyond_numbers(Vm& vm, const MoveCall& call, TorqueCheck wanted,
-                              const ArgumentError& error) {
+Failure beyond_numbers(const MoveCall& call, const TorqueReport& report) {
   Failure f = about(call);
-  if (wanted == TorqueCheck::kReport) {
-    f.headline = {row("W0722"), {clause_of(error)}};
-    vm.advise(f);
-    return 1.0;
+  std::string clause = clause_of(ArgumentError(report.beyond_numbers));
+  if (report.is_refused) {
+    f.headline = {row("R0640"), {std::move(clause)}};
+  } else {
+    f.headline = {row("W0722"), {std::move(clause)}};
   }
-  f.headline = {row("R0640"), {clause_of(error)}};
-  return refuse(vm, call, std::move(f));
+  return f;
+}
+
+// Advice or a failure about torques beyond the limits, with this fix.
+Answer<void> word(Vm& vm, const MoveCall& call, const TorqueReport& report, std::string fix,
+                  std::string why = {}) {
+  if (!report.is_beyond()) return {};
+  const Robot& robot = *Host::of(vm).cell().robot(call.robot).loaded;
+  Failure f = report.forces
+                  ? too_strong(call, robot, *report.forces, std::move(fix), report.is_refused)
+                  : beyond_numbers(call, report);
+  if (report.forces && !why.empty()) f.why = std::move(why);
+  if (report.is_refused) return refuse(vm, call, std::move(f));
+  vm.advise(f);
+  return {};
 }
 
 }  // namespace
@@ -88,48 +94,19 @@ std::string force_text(const Robot& robot, int joint, double force) {
   return fmt::format("{:.4g} {}", std::abs(force), turns ? "Nm" : "N");
 }
 
-Answer<double> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion) {
-  const TorqueCheck wanted = settings_of(vm).torques;
-  const Robot& robot = *Host::of(vm).cell().robot(call.robot).loaded;
-  if (wanted == TorqueCheck::kIgnore || !has_force_limits(robot) || motion.duration() <= 0.0)
-    return 1.0;
-  try {
-    const MotionForces forces = motion_forces(robot, motion);
-    if (!is_beyond(forces)) return 1.0;
-    const bool slows = wanted == TorqueCheck::kLimit && !call.fixed_time;
-    if (slows && std::isfinite(forces.slower)) return forces.slower;
-    const bool refused = wanted != TorqueCheck::kReport;
-    Failure f = too_strong(call, robot, forces, remedy(forces, motion.duration()), refused);
-    if (refused) return refuse(vm, call, std::move(f));
-    vm.advise(f);
-    return 1.0;
-  } catch (const ArgumentError& error) {
-    return beyond_numbers(vm, call, wanted, error);
-  }
+Answer<void> word_torques(Vm& vm, const MoveCall& call, const TorqueReport& report) {
+  return word(vm, call, report, report.forces ? remedy(*report.forces, report.duration) : "");
 }
 
 Answer<void> check_velocity_torques(Vm& vm, const MoveCall& call, const Trajectory& motion,
                                     std::int64_t during_ns) {
-  const TorqueCheck wanted = settings_of(vm).torques;
-  const Robot& robot = *Host::of(vm).cell().robot(call.robot).loaded;
-  if (wanted == TorqueCheck::kIgnore || !has_force_limits(robot)) return {};
   if (!is_looked_at(Host::of(vm), call.robot, during_ns)) return {};
-  try {
-    const MotionForces forces = command_forces(robot, motion, 0.0, to_seconds(during_ns));
-    if (!is_beyond(forces)) return {};
-    const bool refused = wanted != TorqueCheck::kReport;
-    Failure f =
-        too_strong(call, robot, forces,
-                   std::isfinite(forces.slower) ? "change the speed in smaller steps, or carry less"
-                                                : "carry less, or go where the arm holds it",
-                   refused);
-    if (refused) return refuse(vm, call, std::move(f));
-    vm.advise(f);
-    return {};
-  } catch (const ArgumentError& error) {
-    if (!beyond_numbers(vm, call, wanted, error)) return Failed{};
-    return {};
-  }
+  const TorqueReport report = check_command_torques(Host::of(vm).cell(), call.robot, motion, 0.0,
+                                                    to_seconds(during_ns), settings_of(vm).torques);
+  return word(vm, call, report,
+              report.forces && std::isfinite(report.forces->slower)
+                  ? "change the speed in smaller steps, or carry less"
+                  : "carry less, or go where the arm holds it");
 }
 
 void remember_rest(Vm& vm, const MoveCall& call, Trajectory path, int motion) {
@@ -147,20 +124,13 @@ void report_rest(Vm& vm, int index) {
   const MotionReport& report = host.cell().report(last->motion);
   const std::int64_t until = std::min(report.end_ns, host.now_ns());
   if (report.halted || report.state == MotionState::kStopped || until <= *report.held_ns) return;
-  const Robot& robot = *host.cell().robot(index).loaded;
   const MoveCall call{.function = last->function, .robot = index, .place = last->place};
-  try {
-    const MotionForces forces =
-        command_forces(robot, last->path, to_seconds(*report.held_ns - report.start_ns),
-                       to_seconds(until - report.start_ns));
-    if (!is_beyond(forces)) return;
-    Failure f = too_strong(call, robot, forces,
-                           "slow down in smaller steps before the last of them ends", false);
-    f.why = "that is on the way to rest, which the robot takes where no other command follows";
-    vm.advise(f);
-  } catch (const ArgumentError& error) {
-    static_cast<void>(beyond_numbers(vm, call, TorqueCheck::kReport, error));
-  }
+  const TorqueReport torques = check_command_torques(
+      host.cell(), index, last->path, to_seconds(*report.held_ns - report.start_ns),
+      to_seconds(until - report.start_ns), TorqueCheck::kReport);
+  static_cast<void>(
+      word(vm, call, torques, "slow down in smaller steps before the last of them ends",
+           "that is on the way to rest, which the robot takes where no other command follows"));
 }
 
 void report_rests(Vm& vm) {

@@ -9,9 +9,9 @@
 
 namespace armlet::bind {
 
-// Reports, as `with (torques:)` requests, that a motor of the robot cannot deliver the torques of
-// this motion: as advice, or as R0642. Returns the factor by which it has to be slower, >= 1.
-Answer<double> check_torques(Vm& vm, const MoveCall& call, const Trajectory& motion);
+// Torques of a motion beyond the limits of the motors of the robot: advice, or R0642 or R0640 if the
+// report refuses the motion. Nothing if the motors suffice.
+Answer<void> word_torques(Vm& vm, const MoveCall& call, const TorqueReport& report);
 
 // Checks the motor torques of a velocity command of this duration. It cannot be made slower: it is
 // refused where a move would be slowed. Of commands that follow each other directly, those are

@@ -3,38 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "armlet/cell/collisions.hpp"
-#include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
-#include "armlet/kinematics/forward.hpp"
-#include "armlet/math/format_vector.hpp"
 #include "messages/library_messages.hpp"
-#include "moves/limit_policy.hpp"
-#include "moves/motion_collisions.hpp"
-#include "moves/move_failures.hpp"
-#include "moves/move_waiting.hpp"
-#include "moves/trajectories.hpp"
 #include "values/bind.hpp"
 
 namespace armlet::bind {
 namespace {
-
-using Eigen::VectorXd;
-
-// The joint values that reach the goal: the given ones first, then other solutions, nearest first.
-std::vector<VectorXd> goals_of(const Robot& robot, const VectorXd& q0, const WayWanted& wanted) {
-  constexpr double kSame = 1e-6;
-  std::vector<VectorXd> goals = {wanted.goal};
-  if (!wanted.any_branch) return goals;
-  for (VectorXd& q : solve_ik_all(robot, forward(robot, wanted.goal), {.seed = q0})) {
-    const bool known = std::ranges::any_of(
-        goals, [&](const VectorXd& each) { return (each - q).cwiseAbs().maxCoeff() < kSame; });
-    if (!known) goals.push_back(std::move(q));
-  }
-  return goals;
-}
 
 // Two bodies by name; all bodies of a link have the same name.
 struct NamedPair {
@@ -129,71 +105,12 @@ Failed fail_search(Vm& vm, const MoveCall& call, const WayAround& around) {
   return fail(vm, std::move(f));
 }
 
-MotionNotes notes_of(const Robot& robot, const WayAround& around) {
-  MotionNotes notes;
-  const auto& points = around.way.points;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    notes.parts.push_back(
-        {.what =
-             fmt::format("around, to {}", format_point_mm(forward(robot, points[k]).translation())),
-         .end = around.times[k - 1]});
-  }
-  return notes;
-}
-
 }  // namespace
 
-Answer<WayAround> way_around(Vm& vm, const MoveCall& call, const WayWanted& wanted) try {
-  const Cell& cell = Host::of(vm).cell();
-  const CellRobot& state = cell.robot(call.robot);
-  const std::shared_ptr<const Robot> model = call.model != nullptr ? call.model : state.model;
-  WayAroundRequest request{.robot = call.robot,
-                           .goals = goals_of(*model, state.q, wanted),
-                           .model = model,
-                           .time = wanted.move.time,
-                           .search = wanted.search};
-  if (!request.time) request.speed = wanted.move.speed.value_or(settings_of(vm).speed);
-  const std::size_t goals = request.goals.size();
-  const auto find_it = [&] { return find_way_around(cell, request); };
-  WayAround around = find_it();
-  keep_time(vm, call, request.time, around, find_it);
-  switch (around.way.status) {
-    case WayStatus::kFound:
-      break;
-    case WayStatus::kStartCollides:
-    case WayStatus::kGoalCollides:
-      return fail_end(vm, call, around, goals);
-    default:
-      return fail_search(vm, call, around);
-  }
-  if (around.ok()) {
-    Host& host = Host::of(vm);
-    host.note_way({.t_ns = host.now_ns(),
-                   .robot = call.robot,
-                   .model = model,
-                   .motion = *around.motion.trajectory});
-    return around;
-  }
-  if (!around.met.empty()) return fail_meeting(vm, call, around.met.front(), 0.0);
-  if (!around.motion.outside.empty())
-    return fail_swings_outside(vm, call, around.motion.outside.front());
-  return fail_too_fast(vm, call, *around.motion.too_fast);
-} catch (const ArgumentError& error) {
-  return failure_of(vm, "R0626", error);
-}
-
-Started start_avoiding(Vm& vm, const MoveCall& call, Trajectory straight, const WayWanted& wanted) {
-  const Cell& cell = Host::of(vm).cell();
-  // Fingers have a prescribed path: no other path is searched, and a collision is refused.
-  if (cell.robot(call.robot).on >= 0 || find_collisions(cell, call.robot, straight).empty()) {
-    const double length = path_between_ends(vm, call, straight);
-    return start_motion(vm, call, std::move(straight), length);
-  }
-  auto around = way_around(vm, call, wanted);
-  if (!around) return Failed{};
-  MotionNotes notes = notes_of(model_of(vm, call), *around);
-  return start_motion(vm, call, *std::move(around->motion.trajectory), around->length,
-                      std::move(notes));
+Failed fail_no_way(Vm& vm, const MoveCall& call, const refused::NoWayAround& why) {
+  const WayStatus status = why.around.way.status;
+  const bool is_end = status == WayStatus::kStartCollides || status == WayStatus::kGoalCollides;
+  return is_end ? fail_end(vm, call, why.around, why.goals) : fail_search(vm, call, why.around);
 }
 
 }  // namespace armlet::bind

@@ -3,29 +3,27 @@
 #include <fmt/format.h>
 
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/math/format_vector.hpp"
 #include "messages/library_messages.hpp"
 #include "moves/grips.hpp"
-#include "moves/limit_policy.hpp"
 #include "moves/motion_collisions.hpp"
-#include "moves/motion_torques.hpp"
-#include "values/time_left.hpp"
+#include "moves/move_words.hpp"
 
 namespace armlet::bind {
 namespace {
 
 class MoveWaiting : public Waiting {
  public:
-  MoveWaiting(Host& host, const MoveCall& call, int motion, double length, double deviation,
-              LimitExcess excess, std::vector<PossibleCollision> possible)
+  MoveWaiting(Host& host, const MoveCall& call, MoveReport& report)
       : host_(host),
         call_(call),
         function_(call.function),
-        motion_(motion),
-        length_(length),
-        deviation_(deviation),
-        excess_(excess),
+        motion_(report.motion),
+        length_(report.planned.length),
+        deviation_(report.planned.deviation),
+        excess_(report.limits.excess),
         from_(tool_point()),
-        possible_(std::move(possible)) {}
+        possible_(std::move(report.collisions.possible)) {}
 
   [[nodiscard]] std::int64_t due_ns() const override { return host_.cell().known_until(motion_); }
   [[nodiscard]] bool is_over() const override { return report().state != MotionState::kRunning; }
@@ -136,31 +134,55 @@ class HaltWaiting : public Waiting {
   int motion_;
 };
 
+// The texts of the parts of a motion, and what a trajectory does not contain.
+MotionNotes notes_of(const MoveReport& report, std::vector<std::string> labels) {
+  const PlannedMove& planned = report.planned;
+  MotionNotes notes{.deviation = planned.deviation, .turn = planned.turn};
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    notes.parts.push_back({.what = std::move(labels[k]),
+                           .end = planned.times[k],
+                           .missed = planned.missed.empty() ? 0.0 : planned.missed[k]});
+  }
+  return notes;
+}
+
+// Of a motion around obstacles; none of other motions.
+std::vector<std::string> labels_of(const MoveReport& report) {
+  std::vector<std::string> labels;
+  if (!report.around) return labels;
+  for (const Eigen::Isometry3d& T : report.planned.T_world_targets)
+    labels.push_back(fmt::format("around, to {}", format_point_mm(T.translation())));
+  return labels;
+}
+
+// The call whose target is refused: by default the same with the index of the target.
+MoveCall call_of_target(const MoveCall& call, const MoveWords& words, const MoveReport& report) {
+  MoveCall at = words.call_of ? words.call_of(report) : call;
+  at.model = report.planned.model;
+  return at;
+}
+
 }  // namespace
 
-Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double length,
-                     MotionNotes notes) {
+Started run_move(Vm& vm, MoveCall call, const MoveCommand& command, const MoveWords& words) {
   Host& host = Host::of(vm);
-  if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
-  report_rest(vm, call.robot);
-  const auto slower = check_torques(vm, call, trajectory);
-  if (!slower) return Failed{};
-  if (*slower > 1.0) {
-    trajectory = trajectory.stretched(*slower);
-    for (MotionPart& part : notes.parts) part.end *= *slower;
-    if (!check_time_left(vm, "a motion", trajectory.duration(), kMarkCallee)) return Failed{};
+  MoveReport report = make_move(host.cell(), host.planners(), command);
+  call.model = report.planned.model;
+  MoveCall timed = words.timed ? *words.timed : call;
+  timed.model = call.model;
+  advise_planned(vm, call, timed, report);
+  advise_checked(vm, call, report);
+  if (!report.ok()) {
+    const bool is_time = std::holds_alternative<TooFast>(*report.refusal);
+    return fail_move(vm, is_time ? timed : call_of_target(call, words, report), report);
   }
-  auto possible = check_collisions(vm, call, trajectory);
-  if (!possible) return Failed{};
-  const bool instant = trajectory.duration() <= 0.0;
-  const double deviation = notes.deviation;
-  const LimitExcess excess = report_excess(vm, call, trajectory);
-  host.remember_motion(call.robot, {std::string(call.function), trajectory, std::move(notes)});
-  const int motion = host.cell().is_moving(call.robot)
-                         ? host.cell().drive(call.robot, std::move(trajectory))
-                         : host.cell().start(call.robot, std::move(trajectory));
-  std::unique_ptr<Waiting> waiting = std::make_unique<MoveWaiting>(
-      host, call, motion, length, deviation, excess, *std::move(possible));
+  if (report.limits.excess.joint < 0) report.limits.excess = call.excess;
+  MotionNotes notes = notes_of(report, words.labels ? words.labels(report) : labels_of(report));
+  Trajectory& motion = *report.planned.motion;
+  const bool instant = motion.duration() <= 0.0;
+  std::unique_ptr<Waiting> waiting = std::make_unique<MoveWaiting>(host, call, report);
+  host.remember_motion(call.robot,
+                       {std::string(call.function), std::move(motion), std::move(notes)});
   if (instant) host.advance_to(host.now_ns());
   return waiting;
 }

@@ -1,18 +1,30 @@
 #pragma once
 // A motion from the call that starts it to the Move that the call returns.
 
-#include "armlet/trajectory/trajectory.hpp"
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "moves/moves.hpp"
 
 namespace armlet::bind {
 
-// Starts a planned trajectory. A robot that decelerates after a velocity command continues with its
-// present speed.
+// The words of a move with several targets. Left out, they follow from the call.
 //
-// length  of the whole move, m. A move that is stopped before its end reports the path length of
-//         the moving point instead.
-Started start_motion(Vm& vm, const MoveCall& call, Trajectory trajectory, double length,
-                     MotionNotes notes = {});
+// labels   one text for each target: "moveL to (300, 0, 150) mm".
+// call_of  the call that messages about the refused target of a report mark.
+// timed    the call that messages about the time mark.
+struct MoveWords {
+  std::function<std::vector<std::string>(const MoveReport& report)> labels{};
+  std::function<MoveCall(const MoveReport& report)> call_of{};
+  std::optional<MoveCall> timed{};
+};
+
+// Makes the move and reports what it exceeds, or why it is refused. A robot that decelerates after
+// a velocity command continues with its present speed. A move that is stopped before its end
+// reports the path length of the moving point.
+Started run_move(Vm& vm, MoveCall call, const MoveCommand& command, const MoveWords& words = {});
 
 // A move that is not executed: it has ended at once.
 std::unique_ptr<Waiting> no_move();

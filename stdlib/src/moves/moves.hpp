@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "armlet/control/make_move.hpp"
 #include "armlet/kinematics/ik.hpp"
 #include "armlet/stdlib/host.hpp"
 #include "armlet/trajectory/cartesian_line.hpp"
@@ -20,12 +21,6 @@ namespace armlet::bind {
 using Started = Answer<std::unique_ptr<Waiting>>;
 
 inline constexpr std::string_view kStraightLine = "straight line";
-
-// The joint that exceeds its limit most, from 0, and by how much, rad or m. -1: no joint does.
-struct LimitExcess {
-  int joint = -1;
-  double by = 0.0;
-};
 
 // The parameters of a call by meaning, for marks in messages; -1: the call has no such parameter.
 struct MoveCall {
@@ -99,11 +94,13 @@ Answer<void> check_tool_rates(Vm& vm, const MoveCall& call, const MoveSettings& 
 // Checks a fraction of the joint limits.
 Answer<void> check_fraction(Vm& vm, const char* what, double value, int parameter);
 
-// Whether every joint starts from rest and ends at rest, without a jump in its speed.
-[[nodiscard]] bool starts_and_stops(const Trajectory& motion);
-
 // Stops the robot under control; its present move fails with R0618. Ends when the robot is at rest.
 std::unique_ptr<Waiting> halt_robot(Vm& vm, int robot);
+
+// A target as the runtime takes it.
+[[nodiscard]] inline ToolPose tool_pose(const PosC& target) {
+  return {.T_world_tool = target.T, .has_orientation = target.has_orientation};
+}
 
 // Failures as messages.
 Failed fail_unreachable(Vm& vm, const MoveCall& call, const Eigen::Isometry3d& goal,

@@ -2,27 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "armlet/core/error.hpp"
 #include "armlet/core/format.hpp"
-#include "armlet/kinematics/forward.hpp"
 #include "armlet/math/format_vector.hpp"
-#include "armlet/trajectory/cartesian_path.hpp"
 #include "messages/library_messages.hpp"
-#include "moves/goals.hpp"
-#include "moves/limit_policy.hpp"
 #include "moves/move_failures.hpp"
 #include "moves/move_waiting.hpp"
+#include "moves/move_words.hpp"
 #include "values/bind.hpp"
 #include "values/setting_words.hpp"
-#include "values/time_left.hpp"
 
 namespace armlet::bind {
 namespace {
-
-using Eigen::VectorXd;
 
 Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
   Failure f;
@@ -34,61 +27,6 @@ Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
   return fail(vm, std::move(f));
 }
 
-// The positions of a path one after another, each with the joint values at which its move begins.
-class Corners {
- public:
-  Corners(Vm& vm, const CollectedPath& path, std::shared_ptr<const Robot> model, const VectorXd& q0)
-      : vm_(vm), path_(path), model_(std::move(model)), at_{forward(*model_, q0), q0} {}
-
-  Answer<void> lay() {
-    for (const CollectedMove& move : path_.moves) {
-      starts_.push_back(at_.q);
-      MoveCall call = move.call;
-      call.model = model_;
-      auto goal = move.joints ? joint_goal(call, move) : goal_after(vm_, call, move.target, at_);
-      if (!goal) return Failed{};
-      at_ = *std::move(goal);
-      points_.push_back({.T_world_tool = at_.T_world_tool,
-                         .q = move.joints ? std::optional(at_.q) : std::nullopt,
-                         .p_world_via = move.p_world_via,
-                         .blend = move.blend.value_or(path_.blend),
-                         .tool_speed = move.speed ? move.speed : path_.speed,
-                         .tool_accel = move.accel});
-    }
-    return {};
-  }
-
-  [[nodiscard]] const std::vector<PathPoint>& points() const { return points_; }
-  [[nodiscard]] const VectorXd& start(int move) const {
-    return starts_[static_cast<std::size_t>(move)];
-  }
-  // Whether no target has an orientation.
-  [[nodiscard]] bool only_positions() const {
-    return std::ranges::none_of(
-        path_.moves, [](const CollectedMove& m) { return m.target.has_orientation && !m.joints; });
-  }
-
- private:
-  // The goal of a joint move.
-  Answer<Goal> joint_goal(const MoveCall& call, const CollectedMove& move) {
-    const VectorXd& near = move.joints->near.size() > 0 ? move.joints->near : at_.q;
-    auto q = move.joints->q ? Answer<VectorXd>(*move.joints->q)
-                            : solve_target(vm_, call, move.target, near);
-    if (!q) return Failed{};
-    const bool warns = settings_of(vm_).limits == LimitCheck::kWarn;
-    if (const auto outside = limit_violations(*model_, *q); !outside.empty() && !warns)
-      return fail_outside(vm_, call, *q, outside.front());
-    return Goal{forward(*model_, *q), *std::move(q)};
-  }
-
-  Vm& vm_;
-  const CollectedPath& path_;
-  std::shared_ptr<const Robot> model_;
-  Goal at_;
-  std::vector<PathPoint> points_;
-  std::vector<VectorXd> starts_;
-};
-
 // The call that messages about the time of the path refer to.
 MoveCall timed_call(const CollectedPath& path, MoveCall whole) {
   whole.time = 0;
@@ -96,30 +34,31 @@ MoveCall timed_call(const CollectedPath& path, MoveCall whole) {
   return whole;
 }
 
-// The failure, marked at the move that caused it.
-Failed fail_path(Vm& vm, const CollectedPath& path, const MoveCall& whole, const Corners& corners,
-                 const PathPlan& plan) {
-  if (plan.fault) {
-    MoveCall call = path.moves[static_cast<std::size_t>(plan.point)].call;
-    call.model = whole.model;
-    const PosC target{corners.points()[static_cast<std::size_t>(plan.point)].T_world_tool, true};
-    return fail_line(vm, call, corners.start(plan.point), target, *plan.fault);
+PathTarget target_of(const CollectedPath& path) {
+  PathTarget target;
+  for (const CollectedMove& move : path.moves) {
+    PathStep step{.pose = tool_pose(move.target),
+                  .moves_joints = move.joints.has_value(),
+                  .p_world_via = move.p_world_via,
+                  .blend = move.blend.value_or(path.blend),
+                  .tool_speed = move.speed ? move.speed : path.speed,
+                  .tool_accel = move.accel};
+    if (move.joints) {
+      step.q = move.joints->q;
+      step.near = move.joints->near;
+    }
+    target.steps.push_back(std::move(step));
   }
-  if (!plan.motion.outside.empty()) return fail_swings_outside(vm, whole, plan.motion.outside[0]);
-  return fail_too_fast(vm, timed_call(path, whole), *plan.motion.too_fast);
+  return target;
 }
 
-MotionNotes notes_of(const CollectedPath& path, const Corners& corners, const PathPlan& plan) {
-  MotionNotes notes;
+std::vector<std::string> labels_of(const CollectedPath& path, const MoveReport& report) {
+  std::vector<std::string> labels;
   for (std::size_t k = 0; k < path.moves.size(); ++k) {
-    const CollectedMove& move = path.moves[k];
-    const Eigen::Isometry3d& T = corners.points()[k].T_world_tool;
-    notes.parts.push_back(
-        {.what = fmt::format("{} to {}", move.call.function, format_point_mm(T.translation())),
-         .end = plan.times[k],
-         .missed = plan.missed[k]});
+    labels.push_back(fmt::format("{} to {}", path.moves[k].call.function,
+                                 format_point_mm(report.planned.T_world_targets[k].translation())));
   }
-  return notes;
+  return labels;
 }
 
 // Fails for settings that a move in a path cannot have.
@@ -196,46 +135,20 @@ Answer<void> check_blend_length(Vm& vm, double blend, int parameter) {
       parameter);
 }
 
-Started make_path(Vm& vm, const CollectedPath& path) try {
+Started make_path(Vm& vm, const CollectedPath& path) {
   if (path.moves.empty()) return no_move();
   MoveCall whole{.function = "path", .robot = path.moves.front().call.robot, .target = -1};
-  if (!check_idle(vm, whole.robot)) return Failed{};
-  const BlockSettings block = settings_of(vm);
-  choose_model(vm, whole, {}, block.accel);
-  whole.fixed_time = path.time.has_value();
-  const CellRobot& state = Host::of(vm).cell().robot(whole.robot);
-  const std::shared_ptr<const Robot> model = whole.model != nullptr ? whole.model : state.model;
-  Corners corners(vm, path, model, state.q);
-  if (!corners.lay()) return Failed{};
-  PathMove move{.q0 = state.q, .points = corners.points(), .time = path.time};
-  if (!move.time) move.speed = block.speed;
-  if (block.track == Track::kSlow) move.jerk = Jerk::kFree;
-  if (move.jerk == Jerk::kLimited) move.motors = limiting_motors(vm, whole);
-  double slowest = 0.0;  // total time of the moves with speeds of their own
-  Eigen::Vector3d from = forward(*model, state.q).translation();
-  for (const auto& point : move.points) {
-    const Eigen::Vector3d to = point.T_world_tool.translation();
-    slowest += least_time((to - from).norm(), point.tool_speed, point.tool_accel);
-    from = to;
-  }
-  if (!check_time_left(vm, "a motion", slowest, kMarkCallee)) return Failed{};
-  const auto plan_it = [&] { return plan_path(model_of(vm, whole), move); };
-  PathPlan plan = plan_it();
-  if (plan.fault && corners.only_positions()) {
-    // The orientation cannot be kept everywhere: the tool rotates as little as necessary.
-    move.task = IkTask::kPositionFirst;
-    plan = plan_it();
-  }
-  if (!plan.ok() && !plan.motion.too_fast && lift_limits(vm, whole)) {
-    PathPlan beyond = plan_it();
-    if (!beyond.fault) plan = std::move(beyond);
-  }
-  keep_time(vm, timed_call(path, whole), move.time, plan, plan_it);
-  if (!plan.ok()) return fail_path(vm, path, whole, corners, plan);
-  MotionNotes notes = notes_of(path, corners, plan);
-  return start_motion(vm, whole, *std::move(plan.motion.trajectory), plan.length, std::move(notes));
-} catch (const ArgumentError& error) {
-  return failure_of(vm, "R0626", error);
+  MoveCommand command = command_of(vm, whole);
+  command.target = target_of(path);
+  command.time = path.time;
+  if (path.time) command.speed.reset();
+  const auto call_of = [&](const MoveReport& report) {
+    return report.target < 0 ? whole : path.moves[static_cast<std::size_t>(report.target)].call;
+  };
+  return run_move(vm, whole, command,
+                  {.labels = [&](const MoveReport& report) { return labels_of(path, report); },
+                   .call_of = call_of,
+                   .timed = timed_call(path, whole)});
 }
 
 }  // namespace armlet::bind

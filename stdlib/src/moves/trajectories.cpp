@@ -225,26 +225,4 @@ Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& star
   return verified(vm, call, std::move(whole), Jerk::kLimited);
 }
 
-double path_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion) {
-  const Robot& robot = model_of(vm, call);
-  return (forward(robot, motion.end()).translation() - forward(robot, motion.start()).translation())
-      .norm();
-}
-
-Answer<void> check_follows(Vm& vm, const MoveCall& call, const PlannedMotion& plan) {
-  const CellRobot& state = Host::of(vm).cell().robot(call.robot);
-  const Robot& robot = model_of(vm, call);
-  if (plan.motion.n() != robot.n()) return fail_joint_count(vm, call, plan.motion.n());
-  const Eigen::VectorXd apart = plan.motion.start() - state.q;
-  Eigen::Index joint = 0;
-  constexpr double kSamePosition = 1e-6;  // as the cell requires
-  if (apart.cwiseAbs().maxCoeff(&joint) > kSamePosition) {
-    return fail_elsewhere(vm, call, static_cast<int>(joint), plan.motion.start()[joint],
-                          state.q[joint]);
-  }
-  if (!starts_and_stops(plan.motion)) return fail_no_ramps(vm, call, plan.planner);
-  if (!verified(vm, call, plan.motion)) return Failed{};
-  return {};
-}
-
 }  // namespace armlet::bind

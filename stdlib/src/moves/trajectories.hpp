@@ -81,10 +81,4 @@ Answer<std::vector<PosC>> positions_in_world(Vm& vm, const MoveCall& call,
                                              const MoveSettings& settings,
                                              const HostList<PosC>& list);
 
-// The straight distance of the tool point between the start and the end of a motion, m.
-[[nodiscard]] double path_between_ends(Vm& vm, const MoveCall& call, const Trajectory& motion);
-
-// Fails unless this robot can execute the trajectory from its present joint values.
-Answer<void> check_follows(Vm& vm, const MoveCall& call, const PlannedMotion& plan);
-
 }  // namespace armlet::bind

@@ -213,7 +213,7 @@ Started move_fingers(Vm& vm, int hand, const std::vector<double>& bends, bool cl
     for (std::size_t k = 0; k < motions.size(); ++k) {
       if (k != i) beside.push_back({motions[k].call.robot, &planned[k]});
     }
-    auto possible = check_collisions(vm, motions[i].call, planned[i], beside);
+    auto possible = check_finger_collisions(vm, motions[i].call, planned[i], beside);
     if (!possible) return Failed{};
     motions[i].possible = *std::move(possible);
   }

@@ -12,8 +12,8 @@
 #include "messages/library_messages.hpp"
 #include "moves/limit_policy.hpp"
 #include "moves/motion_torques.hpp"
-#include "moves/move_around.hpp"
 #include "moves/move_failures.hpp"
+#include "moves/move_words.hpp"
 #include "moves/trajectories.hpp"
 #include "rules/rules.hpp"
 #include "trajectory/motion_text.hpp"
@@ -132,25 +132,17 @@ Answer<PlannedMotion> plan_to_joints(Vm& vm, MoveCall call, const Eigen::VectorX
   }
   const auto search = search_of(vm, settings);
   if (!search) return Failed{};
-  const auto outside = limit_violations(*state.model, q);
-  if (!outside.empty() && settings_of(vm).limits != LimitCheck::kWarn)
-    return fail_outside(vm, call, q, outside.front());
-  if (settings.time && !check_duration(vm, *settings.time, call.time)) return Failed{};
-  if (settings.speed && !check_fraction(vm, "a speed", *settings.speed, call.speed))
-    return Failed{};
-  const double accel = settings.accel.value_or(settings_of(vm).accel);
-  if (!check_fraction(vm, "an acceleration", accel, call.accel)) return Failed{};
-  choose_model(vm, call, {}, accel);
-  if (!outside.empty()) lift_limits(vm, call, q);
-  call.fixed_time = settings.time.has_value();
-  auto around = way_around(
-      vm, call, {.goal = q, .any_branch = call.any_branch, .move = move, .search = *search});
-  if (!around) return Failed{};
-  Trajectory motion = *std::move(around->motion.trajectory);
-  const auto slower = check_torques(vm, call, motion);
-  if (!slower) return Failed{};
-  if (*slower > 1.0) motion = motion.stretched(*slower);
-  return PlannedMotion{"Around", std::move(motion), joints, state.model};
+  MoveCommand command = command_of(vm, call);
+  command.target = JointTarget{q, call.any_branch};
+  command.time = settings.time;
+  if (settings.speed || settings.time) command.speed = settings.speed;
+  command.accel = settings.accel.value_or(command.accel);
+  MoveReport report = plan_around(Host::of(vm).cell(), command, *search);
+  call.model = report.planned.model;
+  advise_planned(vm, call, call, report);
+  if (!report.ok()) return fail_move(vm, call, report);
+  if (!word_torques(vm, call, report.torques)) return Failed{};
+  return PlannedMotion{"Around", *std::move(report.planned.motion), joints, state.model};
 }
 
 MoveCall plan_call(const RobotRef& r) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <variant>
 
+#include "armlet/control/policies.hpp"
 #include "armlet/interpreter/engine.hpp"
 #include "values/values.hpp"
 
@@ -17,21 +18,6 @@ namespace armlet::bind {
 using Frame = std::variant<Eigen::Isometry3d, ObjectRef, FrameRef>;
 
 struct CollectedPath;
-
-// How a line is tracked close to a singularity: the whole line as slowly as the joints require
-// there; slow only there; or with a small deviation from the line.
-enum class Track { kExact, kSlow, kDamped };
-
-// The reaction to a move that requires torques beyond the limits; kLimit: it is planned so that it
-// does not.
-enum class TorqueCheck { kReport, kError, kIgnore, kLimit };
-
-// The reaction to a move with a collision.
-enum class CollisionCheck { kReport, kError, kIgnore };
-
-// The reaction to a move that would exceed joint limits: it is refused; it is executed within the
-// limits; it is executed with advice.
-enum class LimitCheck { kError, kClamp, kWarn };
 
 // speed, accel   fractions of the joint limits, for moves without a speed of their own.
 // T_flange_tool  the tool point, instead of the robot's own.

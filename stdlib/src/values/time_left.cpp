@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "armlet/core/format.hpp"
@@ -21,11 +19,6 @@ Answer<void> check_time_left(Vm& vm, std::string_view what, double seconds, int 
       {fmt::format("{} of {:.6g} s", what, seconds), fmt::format("{} s", format_number(left))}};
   f.mark_parameter = parameter;
   return fail(vm, std::move(f));
-}
-
-double least_time(double distance, std::optional<double> speed, std::optional<double> accel) {
-  if (distance <= 0.0) return 0.0;
-  return std::max(speed ? distance / *speed : 0.0, accel ? std::sqrt(distance / *accel) : 0.0);
 }
 
 }  // namespace armlet::bind

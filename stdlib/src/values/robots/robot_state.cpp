@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "armlet/control/make_move.hpp"
 #include "messages/library_messages.hpp"
 #include "values/bind.hpp"
 
@@ -21,24 +22,8 @@ Answer<void> check_arm(Vm& vm, int id) {
   return fail(vm, std::move(f));
 }
 
-namespace {
-
-// The robot itself, or a moving part of the same hand with fingers; its index.
-int moving_part(const Cell& cell, int id) {
-  const CellRobot& robot = cell.robot(id);
-  if (robot.hand >= 0 && cell.is_moving(robot.hand)) return robot.hand;
-  for (const int finger : robot.fingers) {
-    if (cell.is_moving(finger)) return finger;
-  }
-  return id;
-}
-
-}  // namespace
-
-Answer<void> check_idle(Vm& vm, int given) {
-  const int id = moving_part(Host::of(vm).cell(), given);
-  const CellRobot& robot = Host::of(vm).cell().robot(id);
-  if (!robot.motion) return {};
+Failed fail_busy(Vm& vm, int part) {
+  const CellRobot& robot = Host::of(vm).cell().robot(part);
   Failure f;
   f.resource = robot_called(robot.name);
   f.headline = {"R0617", {robot.name, std::string(kRobot.resource->busy)}};
@@ -48,6 +33,11 @@ Answer<void> check_idle(Vm& vm, int given) {
   f.fix = rolls_out ? "it is slowing down after a velocity command: call halt() first"
                     : "wait until its move has ended";
   return fail(vm, std::move(f));
+}
+
+Answer<void> check_idle(Vm& vm, int given) {
+  if (const auto part = moving_part(Host::of(vm).cell(), given)) return fail_busy(vm, *part);
+  return {};
 }
 
 }  // namespace armlet::bind

@@ -19,5 +19,7 @@ Answer<void> check_arm(Vm& vm, int robot);
 // Fails if another task moves the robot, if the robot is a hand whose fingers move, or if it is a
 // finger whose hand moves.
 Answer<void> check_idle(Vm& vm, int robot);
+// R0617 for the part that moves (moving_part).
+Failed fail_busy(Vm& vm, int part);
 
 }  // namespace armlet::bind
