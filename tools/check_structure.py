@@ -2,7 +2,7 @@
 """Checks what keeps the parts of the sources small and their lists whole.
 
 - No folder has more than 25 files side by side.
-- No type has more than 20 public members that others can write.
+- No type has more than 20 public members that others can write, and none more than 30 public functions.
 - Every folder of sources has its purpose in docs/architecture.md.
 - No switch of the interpreter has a `default`: with one, the compiler would not name the kind that was forgotten.
 """
@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from check_names import ROOT, TYPE, tokens_of, type_named, without_noise
 
-FILES, MEMBERS = 25, 20
+FILES, MEMBERS, CALLS = 25, 20, 30
 FOLDERS = ("runtime", "interpreter", "stdlib", "apps", "tests", "bench")
 
 # Folders that may have any size: their files are the items of a collection.
@@ -27,6 +27,18 @@ COLLECTIONS = {
     "tests/reference/messages": "what programs print, one file for each of tests/mistakes",
     "bench/programs/lua": "each beside the program of the same name in ../rbt",
     "bench/programs/rbt": "each beside the program of the same name in ../lua",
+}
+# Types that may have more public functions, and why.
+MANY_FUNCTIONS = {
+    "Cell": "one object owns all that changes in a run; its parts are the cameras, signals, trails, contacts and the clock so far",
+    "Host": "what the library keeps of a run: its parts have no owners of their own yet",
+    "Session": "what a host does with a session, which has no other door",
+    "Robot": "a value that never changes: what it has, and copies with one thing changed",
+    "World": "objects, frames and fastenings of one scene, which have to agree with one another",
+    "Vm": "what a host does with a program that runs",
+    "Heap": "one function for each kind of object",
+    "Emitter": "one function for each form of an instruction",
+    "Laboratory::State": "what the server asks of a laboratory, all under one lock",
 }
 # Documents that list the folders below these ones by name, with their purposes.
 DOCUMENTED = {"docs/architecture.md": ("runtime/src", "interpreter/src", "stdlib/src", "interpreter/include/armlet/interpreter")}
@@ -85,6 +97,53 @@ def declared(words):
     return 0 if constant else number
 
 
+def is_function(words):
+    """Whether a statement in the body of a type declares a function: `int n() const`, not `std::function<int()> n`."""
+    if {"using", "friend", "static_assert", "typedef", "enum"} & set(words):
+        return False
+    depth = 0
+    for word in words:
+        if word == "operator":
+            return True
+        if word == "(" and depth == 0:
+            return True
+        if word == "=" and depth == 0:
+            return False
+        depth += (word == "<") - (word == ">")
+    return False
+
+
+def public_functions(text):
+    """(name, line, number of public functions, constructors included) of every class and struct."""
+    scopes = []  # of each open brace: [name, line, number, is public now], or None for what is no type
+    head = []
+    for token, line in tokens_of(without_noise(text)):
+        inside = scopes[-1] if scopes else None
+        if token == "{":
+            name = type_named(head) if "(" not in head else None
+            if not name and inside is not None and inside[3]:
+                inside[2] += is_function(head)
+            scopes.append([name, line, 0, "class" not in head] if name else None)
+            head = []
+        elif token == "}":
+            closed = scopes.pop() if scopes else None
+            if closed is not None:
+                yield tuple(closed[:3])
+            head = ["="]  # what follows belongs to a value or to a declaration that was counted
+        elif token == ";":
+            if inside is not None and inside[3]:
+                inside[2] += is_function(head)
+            head = []
+        elif token == ":" and head[-1:] in (["public"], ["private"], ["protected"]):
+            if inside is not None:
+                inside[3] = head[-1] == "public"
+            head = []
+        elif head == ["="] and token not in ",)":
+            head = [token]
+        else:
+            head.append(token)
+
+
 def public_members(text):
     """(name, line, number of public variables) of every class and struct."""
     scopes = []  # of each open brace: [name, line, number, is public now], or None for what is no type
@@ -122,12 +181,22 @@ def public_members(text):
 
 
 def large_types(files):
+    many = set()
     for path in files:
         if path.suffix not in (".hpp", ".cpp") or path.parts[0] not in FOLDERS:
             continue
-        for name, line, number in public_members((ROOT / path).read_text(encoding="utf-8")):
+        text = (ROOT / path).read_text(encoding="utf-8")
+        for name, line, number in public_members(text):
             if number > MEMBERS:
                 yield f"{path}:{line}: {name} has {number} public members that others can write; at most {MEMBERS}"
+        for name, line, number in public_functions(text):
+            if number <= CALLS:
+                continue
+            many.add(name)
+            if name not in MANY_FUNCTIONS:
+                yield f"{path}:{line}: {name} has {number} public functions; at most {CALLS}"
+    for name in sorted(set(MANY_FUNCTIONS) - many):
+        yield f"{name} is an unnecessary exception of MANY_FUNCTIONS in tools/check_structure.py"
 
 
 def switches_with_default(files):
