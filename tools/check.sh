@@ -13,7 +13,7 @@ ours() { git ls-files --cached --others --exclude-standard -- "$@" | grep -v '^g
 texts() {
   step format
   ours '*.cpp' '*.hpp' '*.h' | xargs -r clang-format --dry-run --Werror
-  step changelog, citations, decisions, layers, messages, names, notices, the page, sizes, structure and words
+  step changelog, citations, decisions, layers, messages, names, notices, the page, parameters, sizes, structure and words
   python3 tools/check_changelog.py
   python3 tools/check_citations.py
   python3 tools/check_decisions.py
@@ -22,6 +22,7 @@ texts() {
   python3 tools/check_names.py
   python3 tools/check_notices.py
   python3 tools/check_page.py
+  python3 tools/check_parameters.py
   python3 tools/check_sizes.py
   python3 tools/check_structure.py
   python3 tools/check_words.py

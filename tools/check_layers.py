@@ -79,7 +79,7 @@ ROOMS = {
 # library: room: its public headers, by folder or by name, in include/armlet/LIBRARY.
 PUBLIC_ROOMS = {
     "interpreter": {
-        "base": "messages/ diagnostic failure foreign_name object output render run source type unit virtual_time world_names host/memory",
+        "base": "messages/ call_part diagnostic failure foreign_name object output render run source type unit virtual_time world_names host/memory",
         "vocabulary": "native answer resource later work sorting binding/thunk binding/dims_fact binding/map_values host/compile_options "
                       "host/table_text",
         "program": "host/program",

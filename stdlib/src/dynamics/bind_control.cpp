@@ -21,36 +21,36 @@ using Eigen::VectorXd;
 using Values = std::optional<JointList>;
 
 // Values for the joints; 0 for each argument that was left out.
-Answer<VectorXd> joints_or_zero(Vm& vm, const Robot& robot, Values values, int parameter) {
+Answer<VectorXd> joints_or_zero(Vm& vm, const Robot& robot, Values values, CallPart part) {
   if (!values) return VectorXd(VectorXd::Zero(robot.n()));
-  return joint_argument(vm, robot, *values, parameter);
+  return joint_argument(vm, robot, *values, part);
 }
 
 // Values for the six directions of the tool; 0 if they were left out.
-Answer<Vector6d> six_values(Vm& vm, Values values, std::string_view what, int parameter) {
+Answer<Vector6d> six_values(Vm& vm, Values values, std::string_view what, CallPart part) {
   if (!values) return Vector6d(Vector6d::Zero());
   if (values->size() == 6) return Vector6d(Eigen::Map<const Vector6d>(values->data()));
   return failure(
       vm, "R0613",
       fmt::format("{} has 6 values, along x, y, z and about them, not {}", what, values->size()),
-      parameter);
+      part);
 }
 
 // Checks gains: none may be below zero.
 template <class Gains>
-Answer<Gains> checked_gains(Vm& vm, Answer<Gains> gains, std::string_view what, int parameter) {
+Answer<Gains> checked_gains(Vm& vm, Answer<Gains> gains, std::string_view what, CallPart part) {
   if (!gains) return Failed{};
   for (Eigen::Index i = 0; i < gains->size(); ++i) {
     if ((*gains)[i] >= 0.0) continue;
     return domain_failure(vm, fmt::format("{} {}", what, i + 1), (*gains)[i], "not be negative", {},
-                          parameter);
+                          part);
   }
   return gains;
 }
 
 // ---- joint by joint
 
-// The arguments of a control law in joint space: parameters q, qd, to, kp, kd and rates, 1 to 6.
+// The arguments of a control law in joint space: parameters q, qd, to, kp, kd and rates.
 struct JointTask {
   VectorXd q, qd, to, kp, kd, rates;
 
@@ -62,19 +62,19 @@ struct JointTask {
 template <class To>
 Answer<JointTask> joint_task(Vm& vm, const Robot& robot, JointList q, JointList qd, To to,
                              JointList kp, JointList kd, Values rates) {
-  const auto at = joint_argument(vm, robot, q, 1);
-  if (!at) return Failed{};
-  const auto speed = joint_argument(vm, robot, qd, 2);
+  const auto now = joint_argument(vm, robot, q, at("q"));
+  if (!now) return Failed{};
+  const auto speed = joint_argument(vm, robot, qd, at("qd"));
   if (!speed) return Failed{};
-  const auto goal = joint_argument(vm, robot, to, 3);
+  const auto goal = joint_argument(vm, robot, to, at("to"));
   if (!goal) return Failed{};
-  const auto stiff = checked_gains(vm, joint_argument(vm, robot, kp, 4), "gain", 4);
+  const auto stiff = checked_gains(vm, joint_argument(vm, robot, kp, at("kp")), "gain", at("kp"));
   if (!stiff) return Failed{};
-  const auto damp = checked_gains(vm, joint_argument(vm, robot, kd, 5), "gain", 5);
+  const auto damp = checked_gains(vm, joint_argument(vm, robot, kd, at("kd")), "gain", at("kd"));
   if (!damp) return Failed{};
-  const auto wanted = joints_or_zero(vm, robot, rates, 6);
+  const auto wanted = joints_or_zero(vm, robot, rates, at("rates"));
   if (!wanted) return Failed{};
-  return JointTask{*at, *speed, *goal, *stiff, *damp, *wanted};
+  return JointTask{*now, *speed, *goal, *stiff, *damp, *wanted};
 }
 
 template <class To>
@@ -96,7 +96,7 @@ Answer<JointVector> computed_torques(Vm& vm, const RobotRef& r, JointList q, Joi
   const Robot& robot = loaded_of(vm, r);
   const auto task = joint_task<To>(vm, robot, q, qd, to, kp, kd, rates);
   if (!task) return Failed{};
-  const auto wanted = joints_or_zero(vm, robot, accels, 7);
+  const auto wanted = joints_or_zero(vm, robot, accels, at("accels"));
   if (!wanted) return Failed{};
   return dynamics_of<JointVector>(
       vm, [&] { return inverse_dynamics(robot, task->q, task->qd, *wanted + task->pull()); });
@@ -114,14 +114,14 @@ struct ToolTask {
 
 // Reads the parameters q, qd, to and speed.
 Answer<ToolTask> tool_task(Vm& vm, const Robot& robot, JointList q, JointList qd, const PosC& to,
-                           Values speed, int speed_parameter) {
-  const auto at = joint_argument(vm, robot, q, 1);
-  if (!at) return Failed{};
-  const auto rates = joint_argument(vm, robot, qd, 2);
+                           Values speed) {
+  const auto now = joint_argument(vm, robot, q, at("q"));
+  if (!now) return Failed{};
+  const auto rates = joint_argument(vm, robot, qd, at("qd"));
   if (!rates) return Failed{};
-  const auto wanted = six_values(vm, speed, "a speed of the tool", speed_parameter);
+  const auto wanted = six_values(vm, speed, "a speed of the tool", at("speed"));
   if (!wanted) return Failed{};
-  ToolTask task{.q = *at, .qd = *rates, .turns = to.has_orientation};
+  ToolTask task{.q = *now, .qd = *rates, .turns = to.has_orientation};
   const Eigen::Isometry3d T = forward_and_jacobian(robot, task.q, task.J);
   task.error << to.T.translation() - T.translation(),
       rotation_log(to.T.linear() * T.linear().transpose());
@@ -134,15 +134,16 @@ Answer<JointVector> operational(Vm& vm, const RobotRef& r, JointList q, JointLis
                                 const PosC& to, JointList kp, JointList kd, Values speed,
                                 Values accel, double settle) try {
   const Robot& robot = loaded_of(vm, r);
-  const auto task = tool_task(vm, robot, q, qd, to, speed, 6);
+  const auto task = tool_task(vm, robot, q, qd, to, speed);
   if (!task) return Failed{};
-  const auto stiff = checked_gains(vm, six_values(vm, kp, "kp", 4), "gain", 4);
+  const auto stiff = checked_gains(vm, six_values(vm, kp, "kp", at("kp")), "gain", at("kp"));
   if (!stiff) return Failed{};
-  const auto damp = checked_gains(vm, six_values(vm, kd, "kd", 5), "gain", 5);
+  const auto damp = checked_gains(vm, six_values(vm, kd, "kd", at("kd")), "gain", at("kd"));
   if (!damp) return Failed{};
-  const auto wanted = six_values(vm, accel, "an acceleration of the tool", 7);
+  const auto wanted = six_values(vm, accel, "an acceleration of the tool", at("accel"));
   if (!wanted) return Failed{};
-  if (!(settle >= 0.0)) return domain_failure(vm, "settle", settle, "not be negative", {}, 8);
+  if (!(settle >= 0.0))
+    return domain_failure(vm, "settle", settle, "not be negative", {}, at("settle"));
   const Vector6d a = *wanted + damp->cwiseProduct(task->rate_error) +
                      stiff->cwiseProduct(task->error) - jacobian_dot_qd(robot, task->q, task->qd);
   // Directions without gains are not controlled.
@@ -152,8 +153,8 @@ Answer<JointVector> operational(Vm& vm, const RobotRef& r, JointList q, JointLis
     if (is_known && ((*stiff)[i] > 0.0 || (*damp)[i] > 0.0)) rows.push_back(i);
   }
   if (rows.empty()) {
-    return failure(vm, "R0613", "all gains are 0, so the tool is free in every direction", 4, {},
-                   "give kp and kd of the directions that matter");
+    return failure(vm, "R0613", "all gains are 0, so the tool is free in every direction", at("kp"),
+                   {}, "give kp and kd of the directions that matter");
   }
   const JointVector without_accel =
       bias_forces(robot, task->q, task->qd) + friction_forces(robot, task->qd);
@@ -172,11 +173,13 @@ Answer<JointVector> operational(Vm& vm, const RobotRef& r, JointList q, JointLis
 Answer<JointVector> impedance(Vm& vm, const RobotRef& r, JointList q, JointList qd, const PosC& to,
                               JointList stiffness, JointList damping, Values speed) {
   const Robot& robot = loaded_of(vm, r);
-  const auto task = tool_task(vm, robot, q, qd, to, speed, 6);
+  const auto task = tool_task(vm, robot, q, qd, to, speed);
   if (!task) return Failed{};
-  const auto stiff = checked_gains(vm, six_values(vm, stiffness, "a stiffness", 4), "stiffness", 4);
+  const auto stiff = checked_gains(vm, six_values(vm, stiffness, "a stiffness", at("stiffness")),
+                                   "stiffness", at("stiffness"));
   if (!stiff) return Failed{};
-  const auto damp = checked_gains(vm, six_values(vm, damping, "a damping", 5), "damping", 5);
+  const auto damp = checked_gains(vm, six_values(vm, damping, "a damping", at("damping")),
+                                  "damping", at("damping"));
   if (!damp) return Failed{};
   const Vector6d wrench = stiff->cwiseProduct(task->error) + damp->cwiseProduct(task->rate_error);
   return dynamics_of<JointVector>(vm, [&]() -> JointVector {
@@ -204,19 +207,19 @@ Answer<RecordObj*> compliance(Vm& vm) { return compliance_record(vm, {}); }
 Answer<RecordObj*> given_way(Vm& vm, const RecordObj& state, JointList wrench, JointList mass,
                              JointList damping, JointList stiffness, double during) try {
   const auto part = [&](ComplianceField field) {
-    return six_values(vm, reals_value(state.fields()[field]), "a compliance", 0);
+    return six_values(vm, reals_value(state.fields()[field]), "a compliance", at("state"));
   };
   const auto offset = part(kOffset);
   if (!offset) return Failed{};
   const auto rate = part(kRate);
   if (!rate) return Failed{};
-  const auto force = six_values(vm, wrench, "a wrench", 1);
+  const auto force = six_values(vm, wrench, "a wrench", at("wrench"));
   if (!force) return Failed{};
-  const auto masses = six_values(vm, mass, "a mass", 2);
+  const auto masses = six_values(vm, mass, "a mass", at("mass"));
   if (!masses) return Failed{};
-  const auto dampings = six_values(vm, damping, "a damping", 3);
+  const auto dampings = six_values(vm, damping, "a damping", at("damping"));
   if (!dampings) return Failed{};
-  const auto springs = six_values(vm, stiffness, "a stiffness", 4);
+  const auto springs = six_values(vm, stiffness, "a stiffness", at("stiffness"));
   if (!springs) return Failed{};
   return compliance_record(
       vm, give_way({*offset, *rate}, *force, *masses, *dampings, *springs, during));

@@ -25,7 +25,8 @@ template <class Q>
 Answer<JointVector> inverse(Vm& vm, const RobotRef& r, Q values, JointList rates, JointList accels,
                             std::optional<JointList> load) {
   const Robot& robot = loaded_of(vm, r);
-  const auto motion = joint_arguments(vm, robot, values, rates, accels);
+  const auto motion =
+      joint_arguments(vm, robot, {at("q"), at("qd"), at("qdd")}, values, rates, accels);
   if (!motion) return Failed{};
   Vector6d wrench = Vector6d::Zero();
   if (load) {
@@ -33,7 +34,7 @@ Answer<JointVector> inverse(Vm& vm, const RobotRef& r, Q values, JointList rates
       return failure(
           vm, "R0613",
           fmt::format("a load has 6 values, three forces and three moments, not {}", load->size()),
-          4);
+          at("load"));
     }
     wrench = rotate_twist(robot.T_world_base().linear(),
                           Vector6d(Eigen::Map<const Vector6d>(load->data())));
@@ -47,7 +48,7 @@ Answer<JointVector> inverse(Vm& vm, const RobotRef& r, Q values, JointList rates
 template <class Q>
 Answer<JointVector> forward(Vm& vm, const RobotRef& r, Q values, JointList rates, JointList tau) {
   const Robot& robot = loaded_of(vm, r);
-  const auto given = joint_arguments(vm, robot, values, rates, tau);
+  const auto given = joint_arguments(vm, robot, {at("q"), at("qd"), at("tau")}, values, rates, tau);
   if (!given) return Failed{};
   return dynamics_of<JointVector>(vm, [&] {
     const auto& [q, qd, forces] = *given;
@@ -56,34 +57,34 @@ Answer<JointVector> forward(Vm& vm, const RobotRef& r, Q values, JointList rates
 }
 
 template <class Result, class Q, class Law>
-Answer<Result> of_position(Vm& vm, const RobotRef& r, Q values, const Law& law) {
+Answer<Result> of_joints(Vm& vm, const RobotRef& r, Q values, CallPart part, const Law& law) {
   const Robot& robot = loaded_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
+  const auto q = joint_argument(vm, robot, values, part);
   if (!q) return Failed{};
   return dynamics_of<Result>(vm, [&] { return law(robot, *q); });
 }
 
 template <class Q>
 Answer<JointMatrix> mass_of(Vm& vm, const RobotRef& r, Q values) {
-  return of_position<JointMatrix>(vm, r, values, mass_matrix);
+  return of_joints<JointMatrix>(vm, r, values, at("q"), mass_matrix);
 }
 template <class Q>
 Answer<JointVector> gravity_of(Vm& vm, const RobotRef& r, Q values) {
-  return of_position<JointVector>(vm, r, values, gravity_forces);
+  return of_joints<JointVector>(vm, r, values, at("q"), gravity_forces);
 }
 template <class Q>
 Answer<JointVector> friction_of(Vm& vm, const RobotRef& r, Q rates) {
-  return of_position<JointVector>(vm, r, rates, friction_forces);
+  return of_joints<JointVector>(vm, r, rates, at("qd"), friction_forces);
 }
 template <class Q>
 Answer<double> potential_of(Vm& vm, const RobotRef& r, Q values) {
-  return of_position<double>(vm, r, values, potential_energy);
+  return of_joints<double>(vm, r, values, at("q"), potential_energy);
 }
 
 template <class Result, class Q, class Law>
 Answer<Result> of_motion(Vm& vm, const RobotRef& r, Q values, JointList rates, const Law& law) {
   const Robot& robot = loaded_of(vm, r);
-  const auto given = joint_arguments(vm, robot, values, rates);
+  const auto given = joint_arguments(vm, robot, {at("q"), at("qd")}, values, rates);
   if (!given) return Failed{};
   return dynamics_of<Result>(vm, [&] { return law(robot, (*given)[0], (*given)[1]); });
 }
@@ -135,41 +136,42 @@ Answer<JointVector> torques(Vm& vm, const RobotRef& r) {
 
 // Replaces the model of an arm, as exchange_model does, also if the arm moves under torques.
 template <class Make>
-Answer<void> exchange_masses(Vm& vm, const RobotRef& r, const Make& make) {
-  if (state_of(vm, r).forces.size() == 0) return exchange_model(vm, r, make);
+Answer<void> exchange_masses(Vm& vm, const RobotRef& r, CallPart part, const Make& make) {
+  if (state_of(vm, r).forces.size() == 0) return exchange_model(vm, r, part, make);
   try {
     Host::of(vm).cell().set_model(r.id, std::make_shared<const Robot>(make(model_of(vm, r))));
     return {};
   } catch (const ArgumentError& error) {
-    return failure_of(vm, row("R0630"), error, 1);
+    return failure_of(vm, row("R0630"), error, part);
   }
 }
 
-Answer<void> set_payload(Vm& vm, const RobotRef& r, double mass, const PosC* at) {
-  return exchange_masses(vm, r, [&](const Robot& robot) {
+Answer<void> set_payload(Vm& vm, const RobotRef& r, double mass, const PosC* com) {
+  return exchange_masses(vm, r, at("m"), [&](const Robot& robot) {
     Payload payload;
     payload.mass = mass;
-    if (at != nullptr) payload.com = at->T.translation();
+    if (com != nullptr) payload.com = com->T.translation();
     return robot.with_payload(payload);
   });
 }
-
-constexpr int kLinkInertia = 4;  // the parameter of setLink
 
 template <class InertiaGiven>
 Answer<void> set_link(Vm& vm, const RobotRef& r, std::int64_t joint, std::optional<double> mass,
                       Numbers com, InertiaGiven inertia, Numbers friction) {
   const Robot& robot = model_of(vm, r);
   if (joint < 1 || joint > robot.rows())
-    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, robot.rows()), 1);
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, robot.rows()),
+                   at("joint"));
   const int i = static_cast<int>(joint) - 1;
   Link link = robot.link(i);
   if (mass) link.mass = *mass;
-  const auto about_com = inertia_argument(vm, inertia, kLinkInertia);
-  if (!about_com || !read_com(vm, com, 3, link) || !read_friction(vm, friction, 5, link))
+  const auto about_com = inertia_argument(vm, inertia, at("inertia"));
+  if (!about_com || !read_com(vm, com, at("com"), link) ||
+      !read_friction(vm, friction, at("friction"), link))
     return Failed{};
   if (*about_com) link.inertia = **about_com;
-  return exchange_masses(vm, r, [&](const Robot& now) { return now.with_link(i, link); });
+  return exchange_masses(vm, r, at("joint"),
+                         [&](const Robot& now) { return now.with_link(i, link); });
 }
 
 constexpr std::string_view kInverse =
@@ -201,26 +203,26 @@ constexpr NativeFunction kDynamicsFunctions[] = {
     def<inverse<JointList>>(
         "invDyn(r: robot, q: double[], qd: double[], qdd: double[], load: double[]?) -> double[]",
         kInverse, "invDyn([0.0, 0.5, 0.1, 0.0], jointSpeeds(), jointAccels())",
-        {.check = check_all_of<check_joint_list<1>, note_forces>}),
+        {.check = check_all_of<check_joint_list<"q">, note_forces>}),
     def<forward<Joints>>("fwdDyn(r: robot, q: posJ, qd: double[], tau: double[]) -> double[]",
                          kForward, "fwdDyn(joints(), zeros(4), zeros(4))", {.check = note_accels}),
     def<forward<JointList>>(
         "fwdDyn(r: robot, q: double[], qd: double[], tau: double[]) -> double[]", kForward,
         "robots.puma560().fwdDyn(zeros(6), zeros(6), zeros(6))",
-        {.check = check_all_of<check_joint_list<1>, note_accels>}),
+        {.check = check_all_of<check_joint_list<"q">, note_accels>}),
     def<mass_of<Joints>>("massMatrix(r: robot, q: posJ) -> matrix", kMass, "massMatrix(joints())"),
     def<mass_of<JointList>>("massMatrix(r: robot, q: double[]) -> matrix", kMass,
-                            "massMatrix([0.0, 0.5, 0.1, 0.0])", {.check = check_joint_list<1>}),
+                            "massMatrix([0.0, 0.5, 0.1, 0.0])", {.check = check_joint_list<"q">}),
     def<coriolis_of<Joints>>("coriolis(r: robot, q: posJ, qd: double[]) -> matrix", kCoriolis,
                              "coriolis(joints(), [1.0, 1.0, 0.1, 1.0])"),
     def<coriolis_of<JointList>>("coriolis(r: robot, q: double[], qd: double[]) -> matrix",
                                 kCoriolis, "coriolis([0.0, 0.5, 0.1, 0.0], [1.0, 1.0, 0.1, 1.0])",
-                                {.check = check_joint_list<1>}),
+                                {.check = check_joint_list<"q">}),
     def<gravity_of<Joints>>("gravity(r: robot, q: posJ) -> double[]", kGravity, "gravity(joints())",
                             {.check = note_forces}),
     def<gravity_of<JointList>>("gravity(r: robot, q: double[]) -> double[]", kGravity,
                                "gravity([0.0, 0.5, 0.1, 0.0])",
-                               {.check = check_all_of<check_joint_list<1>, note_forces>}),
+                               {.check = check_all_of<check_joint_list<"q">, note_forces>}),
     def<friction_of<Joints>>("friction(r: robot, qd: posJ) -> double[]", kFriction,
                              "friction(joints())", {.check = note_forces}),
     def<friction_of<JointList>>("friction(r: robot, qd: double[]) -> double[]", kFriction,
@@ -229,12 +231,12 @@ constexpr NativeFunction kDynamicsFunctions[] = {
                             "kineticEnergy(joints(), jointSpeeds())"),
     def<kinetic_of<JointList>>("kineticEnergy(r: robot, q: double[], qd: double[]) -> energy",
                                kKinetic, "kineticEnergy([0.0, 0.5, 0.1, 0.0], jointSpeeds())",
-                               {.check = check_joint_list<1>}),
+                               {.check = check_joint_list<"q">}),
     def<potential_of<Joints>>("potentialEnergy(r: robot, q: posJ) -> energy", kPotential,
                               "potentialEnergy(joints())"),
     def<potential_of<JointList>>("potentialEnergy(r: robot, q: double[]) -> energy", kPotential,
                                  "potentialEnergy([0.0, 0.5, 0.1, 0.0])",
-                                 {.check = check_joint_list<1>}),
+                                 {.check = check_joint_list<"q">}),
     def<mass_now>("massMatrix(r: robot) -> matrix",
                   "The inertia matrix where the arm is now, with what its hand holds.",
                   "massMatrix()"),
@@ -257,12 +259,12 @@ constexpr NativeFunction kDynamicsFunctions[] = {
         "setLink(r: robot, joint: int, mass: mass?, com: length[]?, inertia: double[][]?, "
         "friction: double[]?)",
         kSetLink, "setLink(joint: 2, mass: 3kg)",
-        {.check = check_inertia<kLinkInertia>, .commands = true}),
+        {.check = check_inertia<"inertia">, .commands = true}),
     def<set_link<const MatrixObj&>>(
         "setLink(r: robot, joint: int, mass: mass?, com: length[]?, inertia: matrix, friction: "
         "double[]?)",
         kSetLink, "setLink(joint: 2, mass: 3kg, inertia: [0.01, 0, 0; 0, 0.01, 0; 0, 0, 0.01])",
-        {.check = check_inertia<kLinkInertia>, .commands = true}),
+        {.check = check_inertia<"inertia">, .commands = true}),
 };
 
 }  // namespace

@@ -15,7 +15,8 @@ template <class Q>
 Answer<Eigen::MatrixXd> regressor(Vm& vm, const RobotRef& r, Q values, JointList rates,
                                   JointList accels) try {
   const Robot& robot = loaded_of(vm, r);
-  const auto motion = joint_arguments(vm, robot, values, rates, accels);
+  const auto motion =
+      joint_arguments(vm, robot, {at("q"), at("qd"), at("qdd")}, values, rates, accels);
   if (!motion) return Failed{};
   const auto& [q, qd, qdd] = *motion;
   return dynamics_regressor(robot, q, qd, qdd);
@@ -66,7 +67,7 @@ constexpr NativeFunction kIdentificationFunctions[] = {
     def<regressor<JointList>>(
         "regressor(r: robot, q: double[], qd: double[], qdd: double[]) -> matrix", kRegressor,
         "regressor([0.0, 0.5, 0.1, 0.0], jointSpeeds(), jointAccels()).cols",
-        {.check = check_joint_list<1>}),
+        {.check = check_joint_list<"q">}),
     def<parameters_of_links>(
         "dynamicParameters(r: robot) -> double[]",
         "14 values of each link, one link after the other: mass and mass times centre of mass (x, "

@@ -58,7 +58,7 @@ Answer<std::uint32_t> holds_of(Vm& vm, const SimulationCall& call) {
   return failure(vm, "R0613",
                  fmt::format("{} would ask for torques {:.15g} times; {:.15g} are the limit",
                              call.function, holds, kMost),
-                 SimulationCall::kEvery, {}, "use a longer every");
+                 at("every"), {}, "use a longer every");
 }
 
 // The start of hold k, s. A time that differs from a whole number of nanoseconds only by rounding
@@ -94,14 +94,14 @@ Answer<void> run(Vm& vm, ArmSimulation& arm, TorqueLaw& law, MotorLimits& motors
 
 // The joint values at which a simulation starts: the present ones, or given ones at rest.
 Answer<Eigen::VectorXd> start_position(Vm& vm, const CellRobot& state, JointList from,
-                                       int parameter) {
-  return joint_argument(vm, *state.model, from, parameter);
+                                       CallPart part) {
+  return joint_argument(vm, *state.model, from, part);
 }
 
 Answer<Eigen::VectorXd> start_position(Vm& vm, const CellRobot& state, const PosJ* from,
-                                       int parameter) {
+                                       CallPart part) {
   if (from == nullptr) return Eigen::VectorXd(state.q);
-  return joint_argument(vm, *state.model, *from, parameter);
+  return joint_argument(vm, *state.model, *from, part);
 }
 
 bool is_given(JointList) { return true; }
@@ -112,9 +112,7 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue function, d
                             double every, From from, std::optional<JointList> speeds,
                             std::string_view method, std::optional<double> step, double restitution,
                             std::optional<JointList> most, std::optional<JointList> rates) {
-  constexpr int kFrom = SimulationCall::kEvery + 1, kSpeeds = kFrom + 1, kOwn = 2;
-  const SimulationCall call{"simulate",  during, every, method, step,
-                            restitution, most,   rates, kOwn};
+  const SimulationCall call{"simulate", during, every, method, step, restitution, most, rates};
   const auto options = simulation_options(vm, call);
   if (!options) return Failed{};
   const auto holds = holds_of(vm, call);
@@ -122,12 +120,12 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue function, d
   const CellRobot& state = state_of(vm, r);
   auto motors = motor_limits(vm, call, *state.model);
   if (!motors) return Failed{};
-  const auto q = start_position(vm, state, from, kFrom);
+  const auto q = start_position(vm, state, from, at("from"));
   if (!q) return Failed{};
   Eigen::VectorXd qd = state.qd;
   if (is_given(from)) qd.setZero();
   if (speeds) {
-    const auto given = joint_argument(vm, *state.model, *speeds, kSpeeds);
+    const auto given = joint_argument(vm, *state.model, *speeds, at("speeds"));
     if (!given) return Failed{};
     qd = *given;
   }
@@ -148,7 +146,7 @@ Answer<RecordObj*> simulate(Vm& vm, const RobotRef& r, FunctionValue function, d
     release(vm, rows.record);
     return Failed{};
   } catch (const ArgumentError& error) {
-    return failure_of(vm, row("R0640"), error, SimulationCall::kEvery + 1);
+    return failure_of(vm, row("R0640"), error, at("from"));
   }
 }
 
@@ -294,8 +292,7 @@ Started torque_j(Vm& vm, const RobotRef& r, FunctionValue law, double during, do
   const SimulationCall call{"torqueJ", during, every, method, step, restitution, most, rates};
   if (!check_idle(vm, r.id)) return Failed{};
   const auto options = simulation_options(vm, call);
-  if (!options || !check_time_left(vm, "a motion", during, SimulationCall::kDuring))
-    return Failed{};
+  if (!options || !check_time_left(vm, "a motion", during, at("during"))) return Failed{};
   auto motors = motor_limits(vm, call, model_of(vm, r));
   if (!motors) return Failed{};
   try {
@@ -303,7 +300,7 @@ Started torque_j(Vm& vm, const RobotRef& r, FunctionValue law, double during, do
     if (!waiting->hold(vm)) return Failed{};
     return std::unique_ptr<Waiting>(std::move(waiting));
   } catch (const ArgumentError& error) {
-    return failure_of(vm, row("R0640"), error, 1);
+    return failure_of(vm, row("R0640"), error, at("law"));
   }
 }
 
@@ -334,7 +331,7 @@ constexpr NativeFunction kSimulationFunctions[] = {
         "restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
         "Simulation",
         kSimulateHelp, "robots.puma560().simulate(fn(t, q, qd) => zeros(6), during: 100ms).t.last",
-        {.check = check_method<6>}),
+        {.check = check_method<"method">}),
     def<simulate<JointList>>(
         "simulate(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
         "time = 1ms, from: double[], speeds: double[]?, method: string = \"rk4\", step: time?, "
@@ -343,13 +340,13 @@ constexpr NativeFunction kSimulationFunctions[] = {
         "The same from joint values in rad and m.",
         "robots.scara().simulate(fn(t, q, qd) => zeros(4), during: 100ms, from: [0.0, 0.5, 0.1, "
         "0.0]).t.last",
-        {.check = check_method<6>}),
+        {.check = check_method<"method">}),
     def<torque_j>(
         "torqueJ(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
         "time = 1ms, method: string = \"rk4\", step: time?, restitution: double = 0.0, maxTorques: "
         "double[]?, maxTorqueRates: double[]?) -> TorqueRun",
         kTorqueHelp, "robots.puma560().torqueJ(fn(t, q, qd) => zeros(6), during: 100ms)",
-        {.check = check_method<4>, .pauses = true}),
+        {.check = check_method<"method">, .pauses = true}),
 };
 
 }  // namespace

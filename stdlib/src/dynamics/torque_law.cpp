@@ -11,9 +11,6 @@
 namespace armlet::bind {
 namespace {
 
-// The parameter with the function of the law; in all calls it follows the robot.
-constexpr int kLaw = 1;
-
 std::string_view name_of(SimulationEventKind kind) {
   constexpr std::string_view kNames[] = {"stop", "stick", "slip"};
   return kNames[static_cast<std::size_t>(kind)];
@@ -61,31 +58,29 @@ Answer<JointVector> TorqueLaw::operator()(const Robot& robot, double t, JointsIn
     return failure(vm_, "R0613",
                    fmt::format("the torques are {} values for the {} joints of `{}`, at {:.6g} s",
                                count, robot.n(), robot.name(), t),
-                   kLaw, "the function gives what every motor gives, in N m or N");
+                   at("law"), "the function gives what every motor gives, in N m or N");
   }
   for (int i = 0; i < robot.n(); ++i) {
     if (std::isfinite(tau[i])) continue;
     return failure(vm_, "R0612",
                    fmt::format("the torque of joint {} is {} at {:.6g} s", i + 1,
                                std::isnan(tau[i]) ? "not a number" : "infinite", t),
-                   kLaw);
+                   at("law"));
   }
   return tau;
 }
 
 Answer<SimulationOptions> simulation_options(Vm& vm, const SimulationCall& call) {
-  const auto positive = [&](double seconds, int parameter) -> Answer<void> {
-    if (!std::isfinite(seconds)) return not_finite(vm, "a time", seconds, parameter);
+  const auto positive = [&](double seconds, CallPart part) -> Answer<void> {
+    if (!std::isfinite(seconds)) return not_finite(vm, "a time", seconds, part);
     if (seconds > 0.0) return {};
     return domain_failure(vm, fmt::format("{} for a time", call.function), seconds,
-                          "be longer than 0 s", {}, parameter);
+                          "be longer than 0 s", {}, part);
   };
-  if (!positive(call.during, SimulationCall::kDuring) ||
-      !positive(call.every, SimulationCall::kEvery))
-    return Failed{};
+  if (!positive(call.during, at("during")) || !positive(call.every, at("every"))) return Failed{};
   SimulationOptions options;
   options.step = call.step.value_or(std::min(1e-3, call.every));
-  if (!positive(options.step, call.step_parameter())) return Failed{};
+  if (!positive(options.step, at("step"))) return Failed{};
   const auto method = ode_method(call.method);
   if (!method) {
     std::string names;
@@ -93,13 +88,13 @@ Answer<SimulationOptions> simulation_options(Vm& vm, const SimulationCall& call)
       names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", known);
     return failure(vm, "R0609",
                    fmt::format("there is no method \"{}\" to integrate with", call.method),
-                   call.method_parameter(), "the methods are " + names);
+                   at("method"), "the methods are " + names);
   }
   options.method = *method;
   options.restitution = call.restitution;
   if (!(call.restitution >= 0.0 && call.restitution <= 1.0)) {
     return domain_failure(vm, "a restitution", call.restitution, "lie between 0 and 1", {},
-                          call.restitution_parameter());
+                          at("restitution"));
   }
   return options;
 }
@@ -109,27 +104,27 @@ MotorLimits::MotorLimits(const Robot& robot) : most_(robot.n()) {
 }
 
 Answer<void> MotorLimits::take(Vm& vm, std::span<const double> values, std::string_view what,
-                               int parameter, JointVector& limits) const {
+                               CallPart part, JointVector& limits) const {
   if (static_cast<Eigen::Index>(values.size()) != most_.size()) {
     return failure(vm, "R0613",
                    fmt::format("{} are {} values for an arm of {} joint{}", what, values.size(),
                                most_.size(), most_.size() == 1 ? "" : "s"),
-                   parameter);
+                   part);
   }
   limits = Eigen::Map<const Eigen::VectorXd>(values.data(), most_.size());
   for (const double limit : values) {
     if (!(limit > 0.0))
-      return domain_failure(vm, fmt::format("one of {}", what), limit, "be above 0", {}, parameter);
+      return domain_failure(vm, fmt::format("one of {}", what), limit, "be above 0", {}, part);
   }
   return {};
 }
 
-Answer<void> MotorLimits::set_most(Vm& vm, std::span<const double> most, int parameter) {
-  return take(vm, most, "the largest torques", parameter, most_);
+Answer<void> MotorLimits::set_most(Vm& vm, std::span<const double> most, CallPart part) {
+  return take(vm, most, "the largest torques", part, most_);
 }
 
-Answer<void> MotorLimits::set_rates(Vm& vm, std::span<const double> rates, int parameter) {
-  return take(vm, rates, "the largest rates of torques", parameter, rates_);
+Answer<void> MotorLimits::set_rates(Vm& vm, std::span<const double> rates, CallPart part) {
+  return take(vm, rates, "the largest rates of torques", part, rates_);
 }
 
 JointVector MotorLimits::given(const JointVector& tau, double hold) {
@@ -145,8 +140,8 @@ JointVector MotorLimits::given(const JointVector& tau, double hold) {
 
 Answer<MotorLimits> motor_limits(Vm& vm, const SimulationCall& call, const Robot& robot) {
   MotorLimits limits(robot);
-  if (call.most && !limits.set_most(vm, *call.most, call.most_parameter())) return Failed{};
-  if (call.rates && !limits.set_rates(vm, *call.rates, call.rates_parameter())) return Failed{};
+  if (call.most && !limits.set_most(vm, *call.most, at("maxTorques"))) return Failed{};
+  if (call.rates && !limits.set_rates(vm, *call.rates, at("maxTorqueRates"))) return Failed{};
   return limits;
 }
 
@@ -157,7 +152,7 @@ Failed cannot_simulate(Vm& vm, const ArmSimulation& arm, const SimulationOutcome
     Failure f;
     f.headline = {row("R0640"),
                   {fmt::format("the simulation ends at {:.6g} s: {}", outcome.t, what)}};
-    f.mark_parameter = kLaw;
+    f.mark = at("law");
     f.resource = robot_called(arm.robot().name());
     f.fix = std::move(fix);
     return fail(vm, std::move(f));
@@ -192,7 +187,7 @@ void tell_of_stops(Vm& vm, const ArmSimulation& arm) {
     advice.headline = {row("W0720"),
                        {std::to_string(event.joint + 1), format_joint_value(joint.kind, limit),
                         fmt::format("{:.6g}", event.t)}};
-    advice.mark_parameter = kLaw;
+    advice.mark = at("law");
     vm.advise(advice);
     return;
   }

@@ -43,8 +43,8 @@ class MotorLimits {
   explicit MotorLimits(const Robot& robot);
 
   // Sets other limits, above zero, in N m or N, and rates of change per second: one for each joint.
-  Answer<void> set_most(Vm& vm, std::span<const double> most, int parameter);
-  Answer<void> set_rates(Vm& vm, std::span<const double> rates, int parameter);
+  Answer<void> set_most(Vm& vm, std::span<const double> most, CallPart part);
+  Answer<void> set_rates(Vm& vm, std::span<const double> rates, CallPart part);
 
   // The torques that motors deliver for `hold` seconds when the law requests tau. The first torques
   // are not limited in rate.
@@ -53,7 +53,7 @@ class MotorLimits {
   [[nodiscard]] double clipped() const { return clipped_; }
 
  private:
-  Answer<void> take(Vm& vm, std::span<const double> values, std::string_view what, int parameter,
+  Answer<void> take(Vm& vm, std::span<const double> values, std::string_view what, CallPart part,
                     JointVector& limits) const;
 
   JointVector most_, rates_, before_;
@@ -61,8 +61,6 @@ class MotorLimits {
 };
 
 // The arguments of a call that simulates.
-//
-// extra  number of parameters that only this call has, between `every` and `method`.
 struct SimulationCall {
   std::string_view function;  // "simulate"
   double during, every;
@@ -70,15 +68,6 @@ struct SimulationCall {
   std::optional<double> step;
   double restitution;
   std::optional<std::span<const double>> most, rates;  // of the motors
-  int extra = 0;
-
-  // The indices of parameters; the robot and the law come first.
-  static constexpr int kDuring = 2, kEvery = 3;
-  [[nodiscard]] int method_parameter() const { return 4 + extra; }
-  [[nodiscard]] int step_parameter() const { return 5 + extra; }
-  [[nodiscard]] int restitution_parameter() const { return 6 + extra; }
-  [[nodiscard]] int most_parameter() const { return 7 + extra; }
-  [[nodiscard]] int rates_parameter() const { return 8 + extra; }
 };
 
 // The options of the call, checked, and the limits of the motors.

@@ -30,7 +30,7 @@ Answer<LabRow> sliders(Vm& vm, const RobotRef& of, OptionalWord as, OptionalWord
   made.robot = of.cell->robot(of.id).name;
   if (as) {
     Result<std::vector<HandAxis>> axes = hand_axes(*as);
-    if (!axes) return refuse_row(vm, made.kind, axes.error().message, 1);
+    if (!axes) return refuse_row(vm, made.kind, axes.error().message, at("as"));
     made.axes = *std::move(axes);
   }
   return made;
@@ -42,9 +42,9 @@ Answer<LabRow> number_field(Vm& vm, LabRow made, Number value,
   if (!range) return made;
   const auto [lower, upper] = *range;
   made.range = {static_cast<double>(lower), static_cast<double>(upper)};
-  if (!(lower <= upper)) return refuse_row(vm, made.kind, kRangeOrder, 1);
+  if (!(lower <= upper)) return refuse_row(vm, made.kind, kRangeOrder, at("range"));
   if (value < lower || value > upper)
-    return refuse_row(vm, made.kind, outside_range(made.value, made), 0);
+    return refuse_row(vm, made.kind, outside_range(made.value, made), at("value"));
   return made;
 }
 
@@ -53,7 +53,7 @@ Answer<LabRow> quantity_field(Vm& vm, double value, std::optional<std::span<cons
   LabRow made = row_of(vm, LabRowKind::kField, name, label);
   if (const auto unit = parse_unit(si_unit.value_or(""))) made.dim = unit->dim;
   made.value = Value(Value::Number{value, made.dim});
-  if (range && range->size() != 2) return refuse_row(vm, made.kind, kRangeSize, 1);
+  if (range && range->size() != 2) return refuse_row(vm, made.kind, kRangeSize, at("range"));
   const double shown = value != 0.0 || !range ? value : (*range)[1];
   if (!made.dim.is_none()) made.unit = display_unit(made.dim, shown).name;
   std::optional<std::array<double, 2>> limits;
@@ -66,7 +66,7 @@ Answer<LabRow> int_field(Vm& vm, std::int64_t value, std::optional<std::span<con
   LabRow made = row_of(vm, LabRowKind::kField, name, label);
   made.type = LabFieldType::kInt;
   made.value = Value(value);
-  if (range && range->size() != 2) return refuse_row(vm, made.kind, kRangeSize, 1);
+  if (range && range->size() != 2) return refuse_row(vm, made.kind, kRangeSize, at("range"));
   std::optional<std::array<std::int64_t, 2>> limits;
   if (range) limits = {(*range)[0].i, (*range)[1].i};
   return number_field(vm, std::move(made), value, limits);
@@ -140,7 +140,7 @@ Answer<LabRef> lab(Vm& vm, Text name, OptionalWord title, OptionalWord layout,
   LabRows page{.name = std::string(name), .title = std::string(title.value_or(name))};
   if (layout) {
     const std::optional<LabLayout> known = layout_named(*layout);
-    if (!known) return failure(vm, "R0626", unknown_layout(*layout), 2, {}, kLayouts);
+    if (!known) return failure(vm, "R0626", unknown_layout(*layout), at("layout"), {}, kLayouts);
     page.layout = *known;
   }
   for (std::size_t i = 0; i < rows.size(); ++i) page.rows.push_back(rows[i]);

@@ -24,9 +24,9 @@ Answer<LabRow> picture(Vm& vm, Text file, OptionalWord label, Text name) {
   constexpr std::size_t kMostBytes = 16 << 20;
   LabRow made = row_of(vm, LabRowKind::kImage, name, label);
   Result<std::string> bytes = Host::of(vm).load_file(std::string(file), kMostBytes);
-  if (!bytes.ok()) return refuse_row(vm, made.kind, bytes.error().message, 0);
+  if (!bytes.ok()) return refuse_row(vm, made.kind, bytes.error().message, at("file"));
   if (const std::string fault = picture_fault(*bytes); !fault.empty())
-    return refuse_row(vm, made.kind, fmt::format("\"{}\": {}", file, fault), 0);
+    return refuse_row(vm, made.kind, fmt::format("\"{}\": {}", file, fault), at("file"));
   made.picture = std::make_shared<const std::string>(std::move(bytes).value());
   return made;
 }
@@ -36,9 +36,6 @@ LabRow computed(Vm& vm, FunctionValue, OptionalWord label, Text name) {
   made.is_read = true;
   return made;
 }
-
-constexpr int kOverlay = 1;
-constexpr int kWanted = 2;
 
 Answer<LabRow> view_row(Vm& vm, const CameraRef& of, std::optional<Slot> wanted, OptionalWord label,
                         Text name) {
@@ -53,20 +50,20 @@ Answer<LabRow> view_row(Vm& vm, const CameraRef& of, std::optional<Slot> wanted,
                       fmt::format("pixels are the rows of an N x 2 matrix, x first; `wanted` is "
                                   "{} x {}",
                                   pixels.rows, pixels.cols),
-                      kWanted);
+                      at("wanted"));
   }
   if (pixels.rows > kMostWanted) {
     return refuse_row(
         vm, made.kind,
         fmt::format("`wanted` has {} pixels; expected at most {}", pixels.rows, kMostWanted),
-        kWanted);
+        at("wanted"));
   }
   for (std::uint32_t i = 0; i < pixels.rows; ++i) {
     made.wanted.push_back({pixels.data()[kSides * i], pixels.data()[kSides * i + 1]});
     for (const double x : made.wanted.back()) {
       if (!std::isfinite(x))
         return refuse_row(vm, made.kind, fmt::format("row {} of `wanted` is not finite", i),
-                          kWanted);
+                          at("wanted"));
     }
   }
   return made;
@@ -77,9 +74,9 @@ Answer<LabRow> view(Vm& vm, const CameraRef& of, OptionalWord overlay, std::opti
   Answer<LabRow> made = view_row(vm, of, wanted, label, name);
   if (!made || !overlay) return made;
   const std::optional<LabOverlay> known = overlay_named(*overlay);
-  if (!known) return refuse_row(vm, made->kind, unknown_overlay(*overlay), kOverlay);
+  if (!known) return refuse_row(vm, made->kind, unknown_overlay(*overlay), at("overlay"));
   if (*known == LabOverlay::kWanted && !wanted)
-    return refuse_row(vm, made->kind, kWantedMissing, kOverlay);
+    return refuse_row(vm, made->kind, kWantedMissing, at("overlay"));
   made->overlay = *known;
   return made;
 }

@@ -69,8 +69,8 @@ std::string outside_range(const Value& value, const LabRow& field) {
 
 namespace {
 
-void refuse(CheckCall& call, int parameter, std::string why, std::string fix = {}) {
-  Diagnostic d = make_diagnostic(row("E0530"), call.span(parameter),
+void refuse(CheckCall& call, CallPart part, std::string why, std::string fix = {}) {
+  Diagnostic d = make_diagnostic(row("E0530"), call.span(part),
                                  {std::string(call.function_name()), std::move(why)});
   if (!fix.empty()) d.fix = Fix{.text = std::move(fix)};
   call.report(std::move(d));
@@ -97,59 +97,55 @@ bool is_table_like(const Type& type) {
 }  // namespace
 
 void check_lab(CheckCall& call) {
-  constexpr int kLayout = 2;
-  const auto layout = call.constant(kLayout);
+  const auto layout = call.constant(at("layout"));
   if (!layout || layout_named(layout->text)) return;
-  refuse(call, kLayout, unknown_layout(layout->text), kLayouts);
+  refuse(call, at("layout"), unknown_layout(layout->text), kLayouts);
 }
 
 void check_sliders(CheckCall& call) {
-  constexpr int kAs = 1;
-  const auto as = call.constant(kAs);
-  if (!call.given(kAs) || !as) return;
-  if (const auto axes = hand_axes(as->text); !axes) refuse(call, kAs, axes.error().message);
+  const auto as = call.constant(at("as"));
+  if (!call.given(at("as")) || !as) return;
+  if (const auto axes = hand_axes(as->text); !axes) refuse(call, at("as"), axes.error().message);
 }
 
 void check_field(CheckCall& call) {
-  constexpr int kValue = 0;
-  constexpr int kRange = 1;
-  const auto range = call.given(kRange) ? call.constant(kRange) : std::nullopt;
+  const auto range = call.given(at("range")) ? call.constant(at("range")) : std::nullopt;
   if (!range) return;
-  if (range->items.size() != 2) return refuse(call, kRange, kRangeSize);
+  if (range->items.size() != 2) return refuse(call, at("range"), kRangeSize);
   const double lower = range->items[0].real;
   const double upper = range->items[1].real;
-  if (!(lower <= upper)) return refuse(call, kRange, kRangeOrder);
-  const auto value = call.constant(kValue);
+  if (!(lower <= upper)) return refuse(call, at("range"), kRangeOrder);
+  const auto value = call.constant(at("value"));
   if (!value || (value->real >= lower && value->real <= upper)) return;
-  refuse(call, kValue,
-         fmt::format("{} lies outside of its range, {}", call.text_of(call.span(kValue)),
-                     call.text_of(call.span(kRange))));
+  refuse(call, at("value"),
+         fmt::format("{} lies outside of its range, {}", call.text_of(call.span(at("value"))),
+                     call.text_of(call.span(at("range")))));
 }
 
 void check_plot(CheckCall& call) {
-  const Type& shown = *call.type(0)->result;
+  const Type& shown = *call.type(at("value"))->result;
   if (is_numbers(shown) || (shown.is(Kind::kHost) && shown.host == &kPosJ)) return;
-  refuse(call, 0, fmt::format("its function gives {}, not numbers", type_phrase(&shown)),
+  refuse(call, at("value"), fmt::format("its function gives {}, not numbers", type_phrase(&shown)),
          "give a number, a list of numbers or joint values");
 }
 
 void check_view(CheckCall& call) {
-  constexpr int kOverlay = 1;
-  constexpr int kWanted = 2;
-  const auto overlay = call.given(kOverlay) ? call.constant(kOverlay) : std::nullopt;
+  const auto overlay = call.given(at("overlay")) ? call.constant(at("overlay")) : std::nullopt;
   if (!overlay) return;
   const auto known = overlay_named(overlay->text);
   if (!known) {
-    refuse(call, kOverlay, fmt::format("a view has no overlay \"{}\"", overlay->text), kOverlays);
-  } else if (*known == LabOverlay::kWanted && !call.given(kWanted)) {
-    refuse(call, kOverlay, kWantedMissing, "give `wanted:` an N x 2 matrix of pixels");
+    refuse(call, at("overlay"), fmt::format("a view has no overlay \"{}\"", overlay->text),
+           kOverlays);
+  } else if (*known == LabOverlay::kWanted && !call.given(at("wanted"))) {
+    refuse(call, at("overlay"), kWantedMissing, "give `wanted:` an N x 2 matrix of pixels");
   }
 }
 
 void check_table(CheckCall& call) {
-  const Type& shown = *call.type(0)->result;
+  const Type& shown = *call.type(at("value"))->result;
   if (is_table_like(shown)) return;
-  refuse(call, 0, fmt::format("its function gives {}, which has no rows", type_phrase(&shown)),
+  refuse(call, at("value"),
+         fmt::format("its function gives {}, which has no rows", type_phrase(&shown)),
          "give a matrix, a list of rows or a table");
 }
 

@@ -14,10 +14,10 @@
 namespace armlet::bind {
 
 [[nodiscard]] inline Failed refuse_row(Vm& vm, LabRowKind kind, const std::string& why,
-                                       int parameter) {
+                                       CallPart part) {
   Failure f;
   f.headline = {row("R0641"), {std::string(word_of(kind)), why}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   return fail(vm, std::move(f));
 }
 

@@ -35,14 +35,14 @@ Failed fail_posc_count(Vm& vm, std::size_t count, const Robot* robot, TaskSpace 
       vm, "R0613",
       fmt::format("a posC is made from 3 or 6 numbers, or as many as the robot controls, not {}",
                   count),
-      0, std::move(why), robot == nullptr ? "say which: posC(values, of: arm)" : "");
+      at("values"), std::move(why), robot == nullptr ? "say which: posC(values, of: arm)" : "");
 }
 
 // posC(numbers): as many numbers as the arm controls, in the arm's order; 3: a position only; 6:
 // position, roll, pitch, yaw (section 8).
 Answer<PosC> posc_from(Vm& vm, std::span<const double> v, const RobotRef* of) {
   for (const double x : v) {
-    if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, 0);
+    if (!std::isfinite(x)) return not_finite(vm, "a value of the posC", x, at("values"));
   }
   if (v.size() == 6) return PosC{pose_from_rpy({v[0], v[1], v[2]}, {v[3], v[4], v[5]}), true};
   const Robot* robot = of != nullptr ? &model_of(vm, *of) : Host::of(vm).only_robot();
@@ -60,14 +60,13 @@ Answer<PosC> posc_from(Vm& vm, std::span<const double> v, const RobotRef* of) {
         fmt::format("x and y are too close to the axis about which `{}` turns: the plane "
                     "of its tool does not come there",
                     robot->name()),
-        0);
+        at("values"));
   }
   return PosC{*T, space != TaskSpace::kPlanePosition};
 }
 
 MoveCall classic_call(std::string_view function, const RobotRef& r) {
-  return {
-      .function = function, .robot = r.id, .target = 2, .time = 3, .planner = 1, .classic = true};
+  return {.function = function, .robot = r.id, .target = at("p"), .classic = true};
 }
 Started move_j(Vm& vm, const RobotRef& r, std::string_view planner, const PosJ& p, double time) {
   return move_to_joints(vm, classic_call("moveJ", r), p.vector(), std::string(planner),
@@ -106,7 +105,7 @@ Answer<void> insert_obj(Vm& vm, std::string_view given_name) try {
   Host& host = Host::of(vm);
   const std::string name(given_name);
   if (find_object(vm, name) == nullptr) {
-    if (host.has_world()) return fail_unknown_object(vm, name, 0);
+    if (host.has_world()) return fail_unknown_object(vm, name, at("name"));
     Object cube;
     cube.name = name;
     cube.shape = Box{Eigen::Vector3d::Constant(kStandInSize)};
@@ -114,7 +113,7 @@ Answer<void> insert_obj(Vm& vm, std::string_view given_name) try {
     host.cell().insert(std::move(cube));
     Failure advice;
     advice.headline = {row("W0712"), {name}};
-    advice.mark_parameter = 0;
+    advice.mark = at("name");
     vm.advise(advice);
   }
   host.cell().add_to_task(name);
@@ -125,7 +124,7 @@ Answer<void> insert_obj(Vm& vm, std::string_view given_name) try {
 
 Answer<Eigen::Vector3d> get_pos_obj(Vm& vm, std::string_view name) {
   const Object* object = find_object(vm, name);
-  if (object == nullptr) return fail_unknown_object(vm, name, 0);
+  if (object == nullptr) return fail_unknown_object(vm, name, at("name"));
   return Eigen::Vector3d(object->T_world_obj.translation());
 }
 Eigen::VectorXd get_pos_robot(Vm& vm, const RobotRef& r) { return state_of(vm, r).q; }

@@ -53,7 +53,12 @@ Started move_l(Vm& vm, const RobotRef& r, const PosC& target, Number time, Numbe
 }
 
 Started follow(Vm& vm, const RobotRef& r, const PlannedMotion& plan) {
-  const MoveCall call{.function = "follow", .robot = r.id, .fixed_time = true};
+  const MoveCall call{.function = "follow",
+                      .robot = r.id,
+                      .target = at("tr"),
+                      .time = {},
+                      .planner = {},
+                      .fixed_time = true};
   MoveCommand command = command_of(vm, call);
   command.target = GivenMotion{.motion = plan.motion, .planner = plan.planner};
   return run_move(vm, call, command);
@@ -96,14 +101,13 @@ template <class T>
 Started move_spline(Vm& vm, const RobotRef& r, HostList<T> points, Number time,
                     std::string_view planner, Number speed, Number accel) {
   if (!check_idle(vm, r.id)) return Failed{};
-  const MoveCall call{
-      .function = "moveSpline", .robot = r.id, .speed = 4, .accel = 5, .planner = 3};
+  const MoveCall call{.function = "moveSpline", .robot = r.id, .target = at("points")};
   return spline(vm, call, points, planner, {.time = time, .speed = speed, .accel = accel});
 }
 
 Started move_circ(Vm& vm, const RobotRef& r, const PosC& via, const PosC& target, Number time,
                   Number speed, Number blend) {
-  const MoveCall call{.function = "moveCirc", .robot = r.id, .target = 2, .time = 3, .speed = 4};
+  const MoveCall call{.function = "moveCirc", .robot = r.id};
   return move_on_arc(vm, call, via, target, {.time = time, .speed = speed, .blend = blend});
 }
 
@@ -113,7 +117,7 @@ Answer<void> set_joints(Vm& vm, const RobotRef& r, const PosJ& given_q) {
   Host& host = Host::of(vm);
   const int id = r.id;
   const CellRobot& robot = host.cell().robot(id);
-  MoveCall call{.function = "setJoints", .robot = id};
+  MoveCall call{.function = "setJoints", .robot = id, .target = at("q")};
   const Eigen::VectorXd q = clamped(vm, call, given_q.vector());
   if (q.size() != robot.model->n())
     return size_failure(vm, "setJoints", static_cast<std::size_t>(q.size()),
@@ -207,7 +211,7 @@ constexpr NativeFunction kMotionFunctions[] = {
         "halt()", {.pauses = true, .interrupts = true}),
     def<set_joints>("setJoints(r: robot, q: posJ)",
                     "Puts a simulated robot into a position without moving it.",
-                    "setJoints(home())", {.check = check_joints_of<1>, .commands = true}),
+                    "setJoints(home())", {.check = check_joints_of<"q">, .commands = true}),
 };
 
 }  // namespace

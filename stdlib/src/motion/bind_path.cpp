@@ -27,27 +27,27 @@ Started make_moves(Vm& vm) {
 }
 
 Answer<void> set_blend(Vm& vm, double blend) {
-  if (!check_blend_length(vm, blend, 0)) return Failed{};
+  if (!check_blend_length(vm, blend, at("blend"))) return Failed{};
   settings_of(vm).path->blend = blend;
   return {};
 }
 
 Answer<void> set_speed(Vm& vm, double speed) {
-  if (!check_above_zero(vm, "a speed", speed, "mm/s", 0)) return Failed{};
+  if (!check_above_zero(vm, "a speed", speed, "mm/s", at("speed"))) return Failed{};
   settings_of(vm).path->speed = speed;
   return {};
 }
 
 Answer<void> set_time(Vm& vm, double time) {
-  if (!check_duration(vm, time, 0)) return Failed{};
+  if (!check_duration(vm, time, at("time"))) return Failed{};
   CollectedPath& path = *settings_of(vm).path;
   path.time = time;
   path.time_place = place_of_call(vm);
   return {};
 }
 
-void check_blend_setting(CheckCall& call) { check_blend(call, 0); }
-void check_time_setting(CheckCall& call) { check_duration(call, 0); }
+void check_blend_setting(CheckCall& call) { check_blend(call, at("blend")); }
+void check_time_setting(CheckCall& call) { check_duration(call, at("time")); }
 
 constexpr NativeFunction kPathFunctions[] = {
     def<enter>("path{()", "", ""),

@@ -27,7 +27,7 @@ Answer<void> set_fraction(Vm& vm, double value) {
         vm, "R0609",
         fmt::format("{:.6g} is no fraction of the joint limits: it must lie {}", value,
                     value > 0.0 && value < kLeast ? "from 1e-9 to 1" : "above 0 and not above 1"),
-        0);
+        CallPart::first());
   }
   BlockSettings settings = settings_of(vm);
   settings.*kMember = value;
@@ -93,7 +93,8 @@ Answer<void> set_choice(Vm& vm, std::string_view name) {
   if (choice == nullptr) {
     return failure(
         vm, "R0609",
-        fmt::format("{} \"{}\": it is {}", kSetting.cannot, name, choice_of(kSetting.names())), 0);
+        fmt::format("{} \"{}\": it is {}", kSetting.cannot, name, choice_of(kSetting.names())),
+        CallPart::first());
   }
   BlockSettings settings = settings_of(vm);
   settings.*kSetting.member = *choice;
@@ -126,22 +127,22 @@ void set_frame_of(Vm& vm, const Named& frame) {
 
 // Reports a fraction outside its range: E0513.
 void check_share(CheckCall& call, std::string_view what) {
-  const auto constant = call.constant(0);
+  const auto constant = call.constant(CallPart::first());
   if (!constant || (constant->real > 0.0 && constant->real <= 1.0)) return;
   Diagnostic d = make_diagnostic(
-      "E0513", call.span(0),
+      "E0513", call.span(CallPart::first()),
       {std::string(what), "above 0 and at most 1", format_number(constant->real, 6)});
   d.why = "inside `with` it is a fraction of what the joints can do";
   call.report(std::move(d));
 }
 template <const auto& kSetting>
 void check_choice(CheckCall& call) {
-  const auto constant = call.constant(0);
+  const auto constant = call.constant(CallPart::first());
   if (!constant || kSetting.called(constant->text) != nullptr) return;
   Diagnostic d = make_diagnostic(
-      "E0513", call.span(0),
+      "E0513", call.span(CallPart::first()),
       {std::string(kSetting.setting), choice_of(kSetting.names()), '"' + constant->text + '"'});
-  d.fix = meant_word(constant->text, kSetting.names(), call.span(0));
+  d.fix = meant_word(constant->text, kSetting.names(), call.span(CallPart::first()));
   call.report(std::move(d));
 }
 void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }

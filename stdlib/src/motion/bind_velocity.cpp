@@ -74,7 +74,7 @@ class VelocityWaiting : public Waiting {
 
 Failure refusal(Vm& vm, const MoveCall& call) {
   Failure f;
-  f.mark_parameter = call.target;
+  f.mark = call.target;
   f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
   return f;
 }
@@ -128,18 +128,18 @@ Answer<void> check_drivable(Vm& vm, const MoveCall& call) {
 }
 
 // `during` in whole nanoseconds, the unit of the clock.
-Answer<std::int64_t> holding_time(Vm& vm, double seconds, int parameter) {
-  if (!std::isfinite(seconds)) return not_finite(vm, "the time", seconds, parameter);
-  if (!check_time_left(vm, "a velocity", seconds, parameter)) return Failed{};
+Answer<std::int64_t> holding_time(Vm& vm, double seconds, CallPart part) {
+  if (!std::isfinite(seconds)) return not_finite(vm, "the time", seconds, part);
+  if (!check_time_left(vm, "a velocity", seconds, part)) return Failed{};
   const std::int64_t ns = seconds > 0.0 ? to_ns(seconds) : 0;
   if (ns > 0) return ns;
-  return domain_failure(vm, "a velocity held for a time", seconds, "be longer than 0 s", {},
-                        parameter);
+  return domain_failure(vm, "a velocity held for a time", seconds, "be longer than 0 s", {}, part);
 }
 
 Started drive(Vm& vm, const MoveCall& call, VelocityPlan plan, std::int64_t during_ns) {
   if (!plan.motion) return fail_velocity(vm, call, plan);
-  if (!check_time_left(vm, "a motion", plan.motion->duration(), kMarkCallee)) return Failed{};
+  if (!check_time_left(vm, "a motion", plan.motion->duration(), CallPart::callee()))
+    return Failed{};
   if (!check_velocity_torques(vm, call, *plan.motion, during_ns)) return Failed{};
   Host& host = Host::of(vm);
   report_rest(vm, call.robot);
@@ -156,20 +156,20 @@ VelocityStart start_of(Vm& vm, const MoveCall& call, std::int64_t during_ns) {
 }
 
 Started speed_j(Vm& vm, const RobotRef& r, std::span<const double> values, double seconds) {
-  const MoveCall call{.function = "speedJ", .robot = r.id};
+  const MoveCall call{.function = "speedJ", .robot = r.id, .target = at("rates")};
   if (!check_drivable(vm, call)) return Failed{};
-  const auto during = holding_time(vm, seconds, 2);
+  const auto during = holding_time(vm, seconds, at("during"));
   if (!during) return Failed{};
   const Robot& robot = model_of(vm, call);
   if (values.size() != static_cast<std::size_t>(robot.n())) {
     return failure(vm, "R0613",
                    fmt::format("{} joint speeds for a robot with {} joint{}", values.size(),
                                robot.n(), robot.n() == 1 ? "" : "s"),
-                   1);
+                   at("rates"));
   }
   const Eigen::VectorXd rates =
       Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-  if (!rates.allFinite()) return not_finite(vm, "a joint speed", rates.sum(), 1);
+  if (!rates.allFinite()) return not_finite(vm, "a joint speed", rates.sum(), at("rates"));
   return drive(vm, call, plan_joint_velocity(robot, start_of(vm, call, *during), rates), *during);
 }
 
@@ -178,21 +178,20 @@ struct Drift {
   std::span<const double> values;
   Eigen::Matrix3d R;
   double seconds;
-  int seconds_parameter;
 };
 Started speed_c(Vm& vm, const RobotRef& r, const Drift& drift) {
-  MoveCall call{.function = "speedC", .robot = r.id};
+  MoveCall call{.function = "speedC", .robot = r.id, .target = at("v")};
   if (!check_drivable(vm, call)) return Failed{};
-  const auto during = holding_time(vm, drift.seconds, drift.seconds_parameter);
+  const auto during = holding_time(vm, drift.seconds, at("during"));
   if (!during) return Failed{};
   const std::span<const double> values = drift.values;
   if (values.size() != 6) {
     return failure(vm, "R0613",
-                   fmt::format("the velocity of a hand has 6 values, not {}", values.size()), 1,
-                   "they are vx, vy, vz in m/s and wx, wy, wz in rad/s");
+                   fmt::format("the velocity of a hand has 6 values, not {}", values.size()),
+                   at("v"), "they are vx, vy, vz in m/s and wx, wy, wz in rad/s");
   }
   const Vector6d v = Eigen::Map<const Vector6d>(values.data());
-  if (!v.allFinite()) return not_finite(vm, "a velocity", v.sum(), 1);
+  if (!v.allFinite()) return not_finite(vm, "a velocity", v.sum(), at("v"));
   Vector6d twist;
   twist << drift.R * v.head<3>(), drift.R * v.tail<3>();
   choose_model(vm, call, {}, 1.0);
@@ -216,25 +215,26 @@ Started speed_c(Vm& vm, const RobotRef& r, const Drift& drift) {
 
 // Along the axes of the frame of the blocks around the call, or of the world.
 Started speed_c_world(Vm& vm, const RobotRef& r, std::span<const double> v, double during) {
-  const auto axes = in_world(vm, {.function = "speedC", .robot = r.id}, {}, PosC{});
+  const auto axes =
+      in_world(vm, {.function = "speedC", .robot = r.id, .target = at("v")}, {}, PosC{});
   if (!axes) return Failed{};
-  return speed_c(vm, r, {v, axes->T.linear(), during, 2});
+  return speed_c(vm, r, {v, axes->T.linear(), during});
 }
 Started speed_c_frame(Vm& vm, const RobotRef& r, std::span<const double> v, const PosC& frame,
                       double during) {
-  return speed_c(vm, r, {v, frame.T.linear(), during, 3});
+  return speed_c(vm, r, {v, frame.T.linear(), during});
 }
 Started speed_c_object(Vm& vm, const RobotRef& r, std::span<const double> v, const ObjectRef& frame,
                        double during) {
   const Object* object = find_object(vm, frame.name);
-  if (object == nullptr) return fail_unknown_object(vm, frame.name, 2);
-  return speed_c(vm, r, {v, object->T_world_obj.linear(), during, 3});
+  if (object == nullptr) return fail_unknown_object(vm, frame.name, at("frame"));
+  return speed_c(vm, r, {v, object->T_world_obj.linear(), during});
 }
 Started speed_c_named(Vm& vm, const RobotRef& r, std::span<const double> v, const FrameRef& frame,
                       double during) {
-  const auto now = frame_now(vm, frame, 2);
+  const auto now = frame_now(vm, frame, at("frame"));
   if (!now) return Failed{};
-  return speed_c(vm, r, {v, now->T.linear(), during, 3});
+  return speed_c(vm, r, {v, now->T.linear(), during});
 }
 
 // A camera velocity along the camera's axes, converted to the tool point of the arm that carries
@@ -249,17 +249,17 @@ Started speed_c_camera(Vm& vm, const RobotRef& r, std::span<const double> v,
       on.base == FrameBase::kFrame ? cell.world().mount_of_frame(on.on).carrier : on.carrier;
   const CellRobot& arm = cell.robot(r.id);
   if (carrier != r.id && (arm.on < 0 || carrier != arm.on)) {
-    return fail_blind(vm, fmt::format("`{}` does not carry it", arm.name), 2,
+    return fail_blind(vm, fmt::format("`{}` does not carry it", arm.name), at("frame"),
                       "give the velocity in the frame of a camera that is on the arm");
   }
-  if (v.size() != 6) return speed_c(vm, r, {v, Eigen::Matrix3d::Identity(), during, 3});
+  if (v.size() != 6) return speed_c(vm, r, {v, Eigen::Matrix3d::Identity(), during});
   const Eigen::Matrix3d& R = T_world_camera->linear();
   const Eigen::Vector3d w = R * Eigen::Vector3d(v[3], v[4], v[5]);
   const Eigen::Vector3d to_tool =
       cell.T_world_tool(r.id).translation() - T_world_camera->translation();
   const Eigen::Vector3d moved = R * Eigen::Vector3d(v[0], v[1], v[2]) + w.cross(to_tool);
   const std::array<double, 6> twist{moved.x(), moved.y(), moved.z(), w.x(), w.y(), w.z()};
-  return speed_c(vm, r, {twist, Eigen::Matrix3d::Identity(), during, 3});
+  return speed_c(vm, r, {twist, Eigen::Matrix3d::Identity(), during});
 }
 
 constexpr std::string_view kSpeedJHelp =

@@ -19,7 +19,7 @@ Failed fail_overload(Vm& vm, const MoveCall& call, const std::string& what, doub
   f.headline = {row("R0637"),
                 {what, format_number(force, 3) + " N", format_number(most, 3) + " N"}};
   f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
-  f.mark_parameter = kMarkCallee;
+  f.mark = CallPart::callee();
   f.place = call.place;
   f.why = std::move(why);
   f.fix = std::move(fix);
@@ -70,7 +70,7 @@ double force_on(const Cell& cell, int robot, bool of_hand) {
 void advise_slip(Vm& vm, const CellEvent& event) {
   Failure advice;
   advice.headline = {row("W0726"), {event.object}};
-  advice.mark_parameter = kMarkCallee;
+  advice.mark = CallPart::callee();
   const double percent = 100.0 * std::min(event.carried, 0.99);
   if (event.moving) {
     advice.why = fmt::format(

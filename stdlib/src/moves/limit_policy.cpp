@@ -23,7 +23,7 @@ Failure advice_about(Vm& vm, const MoveCall& call, MessageCode<4> code, const Li
   advice.headline = {code,
                      {std::to_string(v.joint + 1), format_joint_value(kind, v.value, v.limit),
                       format_joint_value(kind, v.excess()), format_joint_value(kind, v.limit)}};
-  advice.mark_parameter = call.target;
+  advice.mark = call.target;
   advice.place = call.place;
   advice.mark_element = call.element;
   return advice;
@@ -76,7 +76,7 @@ void advise_lengthened(Vm& vm, const MoveCall& call, const TooFast& fast) {
   advice.headline = {row("W0759"),
                      {format_number(fast.given, 6) + " s", format_number(fast.least_time, 3) + " s",
                       std::to_string(fast.joint + 1)}};
-  advice.mark_parameter = call.time;
+  advice.mark = call.time;
   advice.place = call.place;
   vm.advise(advice);
 }

@@ -57,7 +57,7 @@ Failure failure_of_meeting(Vm& vm, const MoveCall& call, const CellCollision& me
   } else {
     f.headline = {row("W0711"), {std::move(first), std::move(second)}};
   }
-  f.mark_parameter = kMarkCallee;
+  f.mark = CallPart::callee();
   f.place = call.place;
   f.why = circumstances(met, duration);
   f.fix = remedy(met);

@@ -33,7 +33,7 @@ bool is_looked_at(const Host& host, int robot, std::int64_t during_ns) {
 
 Failure about(const MoveCall& call) {
   Failure f;
-  f.mark_parameter = kMarkCallee;
+  f.mark = CallPart::callee();
   f.place = call.place;
   return f;
 }

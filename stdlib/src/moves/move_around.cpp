@@ -41,7 +41,7 @@ std::vector<NamedPair> named(const Cell& cell, const std::vector<BlockingBodies>
 Failure about(Vm& vm, const MoveCall& call) {
   Failure f;
   f.kind = "Collision";
-  f.mark_parameter = kMarkCallee;
+  f.mark = CallPart::callee();
   f.place = call.place;
   f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
   f.moved = false;
@@ -64,7 +64,7 @@ Failed fail_end(Vm& vm, const MoveCall& call, const WayAround& around, std::size
     f.why += fmt::format("; {} too, {} deep", pairs[k].text(), format_mm(pairs[k].depth));
   if (goals > 1 && !at_start)
     f.why += fmt::format("; each of the {} solutions for this target collides", goals);
-  if (!at_start) f.mark_parameter = call.target;
+  if (!at_start) f.mark = call.target;
   f.fix = at_start ? "free the two before: move straight away from there with moveL"
                    : "choose another target, or another orientation there";
   return fail(vm, std::move(f));

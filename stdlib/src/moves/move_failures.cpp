@@ -45,9 +45,9 @@ bool is_vertical(const Robot& robot) {
   return up && lean_of(*up) <= kVertical;
 }
 
-Failure start(Vm& vm, const MoveCall& call, int mark) {
+Failure start(Vm& vm, const MoveCall& call, CallPart part) {
   Failure f;
-  f.mark_parameter = mark;
+  f.mark = part;
   f.resource = robot_called(Host::of(vm).cell().robot(call.robot).name);
   f.moved = false;
   f.place = call.place;
@@ -379,7 +379,7 @@ Failed fail_line(Vm& vm, const MoveCall& call, const Eigen::VectorXd& start_join
                  const PosC& target, const LineFault& fault) {
   if (fault.kind == LineFaultKind::kGoal) return fail_unreachable(vm, call, target.T, fault.ik);
   const Robot& robot = model_of(vm, call);
-  Failure f = start(vm, call, call.element >= 0 ? call.target : kMarkCallee);
+  Failure f = start(vm, call, call.element >= 0 ? call.target : CallPart::callee());
   const std::string part = fmt::format("{} %", std::lround(std::floor(fault.fraction * 100.0)));
   const bool is_straight = call.way == kStraightLine;
   f.headline = {row("R0603"), {part}};

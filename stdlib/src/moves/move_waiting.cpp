@@ -81,7 +81,7 @@ class MoveWaiting : public Waiting {
       if (event.kind != CellEventKind::kPicked || !host_.first_contact_pick()) continue;
       Failure advice;
       advice.headline = {row("W0704"), {event.object}};
-      advice.mark_parameter = call_.target;
+      advice.mark = call_.target;
       advice.why =
           "this program never calls grasp or release, so objects named in insertObj are picked up "
           "and put down by contact";

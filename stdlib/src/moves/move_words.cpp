@@ -98,11 +98,11 @@ struct RefusalWords {
     }
   }
   Failed operator()(const refused::TooLong& why) const {
-    const int parameter = why.lasts == refused::Lasts::kTime           ? call.time
+    const CallPart part = why.lasts == refused::Lasts::kTime           ? call.time
                           : why.lasts == refused::Lasts::kSpeed        ? call.speed
                           : why.lasts == refused::Lasts::kAcceleration ? call.accel
-                                                                       : kMarkCallee;
-    return failed(check_time_left(vm, "a motion", why.seconds, parameter));
+                                                                       : CallPart::callee();
+    return failed(check_time_left(vm, "a motion", why.seconds, part));
   }
   Failed operator()(const refused::Tilted& why) const {
     return fail_tilted(vm, call, {why.pose.T_world_tool, why.pose.has_orientation});

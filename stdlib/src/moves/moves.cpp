@@ -43,23 +43,23 @@ void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double a
   call.model = std::make_shared<const Robot>(std::move(model));
 }
 
-Answer<void> check_fraction(Vm& vm, const char* what, double value, int parameter) {
+Answer<void> check_fraction(Vm& vm, const char* what, double value, CallPart part) {
   constexpr double kLeast = 1e-9;  // a revolution would take years
   if (value >= kLeast && value <= 1.0) return {};
   const char* range = value > 0.0 && value < kLeast ? "from 1e-9 to 1" : "above 0 and not above 1";
   return failure(
       vm, "R0609",
       fmt::format("{} of {:.6g}: a fraction of the joint limits lies {}", what, value, range),
-      parameter);
+      part);
 }
 
 Answer<void> check_above_zero(Vm& vm, const char* what, double value, const char* unit,
-                              int parameter) {
+                              CallPart part) {
   if (std::isfinite(value) && value > 0.0) return {};
   return failure(vm, "R0609",
                  fmt::format("{} of {} {}: the hand needs one above 0", what,
                              format_number(value * 1000.0), unit),
-                 parameter);
+                 part);
 }
 
 Answer<void> check_tool_rates(Vm& vm, const MoveCall& call, const MoveSettings& settings) {
@@ -78,13 +78,12 @@ const Robot* limiting_motors(Vm& vm, const MoveCall& call) {
   return Host::of(vm).cell().robot(call.robot).loaded.get();
 }
 
-Answer<void> check_duration(Vm& vm, double seconds, int parameter) {
+Answer<void> check_duration(Vm& vm, double seconds, CallPart part) {
   if (std::isfinite(seconds) && seconds >= 0.0)
-    return check_time_left(vm, "a motion", seconds, parameter);
-  if (!std::isfinite(seconds)) return not_finite(vm, "the time", seconds, parameter);
-  return failure(vm, "R0609", fmt::format("a move cannot take {} s", format_number(seconds)),
-                 parameter, "time only runs forwards",
-                 "use a time of 0 s or more, or leave it out");
+    return check_time_left(vm, "a motion", seconds, part);
+  if (!std::isfinite(seconds)) return not_finite(vm, "the time", seconds, part);
+  return failure(vm, "R0609", fmt::format("a move cannot take {} s", format_number(seconds)), part,
+                 "time only runs forwards", "use a time of 0 s or more, or leave it out");
 }
 
 std::optional<IkTask> task_of(const Robot& robot, const PosC& target) {

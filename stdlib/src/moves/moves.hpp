@@ -22,15 +22,15 @@ using Started = Answer<std::unique_ptr<Waiting>>;
 
 inline constexpr std::string_view kStraightLine = "straight line";
 
-// The parameters of a call by meaning, for marks in messages; -1: the call has no such parameter.
+// A call that plans or makes a move: what it does, and the arguments that messages mark.
 struct MoveCall {
   std::string_view function;  // "moveJ"
   int robot = 0;              // in the cell
-  int target = 1;
-  int time = 2;
-  int speed = 3;
-  int accel = 4;
-  int planner = 5;
+  CallPart target = at("target");
+  CallPart time = at("time");
+  CallPart speed = at("speed");
+  CallPart accel = at("accel");
+  CallPart planner = at("traj");
   bool classic = false;                  // exceeding speed limits is advice, not an error
   bool fixed_time = false;               // the motion must not be made slower
   bool any_branch = false;               // other solutions for a position in space will do
@@ -88,11 +88,11 @@ void choose_model(Vm& vm, MoveCall& call, const MoveSettings& settings, double a
 
 // Checks a speed ("a speed", "mm/s") or acceleration of the tool; both of a move.
 Answer<void> check_above_zero(Vm& vm, const char* what, double value, const char* unit,
-                              int parameter);
+                              CallPart part);
 Answer<void> check_tool_rates(Vm& vm, const MoveCall& call, const MoveSettings& settings);
 
 // Checks a fraction of the joint limits.
-Answer<void> check_fraction(Vm& vm, const char* what, double value, int parameter);
+Answer<void> check_fraction(Vm& vm, const char* what, double value, CallPart part);
 
 // Stops the robot under control; its present move fails with R0618. Ends when the robot is at rest.
 std::unique_ptr<Waiting> halt_robot(Vm& vm, int robot);
@@ -113,6 +113,6 @@ Failed fail_too_fast(Vm& vm, const MoveCall& call, const TooFast& fast);
 [[nodiscard]] const Robot* limiting_motors(Vm& vm, const MoveCall& call);
 
 // Checks a duration: finite and not negative.
-Answer<void> check_duration(Vm& vm, double seconds, int parameter);
+Answer<void> check_duration(Vm& vm, double seconds, CallPart part);
 
 }  // namespace armlet::bind

@@ -17,10 +17,10 @@
 namespace armlet::bind {
 namespace {
 
-Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
+Failed fail_part(Vm& vm, std::string what, CallPart part, std::string fix) {
   Failure f;
   f.headline = {row("R0635"), {std::move(what)}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.fix = std::move(fix);
   f.resource = robot_called({});
   f.moved = false;
@@ -29,7 +29,7 @@ Failed fail_part(Vm& vm, std::string what, int parameter, std::string fix) {
 
 // The call that messages about the time of the path refer to.
 MoveCall timed_call(const CollectedPath& path, MoveCall whole) {
-  whole.time = 0;
+  whole.time = at("time");
   whole.place = path.time_place;
   return whole;
 }
@@ -70,17 +70,18 @@ Answer<void> check_belongs(Vm& vm, const MoveCall& call, const MoveSettings& set
                      "give the whole path a time, path (time: ...)");
   }
   if (settings.T_flange_tool) {
-    return fail_part(vm, "a move with a tool of its own", kMarkCallee,
+    return fail_part(vm, "a move with a tool of its own", CallPart::callee(),
                      "write with (tool: ...) around the path");
   }
   if (!path.moves.empty() && path.moves.front().call.robot != call.robot) {
     return fail_part(vm,
                      fmt::format("a move of `{}` in a path of `{}`", cell.robot(call.robot).name,
                                  cell.robot(path.moves.front().call.robot).name),
-                     kMarkCallee, "give each robot its own path, side by side in `parallel`");
+                     CallPart::callee(),
+                     "give each robot its own path, side by side in `parallel`");
   }
   if (!settings.blend) return {};
-  return check_blend_length(vm, *settings.blend, kMarkCallee);
+  return check_blend_length(vm, *settings.blend, CallPart::callee());
 }
 
 std::unique_ptr<Waiting> add(Vm& vm, CollectedMove move) {
@@ -127,17 +128,17 @@ Started collect_joints(Vm& vm, MoveCall call, const PosC& target, JointGoal goal
                   .blend = settings.blend});
 }
 
-Answer<void> check_blend_length(Vm& vm, double blend, int parameter) {
+Answer<void> check_blend_length(Vm& vm, double blend, CallPart part) {
   if (std::isfinite(blend) && blend >= 0.0) return {};
   return failure(
       vm, "R0609",
       fmt::format("a blend of {}: corners are rounded within 0 mm or more", format_mm(blend)),
-      parameter);
+      part);
 }
 
 Started make_path(Vm& vm, const CollectedPath& path) {
   if (path.moves.empty()) return no_move();
-  MoveCall whole{.function = "path", .robot = path.moves.front().call.robot, .target = -1};
+  MoveCall whole{.function = "path", .robot = path.moves.front().call.robot, .target = {}};
   MoveCommand command = command_of(vm, whole);
   command.target = target_of(path);
   command.time = path.time;

@@ -46,7 +46,7 @@ Started collect_joints(Vm& vm, MoveCall call, const PosC& target, JointGoal goal
                        const MoveSettings& settings);
 
 // Checks a blend length: the largest distance from its target at which a corner begins, m.
-Answer<void> check_blend_length(Vm& vm, double blend, int parameter);
+Answer<void> check_blend_length(Vm& vm, double blend, CallPart part);
 
 // Plans and starts the whole path.
 Started make_path(Vm& vm, const CollectedPath& path);

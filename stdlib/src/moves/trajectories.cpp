@@ -50,17 +50,17 @@ Answer<void> check_settings(Vm& vm, const MoveCall& call, std::size_t points,
   if (settings.move.speed && !check_fraction(vm, "a speed", *settings.move.speed, call.speed))
     return Failed{};
   if (settings.durations.empty()) return {};
-  const int parameter = settings.durations_parameter;
   if (settings.durations.size() != points - 1) {
     return failure(vm, "R0613",
                    fmt::format("{} durations for {} points", settings.durations.size(), points),
-                   parameter, fmt::format("there is one for each leg: {}", points - 1));
+                   at("durations"), fmt::format("there is one for each leg: {}", points - 1));
   }
   for (const double T : settings.durations) {
-    if (!std::isfinite(T)) return not_finite(vm, "a duration", T, parameter);
-    if (!check_time_left(vm, "a leg", T, parameter)) return Failed{};
+    if (!std::isfinite(T)) return not_finite(vm, "a duration", T, at("durations"));
+    if (!check_time_left(vm, "a leg", T, at("durations"))) return Failed{};
     if (T <= 1e-9)
-      return domain_failure(vm, "a leg with a duration", T, "be longer than 0 s", {}, parameter);
+      return domain_failure(vm, "a leg with a duration", T, "be longer than 0 s", {},
+                            at("durations"));
   }
   return {};
 }
@@ -169,7 +169,7 @@ Answer<Trajectory> plan_through(Vm& vm, MoveCall call, const std::vector<Eigen::
   if (!choose_accelerations(vm, call, settings.move)) return Failed{};
   const PlannerSet& planners = Host::of(vm).planners();
   if (!planners.has(planner)) return fail_planner(vm, call, planner);
-  if (!settings.durations.empty()) call.time = settings.durations_parameter;
+  if (!settings.durations.empty()) call.time = at("durations");
   const Robot& robot = model_of(vm, call);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto outside = limit_violations(robot, points[k]);
@@ -200,7 +200,7 @@ Answer<Trajectory> plan_lines(Vm& vm, MoveCall call, const Eigen::VectorXd& star
   if (!check_settings(vm, call, places.size(), settings)) return Failed{};
   if (!choose_accelerations(vm, call, settings.move)) return Failed{};
   const double speed = settings.move.speed.value_or(settings_of(vm).speed);
-  if (!settings.durations.empty()) call.time = settings.durations_parameter;
+  if (!settings.durations.empty()) call.time = at("durations");
   const Robot& robot = model_of(vm, call);
   Trajectory whole = Trajectory::at_rest(start, 0.0);
   for (std::size_t k = 1; k < places.size(); ++k) {

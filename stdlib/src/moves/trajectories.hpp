@@ -56,7 +56,6 @@ namespace armlet::bind {
 struct PointSettings {
   MoveSettings move{};
   std::vector<double> durations{};
-  int durations_parameter = -1;
 };
 
 // A motion of the robot through all points, planned and verified.

@@ -47,13 +47,13 @@ struct Task {
   unsigned copies = 3;
 };
 
-Answer<void> require_finite(Vm& vm, const MatrixObj& A, int parameter) {
+Answer<void> require_finite(Vm& vm, const MatrixObj& A, CallPart part) {
   std::size_t bad = count_of(A);
   if (!find_number(vm, elements(A), bad, [](double x) { return !std::isfinite(x); }))
     return Failed{};
   if (bad == count_of(A)) return {};
   return not_finite(vm, fmt::format("element [{}, {}] of the matrix", bad / A.cols, bad % A.cols),
-                    A.data()[bad], parameter);
+                    A.data()[bad], part);
 }
 
 Answer<void> make_ready(Vm& vm, const MatrixObj& A, const Task& task) {
@@ -62,9 +62,9 @@ Answer<void> make_ready(Vm& vm, const MatrixObj& A, const Task& task) {
     return failure(vm, "R0613",
                    fmt::format("{} of a {} matrix: at most {} rows and columns are possible",
                                task.name, size_text(A.rows, A.cols), kMostDecomposed),
-                   0);
+                   CallPart::first());
   }
-  if (!require_finite(vm, A, 0) ||
+  if (!require_finite(vm, A, CallPart::first()) ||
       !charge_work(vm, std::uint64_t{task.work} * count_of(A) * std::min(A.rows, A.cols))) {
     return Failed{};
   }
@@ -86,7 +86,7 @@ Failed no_answer(Vm& vm, std::string_view name, const Error& error) {
   if (error.code == "singular") {
     Failure f;
     f.headline = {row("R0616"), {"the matrix"}};
-    f.mark_parameter = 0;
+    f.mark = CallPart::first();
     f.why = error.message;
     f.fix = name == "solving"
                 ? "multiply by pinv({arg}) to get the smallest of the nearest solutions"
@@ -94,15 +94,16 @@ Failed no_answer(Vm& vm, std::string_view name, const Error& error) {
     return fail(vm, std::move(f));
   }
   if (error.code == "complex") {
-    return failure(vm, "R0609", fmt::format("{} needs real eigenvalues", name), 0, error.message,
-                   "eigenvalues({arg}) gives their real and imaginary parts");
+    return failure(vm, "R0609", fmt::format("{} needs real eigenvalues", name), CallPart::first(),
+                   error.message, "eigenvalues({arg}) gives their real and imaginary parts");
   }
   if (error.code == "not_symmetric")
-    return failure(vm, "R0609", fmt::format("{} needs a symmetric matrix", name), 0);
+    return failure(vm, "R0609", fmt::format("{} needs a symmetric matrix", name),
+                   CallPart::first());
   if (error.code == "not_positive")
-    return failure(vm, "R0609", fmt::format("{} needs a positive definite matrix", name), 0,
-                   error.message);
-  return failure(vm, "R0610", fmt::format("{}: {}", name, error.message), 0);
+    return failure(vm, "R0609", fmt::format("{} needs a positive definite matrix", name),
+                   CallPart::first(), error.message);
+  return failure(vm, "R0610", fmt::format("{}: {}", name, error.message), CallPart::first());
 }
 
 Answer<Obj*> matrix_or_why(Vm& vm, std::string_view name, const Result<MatrixXd>& result) {
@@ -131,10 +132,10 @@ Answer<Obj*> record_of(Vm& vm, std::string_view type, const std::array<Obj*, kPa
 Answer<Obj*> solve_matrix(Vm& vm, const MatrixObj& A, const MatrixObj& B) {
   if (A.rows != B.rows) {
     return sizes_differ(
-        vm, fmt::format("{} \\ {}", size_text(A.rows, A.cols), size_text(B.rows, B.cols)), 1,
+        vm, fmt::format("{} \\ {}", size_text(A.rows, A.cols), size_text(B.rows, B.cols)), at("B"),
         "both matrices need equally many rows");
   }
-  if (!require_finite(vm, B, 1) || !charge_work(vm, count_of(B) * A.cols)) return Failed{};
+  if (!require_finite(vm, B, at("B")) || !charge_work(vm, count_of(B) * A.cols)) return Failed{};
   return on_matrix(vm, A, {.name = "solving", .work = 2, .copies = 4}, [&](const MatrixXd& a) {
     return matrix_or_why(vm, "solving", solve(a, to_eigen(B)));
   });
@@ -142,12 +143,13 @@ Answer<Obj*> solve_matrix(Vm& vm, const MatrixObj& A, const MatrixObj& B) {
 
 Answer<Obj*> solve_list(Vm& vm, const MatrixObj& A, std::span<const double> b) {
   if (A.rows != b.size()) {
-    return sizes_differ(vm, fmt::format("{} \\ {}", size_text(A.rows, A.cols), b.size()), 1,
+    return sizes_differ(vm, fmt::format("{} \\ {}", size_text(A.rows, A.cols), b.size()), at("b"),
                         "the matrix needs as many rows as the list has values");
   }
   std::size_t bad = b.size();
   if (!find_number(vm, b, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
-  if (bad != b.size()) return not_finite(vm, fmt::format("element {} of the list", bad), b[bad], 1);
+  if (bad != b.size())
+    return not_finite(vm, fmt::format("element {} of the list", bad), b[bad], at("b"));
   const auto solved = [&](const MatrixXd& a) -> Answer<Obj*> {
     const auto x =
         solve(a, Eigen::Map<const VectorXd>(b.data(), static_cast<Eigen::Index>(b.size())));

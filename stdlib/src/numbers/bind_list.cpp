@@ -21,7 +21,7 @@ namespace {
 constexpr std::int64_t kLongestRange = 100'000'000;
 
 Answer<ListObj*> range(Vm& vm, std::int64_t first, std::int64_t last, std::int64_t step) {
-  if (step == 0) return failure(vm, "R0609", "range with a step of 0 never ends", 2);
+  if (step == 0) return failure(vm, "R0609", "range with a step of 0 never ends", at("step"));
   __extension__ using Wide = __int128;
   const Wide distance = step > 0 ? Wide{last} - first : Wide{first} - last;
   const Wide stride = step > 0 ? Wide{step} : -Wide{step};
@@ -39,9 +39,9 @@ constexpr double kEndOfRange = 1e-9;
 // Each value is computed from its index, since repeated addition would accumulate errors.
 Answer<ListObj*> range_of_quantities(Vm& vm, double first, double last, double step) {
   for (const double given : {first, last, step}) {
-    if (!std::isfinite(given)) return not_finite(vm, "a value given to range", given, 0);
+    if (!std::isfinite(given)) return not_finite(vm, "a value given to range", given, at("a"));
   }
-  if (step == 0.0) return failure(vm, "R0609", "range with a step of 0 never ends", 2);
+  if (step == 0.0) return failure(vm, "R0609", "range with a step of 0 never ends", at("step"));
   const double steps = (last - first) / step;
   if (!(steps <= static_cast<double>(kLongestRange)))
     return failure(vm, "R0613",
@@ -55,14 +55,15 @@ Answer<ListObj*> range_to(Vm& vm, std::int64_t last) { return range(vm, 0, last,
 Answer<ListObj*> linspace(Vm& vm, double a, double b, std::int64_t n) {
   for (const double end : {a, b}) {
     if (!std::isfinite(end))
-      return not_finite(vm, "an end given to linspace", end, std::isfinite(a) ? 1 : 0);
+      return not_finite(vm, "an end given to linspace", end, std::isfinite(a) ? at("b") : at("a"));
   }
   if (n < 2)
-    return failure(vm, "R0609", fmt::format("linspace with {} values: it needs at least 2", n), 2);
+    return failure(vm, "R0609", fmt::format("linspace with {} values: it needs at least 2", n),
+                   at("n"));
   if (n > kLongestRange) {
     return failure(vm, "R0609",
                    fmt::format("linspace with {} values: a list has at most {}", n, kLongestRange),
-                   2);
+                   at("n"));
   }
   const auto last = static_cast<std::size_t>(n - 1);
   return numbers_of(vm, last + 1, [=](Slot& to, std::size_t i) {
@@ -73,7 +74,7 @@ Answer<ListObj*> linspace(Vm& vm, double a, double b, std::int64_t n) {
 template <int kValue>
 Answer<ListObj*> filled_list(Vm& vm, std::int64_t n) {
   if (n < 0 || n > kLongestRange)
-    return failure(vm, "R0613", fmt::format("a list cannot have {} values", n), 0);
+    return failure(vm, "R0613", fmt::format("a list cannot have {} values", n), at("n"));
   return numbers_of(vm, static_cast<std::size_t>(n), [](Slot& to, std::size_t) { to.d = kValue; });
 }
 
@@ -86,7 +87,7 @@ Answer<std::int64_t> sum_int(Vm& vm, std::span<const Slot> xs) {
     return fits;
   };
   if (in_blocks(vm, xs.size(), kCost, add)) return sum;
-  return fits ? Failed{} : failure(vm, "R0610", "the sum is too large for an int", 0);
+  return fits ? Failed{} : failure(vm, "R0610", "the sum is too large for an int", at("xs"));
 }
 // The sum of f(i) in the order of i.
 template <class F>
@@ -107,14 +108,14 @@ Answer<double> defined(Vm& vm, Answer<double> result, std::span<const double> xs
   if (!result || !std::isnan(*result)) return result;
   std::size_t bad = xs.size();
   if (!find_number(vm, xs, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
-  if (bad == xs.size()) return not_finite(vm, what, *result, 0);
-  return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad], 0);
+  if (bad == xs.size()) return not_finite(vm, what, *result, CallPart::first());
+  return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad], CallPart::first());
 }
 Answer<double> sum_real(Vm& vm, std::span<const double> xs) {
   return defined(vm, total(vm, xs), xs, "the sum");
 }
 Answer<double> mean(Vm& vm, std::span<const double> xs) {
-  if (xs.empty()) return failure(vm, "R0613", "an empty list has no mean", 0);
+  if (xs.empty()) return failure(vm, "R0613", "an empty list has no mean", at("xs"));
   const Answer<double> sum = total(vm, xs);
   if (!sum) return Failed{};
   return defined(vm, *sum / static_cast<double>(xs.size()), xs, "the mean");
@@ -125,7 +126,7 @@ Answer<double> deviation(Vm& vm, std::span<const double> xs) {
     return failure(
         vm, "R0613",
         fmt::format("the deviation of {} values is not defined; it needs at least 2", xs.size()),
-        0);
+        at("xs"));
   const Answer<double> sum = total(vm, xs);
   if (!sum) return Failed{};
   const double m = *sum / static_cast<double>(xs.size());
@@ -136,11 +137,11 @@ Answer<double> deviation(Vm& vm, std::span<const double> xs) {
 }
 // The middle element in order, or the mean of the two in the middle.
 Answer<double> median(Vm& vm, std::span<const double> xs) {
-  if (xs.empty()) return failure(vm, "R0613", "an empty list has no median", 0);
+  if (xs.empty()) return failure(vm, "R0613", "an empty list has no median", at("xs"));
   std::size_t bad = xs.size();
   if (!find_number(vm, xs, bad, [](double x) { return std::isnan(x); })) return Failed{};
   if (bad != xs.size())
-    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad], 0);
+    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad], at("xs"));
   const Scratch scratch(vm, 2 * xs.size() * sizeof(double));
   if (!scratch.granted() || !charge_work(vm, kCost * xs.size())) return Failed{};
   std::vector<double> sorted(xs.begin(), xs.end());
@@ -172,7 +173,8 @@ Answer<ListObj*> running_sums_int(Vm& vm, std::span<const Slot> xs) {
   if (sums == nullptr || overflow == xs.size()) return sums;
   release(vm, sums);
   return failure(vm, "R0610",
-                 fmt::format("the sum up to element {} is too large for an int", overflow), 0);
+                 fmt::format("the sum up to element {} is too large for an int", overflow),
+                 at("xs"));
 }
 
 ListObj* differences(Vm& vm, std::span<const double> xs) {
@@ -196,7 +198,7 @@ Answer<ListObj*> sort_real(Vm& vm, const ListObj& list, bool descending) {
   const auto xs = list.reals();
   std::size_t bad = xs.size();
   if (!find_number(vm, xs, bad, [](double x) { return std::isnan(x); })) return Failed{};
-  if (bad != xs.size()) return not_finite(vm, "a value of the list to sort", xs[bad], 0);
+  if (bad != xs.size()) return not_finite(vm, "a value of the list to sort", xs[bad], at("xs"));
   const auto less = [](Slot a, Slot b) { return a.d < b.d; };
   return sorted_list(vm, list, InDirection(less, descending));
 }

@@ -27,7 +27,7 @@ bool fits_int(double x) {
 template <Real1 kFunction>
 Answer<double> real1(Vm& vm, double x) {
   const double y = kFunction(x);
-  if (std::isnan(y)) return not_finite(vm, "the value", x, 0);
+  if (std::isnan(y)) return not_finite(vm, "the value", x, CallPart::first());
   return y;
 }
 
@@ -40,7 +40,7 @@ ListObj* each(Vm& vm, std::span<const double> xs) {
     return failure(
         vm, "R0609",
         fmt::format("element {} of the list is {:.15g}, where the function has no value", i, xs[i]),
-        0);
+        at("xs"));
   };
   return checked_items(vm, xs.size(), kFunctionCost, compute);
 }
@@ -50,11 +50,12 @@ template <Real1 kRound>
 ListObj* each_to_int(Vm& vm, std::span<const double> xs) {
   const auto compute = [&](Slot& to, std::size_t i) -> Answer<void> {
     const double x = kRound(xs[i]);
-    if (!std::isfinite(x)) return not_finite(vm, fmt::format("element {} of the list", i), x, 0);
+    if (!std::isfinite(x))
+      return not_finite(vm, fmt::format("element {} of the list", i), x, at("xs"));
     if (!fits_int(x)) {
       return failure(vm, "R0610",
                      fmt::format("element {} of the list is {:.15g}, too large for an int", i, x),
-                     0);
+                     at("xs"));
     }
     to.i = static_cast<std::int64_t>(x);
     return {};
@@ -97,8 +98,8 @@ Answer<double> inverse_of_sine(Vm& vm, double x) {
 }
 
 Answer<double> atan_2(Vm& vm, double y, double x) {
-  if (!std::isfinite(y)) return not_finite(vm, "the first value given to atan2", y, 0);
-  if (!std::isfinite(x)) return not_finite(vm, "the second value given to atan2", x, 1);
+  if (!std::isfinite(y)) return not_finite(vm, "the first value given to atan2", y, at("y"));
+  if (!std::isfinite(x)) return not_finite(vm, "the second value given to atan2", x, at("x"));
   return det::atan2(y, x);
 }
 
@@ -109,7 +110,7 @@ double angle_of(double y, double x) {
 double hypotenuse(double a, double b) { return det::hypot(a, b); }
 
 Answer<double> exponential(Vm& vm, double x) {
-  if (std::isnan(x)) return not_finite(vm, "the value given to exp", x, 0);
+  if (std::isnan(x)) return not_finite(vm, "the value given to exp", x, at("x"));
   return det::exp(x);
 }
 
@@ -122,8 +123,8 @@ Answer<double> logarithm(Vm& vm, double x) {
 Answer<double> power(Vm& vm, double x, double y) {
   const double result = det::pow(x, y);
   if (std::isnan(result)) {
-    if (!std::isfinite(x)) return not_finite(vm, "the first value given to pow", x, 0);
-    if (!std::isfinite(y)) return not_finite(vm, "the second value given to pow", y, 1);
+    if (!std::isfinite(x)) return not_finite(vm, "the first value given to pow", x, at("x"));
+    if (!std::isfinite(y)) return not_finite(vm, "the second value given to pow", y, at("y"));
     return domain_failure(vm, "pow", x,
                           fmt::format("not be negative when the exponent is {:.15g}", y));
   }
@@ -133,9 +134,9 @@ Answer<double> power(Vm& vm, double x, double y) {
 template <double (*kRound)(double)>
 Answer<std::int64_t> to_int(Vm& vm, double given_x) {
   const double x = kRound(given_x);
-  if (!std::isfinite(x)) return not_finite(vm, "the value", x, 0);
+  if (!std::isfinite(x)) return not_finite(vm, "the value", x, at("x"));
   if (!fits_int(x))
-    return failure(vm, "R0610", fmt::format("{:.15g} is too large for an int", x), 0);
+    return failure(vm, "R0610", fmt::format("{:.15g} is too large for an int", x), at("x"));
   return static_cast<std::int64_t>(x);
 }
 // Rounds as Java does: halves go up.
@@ -147,15 +148,15 @@ double toward_zero(double x) { return std::trunc(x); }
 
 // The remainder with the sign of b; the result of `%` has the sign of a.
 Answer<std::int64_t> modulus_int(Vm& vm, std::int64_t a, std::int64_t b) {
-  if (b == 0) return failure(vm, "R0611", "mod divides by zero", 1);
+  if (b == 0) return failure(vm, "R0611", "mod divides by zero", at("b"));
   if (b == -1) return 0;  // the smallest int divided by -1 would overflow
   const std::int64_t rest = a % b;
   return rest != 0 && (rest < 0) != (b < 0) ? rest + b : rest;
 }
 Answer<double> modulus(Vm& vm, double a, double b) {
-  if (!std::isfinite(a)) return not_finite(vm, "the value given to mod", a, 0);
-  if (!std::isfinite(b)) return not_finite(vm, "the second value given to mod", b, 1);
-  if (b == 0.0) return failure(vm, "R0611", "mod divides by zero", 1);
+  if (!std::isfinite(a)) return not_finite(vm, "the value given to mod", a, at("a"));
+  if (!std::isfinite(b)) return not_finite(vm, "the second value given to mod", b, at("b"));
+  if (b == 0.0) return failure(vm, "R0611", "mod divides by zero", at("b"));
   const double rest = std::fmod(a, b);
   if (rest == 0.0) return std::copysign(0.0, b);
   return (rest < 0.0) != (b < 0.0) ? rest + b : rest;
@@ -176,16 +177,17 @@ double rounded(double x, int digits) {
   return std::strtod(fmt::format("{:.{}f}", x, digits).c_str(), nullptr);
 }
 Answer<double> round_to(Vm& vm, double x, std::int64_t digits) {
-  if (!std::isfinite(x)) return not_finite(vm, "the value", x, 0);
+  if (!std::isfinite(x)) return not_finite(vm, "the value", x, at("x"));
   if (digits >= -kMostDigits && digits <= kMostDigits) return rounded(x, static_cast<int>(digits));
   return failure(vm, "R0609",
                  fmt::format("round to {} digits: a double has at most {}", digits, kMostDigits),
-                 1);
+                 at("digits"));
 }
 
 Answer<std::int64_t> abs_int(Vm& vm, std::int64_t x) {
   if (x == INT64_MIN)
-    return failure(vm, "R0610", "the absolute value of the smallest int does not fit an int", 0);
+    return failure(vm, "R0610", "the absolute value of the smallest int does not fit an int",
+                   at("x"));
   return x < 0 ? -x : x;
 }
 std::int64_t sign_int(Vm&, std::int64_t x) { return static_cast<std::int64_t>((x > 0) - (x < 0)); }
@@ -197,8 +199,8 @@ double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 // One of the two arguments is not a number; otherwise the direct call would have been used.
 template <Real2 kFunction>
 Answer<double> extreme_of_two(Vm& vm, double a, double b) {
-  if (std::isnan(a)) return not_finite(vm, "the first value", a, 0);
-  if (std::isnan(b)) return not_finite(vm, "the second value", b, 1);
+  if (std::isnan(a)) return not_finite(vm, "the first value", a, at("a"));
+  if (std::isnan(b)) return not_finite(vm, "the second value", b, at("b"));
   return kFunction(a, b);
 }
 
@@ -213,7 +215,8 @@ Answer<std::int64_t> clamp_int(Vm& vm, std::int64_t x, std::int64_t lo, std::int
   if (lo > hi)
     return failure(
         vm, "R0609",
-        fmt::format("clamp between {} and {}: the lower limit is above the upper one", lo, hi), 1);
+        fmt::format("clamp between {} and {}: the lower limit is above the upper one", lo, hi),
+        at("lo"));
   return std::clamp(x, lo, hi);
 }
 Answer<double> clamp_real(Vm& vm, double x, double lo, double hi) {
@@ -222,7 +225,7 @@ Answer<double> clamp_real(Vm& vm, double x, double lo, double hi) {
         vm, "R0609",
         fmt::format("clamp between {:.15g} and {:.15g}: the lower limit is above the upper one", lo,
                     hi),
-        1);
+        at("lo"));
   return x < lo ? lo : x > hi ? hi : x;
 }
 double between(double x, double lo, double hi) {
@@ -231,11 +234,8 @@ double between(double x, double lo, double hi) {
 }
 
 Answer<double> lerp_real(Vm& vm, double a, double b, double s) {
-  int parameter = 0;
-  for (const double value : {a, b, s}) {
-    if (!std::isfinite(value)) return not_finite(vm, "a value given to lerp", value, parameter);
-    ++parameter;
-  }
+  for (const auto& [value, part] : {std::pair(a, at("a")), {b, at("b")}, {s, at("s")}})
+    if (!std::isfinite(value)) return not_finite(vm, "a value given to lerp", value, part);
   return a + (b - a) * s;
 }
 double part_of_range(double a, double b, double s) {
@@ -244,7 +244,7 @@ double part_of_range(double a, double b, double s) {
 }
 Answer<Obj*> lerp_list(Vm& vm, std::span<const double> a, std::span<const double> b, double s) {
   if (a.size() != b.size()) return size_failure(vm, "lerp", a.size(), b.size());
-  if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, 2);
+  if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, at("s"));
   return numbers_of(vm, a.size(),
                     [=](Slot& to, std::size_t i) { to.d = a[i] + (b[i] - a[i]) * s; });
 }
@@ -265,21 +265,21 @@ Answer<bool> near_list(Vm& vm, std::span<const double> a, std::span<const double
 
 double random_unit(Vm& vm) { return vm.random().uniform(); }
 Answer<double> random_between(Vm& vm, double lo, double hi) {
-  if (!std::isfinite(lo)) return not_finite(vm, "the lower end given to random", lo, 0);
-  if (!std::isfinite(hi)) return not_finite(vm, "the upper end given to random", hi, 1);
+  if (!std::isfinite(lo)) return not_finite(vm, "the lower end given to random", lo, at("lo"));
+  if (!std::isfinite(hi)) return not_finite(vm, "the upper end given to random", hi, at("hi"));
   if (lo > hi)
     return failure(
         vm, "R0609",
         fmt::format("random between {:.15g} and {:.15g}: the lower end is above the upper one", lo,
                     hi),
-        0);
+        at("lo"));
   return vm.random().uniform(lo, hi);
 }
 Answer<std::int64_t> random_int(Vm& vm, std::int64_t n) {
   if (n <= 0)
     return failure(vm, "R0609",
                    fmt::format("randomInt of {}: the number of choices must be greater than 0", n),
-                   0);
+                   at("n"));
   return static_cast<std::int64_t>(vm.random().below(static_cast<std::uint64_t>(n)));
 }
 // Marsaglia's polar method; only one value of the pair is used, so that the generator has no
@@ -296,9 +296,9 @@ double normal(Random& random, double mean, double sd) {
 }
 double random_standard(Vm& vm) { return normal(vm.random(), 0.0, 1.0); }
 Answer<double> random_normal(Vm& vm, double mean, double sd) {
-  if (!std::isfinite(mean)) return not_finite(vm, "the mean", mean, 0);
+  if (!std::isfinite(mean)) return not_finite(vm, "the mean", mean, at("mean"));
   if (!(sd >= 0.0 && std::isfinite(sd)))
-    return domain_failure(vm, "randomNormal", sd, "not be a negative deviation", {}, 1);
+    return domain_failure(vm, "randomNormal", sd, "not be a negative deviation", {}, at("sd"));
   return normal(vm.random(), mean, sd);
 }
 void set_seed(Vm& vm, std::int64_t n) { vm.seed(static_cast<std::uint64_t>(n)); }

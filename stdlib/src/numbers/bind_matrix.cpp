@@ -56,13 +56,14 @@ Answer<void> same_lengths(Vm& vm, std::span<const Slot> rows, std::size_t cols) 
       vm,
       fmt::format("row 0 has {}, row {} has {}", values_text(static_cast<std::int64_t>(cols)), odd,
                   values_text(count)),
-      0);
+      at("rows"));
 }
 template <bool kInts>
 Answer<MatrixObj*> matrix_from(Vm& vm, std::span<const Slot> rows) {
   const std::size_t cols = rows.empty() ? 0 : items_value(rows[0]).size();
-  if (!same_lengths(vm, rows, cols) || !possible_size(vm, static_cast<std::int64_t>(rows.size()),
-                                                      static_cast<std::int64_t>(cols), 0)) {
+  if (!same_lengths(vm, rows, cols) ||
+      !possible_size(vm, static_cast<std::int64_t>(rows.size()), static_cast<std::int64_t>(cols),
+                     at("rows"))) {
     return Failed{};
   }
   MatrixObj* A = new_matrix_unset(vm, static_cast<std::uint32_t>(rows.size()),
@@ -76,7 +77,7 @@ Answer<MatrixObj*> matrix_from(Vm& vm, std::span<const Slot> rows) {
 
 template <int kValue>
 Answer<MatrixObj*> filled_matrix(Vm& vm, std::int64_t rows, std::int64_t cols) {
-  if (!possible_size(vm, rows, cols, rows < 0 ? 0 : 1)) return Failed{};
+  if (!possible_size(vm, rows, cols, rows < 0 ? at("r") : at("c"))) return Failed{};
   MatrixObj* A =
       new_matrix_unset(vm, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(cols));
   return with_rows(vm, A, [A](std::size_t i, std::size_t first, std::size_t last) {
@@ -85,7 +86,7 @@ Answer<MatrixObj*> filled_matrix(Vm& vm, std::int64_t rows, std::int64_t cols) {
 }
 
 Answer<MatrixObj*> identity(Vm& vm, std::int64_t size) {
-  if (!possible_size(vm, size, size, 0)) return Failed{};
+  if (!possible_size(vm, size, size, at("n"))) return Failed{};
   const auto n = static_cast<std::uint32_t>(size);
   MatrixObj* A = new_matrix(vm, n, n);
   // Each row touches a memory page of its own, which is loaded then.
@@ -95,7 +96,7 @@ Answer<MatrixObj*> identity(Vm& vm, std::int64_t size) {
 
 Answer<MatrixObj*> diagonal_matrix(Vm& vm, std::span<const double> v) {
   const auto n = static_cast<std::int64_t>(v.size());
-  if (!possible_size(vm, n, n, 0)) return Failed{};
+  if (!possible_size(vm, n, n, at("v"))) return Failed{};
   MatrixObj* A = new_matrix(vm, static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n));
   return with_rows(vm, A, [A, v](std::size_t i, std::size_t, std::size_t) {
     A->data()[i * v.size() + i] = v[i];
@@ -110,7 +111,7 @@ ListObj* diagonal_of(Vm& vm, const MatrixObj& A) {
 
 Answer<MatrixObj*> outer(Vm& vm, std::span<const double> v, std::span<const double> w) {
   if (!possible_size(vm, static_cast<std::int64_t>(v.size()), static_cast<std::int64_t>(w.size()),
-                     1)) {
+                     at("w"))) {
     return Failed{};
   }
   MatrixObj* A = new_matrix_unset(vm, static_cast<std::uint32_t>(v.size()),
@@ -149,8 +150,8 @@ MatrixObj* map_elements(Vm& vm, const MatrixObj& A, F f) {
 Answer<void> same_size(Vm& vm, const MatrixObj& A, const MatrixObj& B, std::string_view word) {
   if (A.rows == B.rows && A.cols == B.cols) return {};
   return sizes_differ(
-      vm, fmt::format("{} {} {}", size_text(A.rows, A.cols), word, size_text(B.rows, B.cols)), 1,
-      "both matrices need the same size");
+      vm, fmt::format("{} {} {}", size_text(A.rows, A.cols), word, size_text(B.rows, B.cols)),
+      CallPart::operand(1), "both matrices need the same size");
 }
 template <class F>
 Answer<MatrixObj*> zip_elements(Vm& vm, const MatrixObj& A, const MatrixObj& B,
@@ -208,7 +209,7 @@ Answer<MatrixObj*> raise_elements(Vm& vm, const MatrixObj& A, Exponent exponent)
   return failure(vm, "R0609",
                  fmt::format("element [{}, {}] is {:.15g}, which has no power {:.15g}",
                              bad / A.cols, bad % A.cols, A.data()[bad], exponent(bad)),
-                 0, "a negative number has only whole powers");
+                 CallPart::first(), "a negative number has only whole powers");
 }
 Answer<MatrixObj*> powers_of_elements(Vm& vm, const MatrixObj& A, const MatrixObj& B) {
   if (!same_size(vm, A, B, ".^")) return Failed{};
@@ -236,10 +237,10 @@ bool multiply_charged(Vm& vm, const MatrixObj& A, const MatrixObj& B, MatrixObj&
 Answer<MatrixObj*> product(Vm& vm, const MatrixObj& A, const MatrixObj& B) {
   if (A.cols != B.rows) {
     return sizes_differ(
-        vm, fmt::format("{} times {}", size_text(A.rows, A.cols), size_text(B.rows, B.cols)), 1,
-        "the first matrix needs as many columns as the second has rows");
+        vm, fmt::format("{} times {}", size_text(A.rows, A.cols), size_text(B.rows, B.cols)),
+        CallPart::operand(1), "the first matrix needs as many columns as the second has rows");
   }
-  if (!possible_size(vm, A.rows, B.cols, -1)) return Failed{};
+  if (!possible_size(vm, A.rows, B.cols, {})) return Failed{};
   MatrixObj* C = new_matrix_unset(vm, A.rows, B.cols);
   if (C == nullptr) return Failed{};
   if (multiply_charged(vm, A, B, *C)) return C;
@@ -249,7 +250,8 @@ Answer<MatrixObj*> product(Vm& vm, const MatrixObj& A, const MatrixObj& B) {
 
 Answer<ListObj*> product_with(Vm& vm, const MatrixObj& A, std::span<const double> x) {
   if (A.cols != x.size()) {
-    return sizes_differ(vm, fmt::format("{} times {}", size_text(A.rows, A.cols), x.size()), 1,
+    return sizes_differ(vm, fmt::format("{} times {}", size_text(A.rows, A.cols), x.size()),
+                        CallPart::operand(1),
                         "the matrix needs as many columns as the list has values");
   }
   ListObj* y = new_list(vm, A.rows, false);

@@ -37,7 +37,7 @@ Block row_of(std::span<const double> list) { return {1, list.size(), list.data()
 MatrixObj* new_joined(Vm& vm, std::size_t rows, std::size_t cols) {
   const auto r = static_cast<std::int64_t>(rows);
   const auto c = static_cast<std::int64_t>(cols);
-  if (!possible_size(vm, r, c, -1)) return nullptr;
+  if (!possible_size(vm, r, c, {})) return nullptr;
   return new_matrix_unset(vm, static_cast<std::uint32_t>(rows), static_cast<std::uint32_t>(cols));
 }
 
@@ -50,7 +50,7 @@ Answer<MatrixObj*> beside(Vm& vm, std::span<const Block> blocks) {
   for (const Block& block : blocks) {
     if (block.rows != blocks[0].rows) {
       return sizes_differ(vm, fmt::format("{} beside {}", block_size(blocks[0]), block_size(block)),
-                          -1, "hcat needs equally many rows everywhere");
+                          {}, "hcat needs equally many rows everywhere");
     }
     cols += block.cols;
   }
@@ -75,7 +75,7 @@ Answer<MatrixObj*> above_each_other(Vm& vm, std::span<const Block> blocks) {
   for (const Block& block : blocks) {
     if (block.cols != blocks[0].cols) {
       return sizes_differ(vm, fmt::format("{} above {}", block_size(blocks[0]), block_size(block)),
-                          -1, "vcat needs equally many columns everywhere");
+                          {}, "vcat needs equally many columns everywhere");
     }
     rows += block.rows;
   }
@@ -143,7 +143,8 @@ Answer<double> sum_of(Vm& vm, const MatrixObj& A) {
 
 Answer<void> require_elements(Vm& vm, const MatrixObj& A, std::string_view what) {
   if (count_of(A) > 0) return {};
-  return failure(vm, "R0613", fmt::format("a matrix without values has no {}", what), 0);
+  return failure(vm, "R0613", fmt::format("a matrix without values has no {}", what),
+                 CallPart::first());
 }
 Answer<double> mean_of(Vm& vm, const MatrixObj& A) {
   if (!require_elements(vm, A, "mean")) return Failed{};
@@ -185,7 +186,7 @@ Answer<MatrixObj*> each_element(Vm& vm, const MatrixObj& A) {
                  fmt::format("element [{}, {}] of the matrix is {:.15g}, where the function has no "
                              "value",
                              bad / A.cols, bad % A.cols, A.data()[bad]),
-                 0);
+                 at("A"));
 }
 
 // ---- the matrices of a posC --------------------------------------------------------------------
@@ -194,40 +195,39 @@ Eigen::Matrix3d posc_rotation(const PosC& p) { return p.T.linear(); }
 Eigen::Matrix4d posc_transform(const PosC& p) { return p.T.matrix(); }
 
 // The rotation in a matrix; a matrix written with few digits is replaced by the nearest exact
-// rotation; failures mark argument `argument`.
-Answer<Eigen::Matrix3d> rotation_of(Vm& vm, const MatrixObj& given, int argument) {
+// rotation; failures mark `part`.
+Answer<Eigen::Matrix3d> rotation_of(Vm& vm, const MatrixObj& given, CallPart part) {
   constexpr double kNearly = 1e-3;
   if (given.rows != 3 || given.cols != 3)
     return sizes_differ(
-        vm, fmt::format("a rotation is 3x3, this is {}", size_text(given.rows, given.cols)),
-        argument);
+        vm, fmt::format("a rotation is 3x3, this is {}", size_text(given.rows, given.cols)), part);
   Eigen::Matrix3d R;
   for (int i = 0; i < 9; ++i) {
     const double x = given.data()[i];
     if (!std::isfinite(x))
-      return not_finite(vm, fmt::format("element [{}, {}] of the matrix", i / 3, i % 3), x,
-                        argument);
+      return not_finite(vm, fmt::format("element [{}, {}] of the matrix", i / 3, i % 3), x, part);
     R(i / 3, i % 3) = x;
   }
   const double error = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!(error <= kNearly)) {
-    return failure(vm, "R0609", "this matrix is no rotation", argument,
+    return failure(vm, "R0609", "this matrix is no rotation", part,
                    fmt::format("R.T * R differs from eye(3) by {:.3g}; at most {} is allowed",
                                error, kNearly));
   }
   if (R.determinant() < 0.0) {
-    return failure(vm, "R0609", "this matrix mirrors; it is no rotation", argument,
+    return failure(vm, "R0609", "this matrix mirrors; it is no rotation", part,
                    "its determinant is -1");
   }
   return Eigen::Matrix3d(renormalised(R));
 }
 
 Answer<PosC> posc_from_rotation(Vm& vm, const MatrixObj& matrix, std::span<const double> p) {
-  const auto R = rotation_of(vm, matrix, 0);
+  const auto R = rotation_of(vm, matrix, at("R"));
   if (!R) return Failed{};
-  if (p.size() != 3) return sizes_differ(vm, fmt::format("a place has 3 values, not {}", p.size()));
+  if (p.size() != 3)
+    return sizes_differ(vm, fmt::format("a place has 3 values, not {}", p.size()), at("p"));
   for (const double x : p) {
-    if (!std::isfinite(x)) return not_finite(vm, "a value of the place", x, 1);
+    if (!std::isfinite(x)) return not_finite(vm, "a value of the place", x, at("p"));
   }
   PosC pose;
   pose.T.linear() = *R;
@@ -237,7 +237,7 @@ Answer<PosC> posc_from_rotation(Vm& vm, const MatrixObj& matrix, std::span<const
 }
 
 Answer<PosC> posc_with_rotation(Vm& vm, const PosC& p, const MatrixObj& matrix) {
-  const auto R = rotation_of(vm, matrix, 1);
+  const auto R = rotation_of(vm, matrix, at("R"));
   if (!R) return Failed{};
   PosC pose = p;
   pose.T.linear() = *R;

@@ -31,11 +31,11 @@ Obj* list_of(Vm& vm, const VectorXd& values) {
 
 // R0612 for the first element that is infinite or undefined.
 Answer<void> require_finite(Vm& vm, std::span<const double> values, std::string_view what,
-                            int parameter) {
+                            CallPart part) {
   std::size_t bad = values.size();
   if (!find_number(vm, values, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
   if (bad == values.size()) return {};
-  return not_finite(vm, fmt::format("element {} of {}", bad, what), values[bad], parameter);
+  return not_finite(vm, fmt::format("element {} of {}", bad, what), values[bad], part);
 }
 
 // ---- polynomials: the language writes the highest power first, the runtime the constant term ----
@@ -43,9 +43,10 @@ Answer<void> require_finite(Vm& vm, std::span<const double> values, std::string_
 Answer<Obj*> polyfit(Vm& vm, std::span<const double> x, std::span<const double> y,
                      std::int64_t degree) {
   if (x.size() != y.size()) return size_failure(vm, "polyfit", x.size(), y.size());
-  if (!require_finite(vm, x, "x", 0) || !require_finite(vm, y, "y", 1)) return Failed{};
+  if (!require_finite(vm, x, "x", at("x")) || !require_finite(vm, y, "y", at("y"))) return Failed{};
   if (degree < 0 || degree > 50)
-    return failure(vm, "R0609", fmt::format("polyfit of degree {}: it must be 0 to 50", degree), 2);
+    return failure(vm, "R0609", fmt::format("polyfit of degree {}: it must be 0 to 50", degree),
+                   at("n"));
   // Counts memory for the points and for their x in ascending order.
   const Scratch scratch(vm, x.size() * 3 * sizeof(double));
   if (!scratch.granted()) return Failed{};
@@ -53,7 +54,7 @@ Answer<Obj*> polyfit(Vm& vm, std::span<const double> x, std::span<const double> 
     return list_of(vm,
                    fit_polynomial(vector_of(x), vector_of(y), static_cast<int>(degree)).reverse());
   } catch (const ArgumentError& error) {
-    return failure(vm, "R0609", "these points do not decide a polynomial of that degree", 0,
+    return failure(vm, "R0609", "these points do not decide a polynomial of that degree", at("x"),
                    clause_of(error));
   }
 }
@@ -73,7 +74,7 @@ Answer<double> long_horner(Vm& vm, std::span<const double> c, double x) {
 }
 Answer<double> polyval(Vm& vm, std::span<const double> c, double x) {
   const Answer<double> value = long_horner(vm, c, x);
-  if (value && std::isnan(*value)) return not_finite(vm, "the polynomial's value", *value, -1);
+  if (value && std::isnan(*value)) return not_finite(vm, "the polynomial's value", *value, {});
   return value;
 }
 Answer<ListObj*> polyval_list(Vm& vm, std::span<const double> c, std::span<const double> xs) {
@@ -85,7 +86,7 @@ Answer<ListObj*> polyval_list(Vm& vm, std::span<const double> c, std::span<const
     if (!value) return Failed{};
     list->data[i].d = *value;
     if (!std::isnan(*value)) return {};
-    return not_finite(vm, fmt::format("the polynomial's value at element {}", i), *value, -1);
+    return not_finite(vm, fmt::format("the polynomial's value at element {}", i), *value, {});
   };
   const auto compute = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -104,24 +105,25 @@ Answer<Obj*> roots(Vm& vm, std::span<const double> c) {
   if (c.size() > kMost) {
     return failure(
         vm, "R0609",
-        fmt::format("roots of {} coefficients: at most {} are possible", c.size(), kMost), 0);
+        fmt::format("roots of {} coefficients: at most {} are possible", c.size(), kMost), at("c"));
   }
-  if (!require_finite(vm, c, "the coefficients", 0)) return Failed{};
+  if (!require_finite(vm, c, "the coefficients", at("c"))) return Failed{};
   try {
     return new_reals(vm, real_roots(vector_of(c).reverse()));
   } catch (const ArgumentError& error) {
-    return failure(vm, "R0609", "the roots of this polynomial cannot be told", 0, clause_of(error));
+    return failure(vm, "R0609", "the roots of this polynomial cannot be told", at("c"),
+                   clause_of(error));
   }
 }
 
 // ---- interpolation --------------------------------------------------------------------------
 
 Answer<double> interpolate(Vm& vm, std::span<const double> x, std::span<const double> y,
-                           double at) {
+                           double x0) {
   if (x.size() != y.size()) return size_failure(vm, "interp", x.size(), y.size());
-  if (x.empty()) return failure(vm, "R0613", "interp needs at least one point", 0);
-  if (!require_finite(vm, x, "x", 0) || !require_finite(vm, y, "y", 1)) return Failed{};
-  if (!std::isfinite(at)) return not_finite(vm, "the place", at, 2);
+  if (x.empty()) return failure(vm, "R0613", "interp needs at least one point", at("x"));
+  if (!require_finite(vm, x, "x", at("x")) || !require_finite(vm, y, "y", at("y"))) return Failed{};
+  if (!std::isfinite(x0)) return not_finite(vm, "the place", x0, at("at"));
   std::size_t turn = x.size();
   const auto rises = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -137,24 +139,24 @@ Answer<double> interpolate(Vm& vm, std::span<const double> x, std::span<const do
                    fmt::format("interp needs x in rising order: element {} is {:.15g} and element "
                                "{} is {:.15g}",
                                turn, x[turn], turn + 1, x[turn + 1]),
-                   0, {}, "sort the points by x first");
+                   at("x"), {}, "sort the points by x first");
   }
-  if (at < x.front() || at > x.back()) {
-    const double gap = at < x.front() ? x.front() - at : at - x.back();
+  if (x0 < x.front() || x0 > x.back()) {
+    const double gap = x0 < x.front() ? x.front() - x0 : x0 - x.back();
     return failure(vm, "R0609",
-                   fmt::format("interp at {:.15g}: the points reach from {:.15g} to {:.15g}", at,
+                   fmt::format("interp at {:.15g}: the points reach from {:.15g} to {:.15g}", x0,
                                x.front(), x.back()),
-                   2,
+                   at("at"),
                    fmt::format("the place is {:.15g} outside, and interp does not go beyond its "
                                "points",
                                gap));
   }
   // Only the two neighbours remain to be found.
-  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), x0) - x.begin());
   const std::size_t first = above < 2 ? 0 : above - 2;
   const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(4, x.size() - first));
   return value_between(Map<const VectorXd>(x.data() + first, count),
-                       Map<const VectorXd>(y.data() + first, count), at);
+                       Map<const VectorXd>(y.data() + first, count), x0);
 }
 
 // ---- functions of the program ---------------------------------------------------------------
@@ -192,23 +194,23 @@ Failed cannot_solve(Vm& vm, const RootSearch& found, double lo, double hi) {
     case RootSearch::Status::kSameSign:
       return failure(
           vm, "R0609",
-          fmt::format("solve needs a change of sign between {:.15g} and {:.15g}", lo, hi), 1,
+          fmt::format("solve needs a change of sign between {:.15g} and {:.15g}", lo, hi), at("lo"),
           fmt::format("the function is {:.6g} at the one end and {:.6g} at the other", found.at_lo,
                       found.at_hi),
           "choose ends where the function has different signs");
     case RootSearch::Status::kJump:
       return failure(vm, "R0609",
-                     fmt::format("solve found no root: the function jumps at {:.15g}", x), 0,
+                     fmt::format("solve found no root: the function jumps at {:.15g}", x), at("f"),
                      fmt::format("its sign changes there while its size stays at {:.6g}",
                                  std::abs(found.value)));
     default:
-      return not_finite(vm, fmt::format("the function at {:.15g}", x), found.value, 0);
+      return not_finite(vm, fmt::format("the function at {:.15g}", x), found.value, at("f"));
   }
 }
 
 Answer<double> root_between(Vm& vm, const ScriptFunction<double(double)>& f, double lo, double hi) {
-  if (!std::isfinite(lo)) return not_finite(vm, "the lower end", lo, 1);
-  if (!std::isfinite(hi)) return not_finite(vm, "the upper end", hi, 2);
+  if (!std::isfinite(lo)) return not_finite(vm, "the lower end", lo, at("lo"));
+  if (!std::isfinite(hi)) return not_finite(vm, "the upper end", hi, at("hi"));
   const RootSearch found =
       find_root([&](double x, double& value) { return f.call(value, x); }, lo, hi);
   if (found.status == RootSearch::Status::kFound) return found.x;
@@ -223,20 +225,22 @@ Failed cannot_minimise(Vm& vm, const Minimum& found) {
   switch (found.status) {
     case Minimum::Status::kTooMany:
       return failure(vm, "R0609",
-                     fmt::format("minimise did not settle within {} calls", found.evaluations), 0,
-                     fmt::format("the best so far is {:.6g} at {}", found.value, place),
+                     fmt::format("minimise did not settle within {} calls", found.evaluations),
+                     at("f"), fmt::format("the best so far is {:.6g} at {}", found.value, place),
                      "start nearer to the minimum, or scale the variables to about the same size");
     case Minimum::Status::kBottomless:
-      return failure(vm, "R0609", "minimise found no bottom: the function falls without end", 0,
-                     fmt::format("it is -inf at {}", place));
+      return failure(vm, "R0609", "minimise found no bottom: the function falls without end",
+                     at("f"), fmt::format("it is -inf at {}", place));
     default:
-      return failure(vm, "R0612", fmt::format("the function is not a number at {}", place), 0);
+      return failure(vm, "R0612", fmt::format("the function is not a number at {}", place),
+                     at("f"));
   }
 }
 
 Answer<Obj*> minimum(Vm& vm, FunctionValue f, std::span<const double> start) {
-  if (start.empty()) return failure(vm, "R0613", "minimise needs a start of at least one value", 1);
-  if (!require_finite(vm, start, "the start", 1)) return Failed{};
+  if (start.empty())
+    return failure(vm, "R0613", "minimise needs a start of at least one value", at("start"));
+  if (!require_finite(vm, start, "the start", at("start"))) return Failed{};
   // The vertices of the simplex, one more than there are variables.
   const std::uint64_t n = start.size();
   const Scratch scratch(vm, (n + 5) * n * sizeof(double));

@@ -21,13 +21,12 @@
 namespace armlet::bind {
 namespace {
 
-// The parameters that failures mark, by their index in the signature that was called.
-constexpr int kRateAt = 0, kStartAt = 1;
-struct Marks {
-  int from, to, step, method, tolerance, knots, when;
+// The parameters that are not called the same in both forms of a call.
+struct Names {
+  CallPart to, tolerance;
 };
-constexpr Marks kFromTo{2, 3, 4, 5, 6, 7, 8};  // ode(f, y0, t0, t1, step, ...)
-constexpr Marks kDuring{2, 2, 3, 4, 5, 6, 7};  // ode(f, y0, during, step, ...)
+constexpr Names kFromTo{at("t1"), at("tol")};            // ode(f, y0, t0, t1, step, ...)
+constexpr Names kDuring{at("during"), at("tolerance")};  // ode(f, y0, during, step, ...)
 
 constexpr double kMostSteps = 10'000'000;
 constexpr double kUsualSteps = 100.0;  // if the call gives no step
@@ -38,34 +37,34 @@ struct Stretch {
   double t1 = 0.0;
   double step = 0.0;
   std::span<const double> knots{};
-  Marks marks = kFromTo;
+  Names names = kFromTo;
 };
 
 // Checks the interval and the step.
 Answer<void> check_times(Vm& vm, const Stretch& stretch) {
-  const Marks& marks = stretch.marks;
-  const std::pair<double, int> times[] = {
-      {stretch.t0, marks.from}, {stretch.t1, marks.to}, {stretch.step, marks.step}};
-  for (const auto& [t, parameter] : times) {
-    if (!std::isfinite(t)) return not_finite(vm, "a time given to ode", t, parameter);
+  const Names& names = stretch.names;
+  const std::pair<double, CallPart> times[] = {
+      {stretch.t0, at("t0")}, {stretch.t1, names.to}, {stretch.step, at("step")}};
+  for (const auto& [t, part] : times) {
+    if (!std::isfinite(t)) return not_finite(vm, "a time given to ode", t, part);
   }
-  const bool lasts = marks.from == marks.to;
+  const bool lasts = names.to == kDuring.to;
   if (lasts && stretch.t1 <= 0.0) {
     return failure(
         vm, "R0609",
-        fmt::format("ode during {:.15g} s: the time must be longer than 0 s", stretch.t1), marks.to,
+        fmt::format("ode during {:.15g} s: the time must be longer than 0 s", stretch.t1), names.to,
         {}, "from one time to another it needs a step: ode(f, y0, 0s, 1s, step: 10ms)");
   }
   if (stretch.step <= 0.0) {
     return domain_failure(vm, "ode with a step", stretch.step, "be longer than 0 s", {},
-                          marks.step);
+                          at("step"));
   }
   if (stretch.t1 > stretch.t0) return {};
   return failure(
       vm, "R0609",
       fmt::format("ode from {:.15g} s to {:.15g} s: the end must be later than the start",
                   stretch.t0, stretch.t1),
-      marks.to);
+      names.to);
 }
 
 Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std::size_t half) {
@@ -74,25 +73,25 @@ Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std
       return failure(vm, "R0612",
                      fmt::format("element {} of the state is not finite at t = {:.6g} s",
                                  outcome.element, outcome.t),
-                     kRateAt, {}, "use a shorter step, or method: \"rkf45\"");
+                     at("f"), {}, "use a shorter step, or method: \"rkf45\"");
     case OdeStatus::kNotRates:
       return failure(vm, "R0609",
                      fmt::format("this method takes a state [q; v], and the rate of element {} is "
                                  "not element {} of the state",
                                  outcome.element, outcome.element + half),
-                     kRateAt, "\"symplectic\" and \"verlet\" integrate positions and their speeds",
+                     at("f"), "\"symplectic\" and \"verlet\" integrate positions and their speeds",
                      "give f(t, y) as the speeds, then the accelerations, or use \"rk4\"");
     case OdeStatus::kStepTooSmall:
       return failure(vm, "R0609",
                      fmt::format("ode cannot go on at t = {:.6g} s: no step is short enough for a "
                                  "tolerance of {:.6g}",
                                  outcome.t, tolerance),
-                     kRateAt, "the equation is stiff there, or jumps, or runs to infinity");
+                     at("f"), "the equation is stiff there, or jumps, or runs to infinity");
     case OdeStatus::kTooManySteps:
       return failure(
           vm, "R0609",
           fmt::format("ode gave up at t = {:.6g} s after a million steps within one", outcome.t),
-          kRateAt, "the equation is stiff there",
+          at("f"), "the equation is stiff there",
           "use a larger tolerance, or look for a rate that is far too large");
     default:
       return {};
@@ -100,17 +99,17 @@ Failed cannot_integrate(Vm& vm, const OdeOutcome& outcome, double tolerance, std
 }
 
 // The knots in ascending order.
-Answer<std::vector<double>> sorted_knots(Vm& vm, std::span<const double> knots, int parameter) {
+Answer<std::vector<double>> sorted_knots(Vm& vm, std::span<const double> knots, CallPart part) {
   constexpr std::size_t kMostKnots = 1'000'000;
   if (knots.size() > kMostKnots) {
     return failure(vm, "R0613",
                    fmt::format("ode with {} knots; {} are the limit", knots.size(), kMostKnots),
-                   parameter);
+                   part);
   }
   std::vector<double> sorted(knots.begin(), knots.end());
   std::size_t bad = sorted.size();
   if (!find_number(vm, sorted, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
-  if (bad != sorted.size()) return not_finite(vm, "a knot given to ode", sorted[bad], parameter);
+  if (bad != sorted.size()) return not_finite(vm, "a knot given to ode", sorted[bad], part);
   std::vector<double> room(sorted.size());
   std::less<double> order;
   if (!sort_stably(vm, std::span<double>(sorted), std::span<double>(room), order)) return Failed{};
@@ -124,7 +123,7 @@ struct Instants {
 Answer<Instants> instants_of(Vm& vm, const Stretch& stretch) {
   constexpr double kSameTime = 1e-12;  // relative
   const double apart = kSameTime * std::max(std::abs(stretch.t0), std::abs(stretch.t1));
-  const auto given = sorted_knots(vm, stretch.knots, stretch.marks.knots);
+  const auto given = sorted_knots(vm, stretch.knots, at("knots"));
   if (!given) return Failed{};
   std::vector<double> knots = {stretch.t0};
   for (const double knot : *given) {
@@ -136,7 +135,7 @@ Answer<Instants> instants_of(Vm& vm, const Stretch& stretch) {
     return failure(
         vm, "R0613",
         fmt::format("ode would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps),
-        stretch.marks.step, {}, "use a longer step");
+        at("step"), {}, "use a longer step");
   }
   if (!charge_work(vm, static_cast<std::uint64_t>(8.0 * steps))) return Failed{};
   std::vector<double> times = step_times(knots, stretch.step);
@@ -224,22 +223,22 @@ class Integration {
   std::vector<OdeCrossing> crossings_;
 };
 
-Answer<OdeMethod> method_called(Vm& vm, std::string_view name, int parameter) {
+Answer<OdeMethod> method_called(Vm& vm, std::string_view name, CallPart part) {
   if (const auto method = ode_method(name)) return *method;
   std::string names;
   for (const std::string_view known : ode_method_names())
     names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", known);
   return failure(vm, "R0609", fmt::format("there is no method \"{}\" to integrate with", name),
-                 parameter, "the methods are " + names);
+                 part, "the methods are " + names);
 }
 
 Answer<void> check_start(Vm& vm, std::span<const double> start) {
   if (start.empty())
-    return failure(vm, "R0613", "ode needs a state of at least one value", kStartAt);
+    return failure(vm, "R0613", "ode needs a state of at least one value", at("y0"));
   std::size_t bad = start.size();
   if (!find_number(vm, start, bad, [](double x) { return !std::isfinite(x); })) return Failed{};
   if (bad == start.size()) return {};
-  return not_finite(vm, fmt::format("element {} of the start", bad), start[bad], kStartAt);
+  return not_finite(vm, fmt::format("element {} of the start", bad), start[bad], at("y0"));
 }
 
 // The settings of a call.
@@ -253,19 +252,18 @@ struct OdeSettings {
 
 Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> start,
                          const OdeSettings& settings) {
-  const Marks& marks = settings.stretch.marks;
-  const auto method = method_called(vm, settings.method, marks.method);
+  const auto method = method_called(vm, settings.method, at("method"));
   if (!method || !check_start(vm, start)) return Failed{};
   const bool splits = *method == OdeMethod::kSymplectic || *method == OdeMethod::kVerlet;
   if (splits && start.size() % 2 != 0) {
     return failure(vm, "R0613", fmt::format("a state [q; v] cannot have {} elements", start.size()),
-                   kStartAt,
+                   at("y0"),
                    fmt::format("\"{}\" integrates positions and as many speeds", settings.method));
   }
   const double tolerance = settings.tolerance;
   if (!(tolerance > 0.0 && std::isfinite(tolerance)))
     return domain_failure(vm, "ode with a tolerance", tolerance, "be greater than 0", {},
-                          marks.tolerance);
+                          settings.stretch.names.tolerance);
   if (!check_times(vm, settings.stretch)) return Failed{};
   const auto instants = instants_of(vm, settings.stretch);
   if (!instants) return Failed{};
@@ -275,7 +273,7 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
   const int size = static_cast<int>(start.size());
   OdeIntegrator integrator(size, *method, tolerance);
   Integration integration(vm, rate, *instants, integrator);
-  WitnessesOfProgram program(vm, settings.when, marks.when, settings.record);
+  WitnessesOfProgram program(vm, settings.when, at("when"), settings.record);
   if (program.empty()) return integration.run(start, tolerance);
   auto witnesses = program.witnesses();
   if (!witnesses) return Failed{};
@@ -286,7 +284,7 @@ Answer<RecordObj*> solve(Vm& vm, const OdeRate& rate, std::span<const double> st
 
 Answer<RecordObj*> solve_lists(Vm& vm, FunctionValue f, std::span<const double> start,
                                const OdeSettings& settings) {
-  RateOfProgram rate(vm, f.object, kRateAt);
+  RateOfProgram rate(vm, f.object, at("f"));
   const OdeRate call = [&rate](double t, std::span<const double> y, std::span<double> out) {
     return static_cast<bool>(rate(t, y, out));
   };
@@ -345,13 +343,13 @@ OdeSettings during_settings(double during, std::optional<double> step,
 
 // Fails if a method without step control gets no step.
 Answer<void> check_step(Vm& vm, const OdeSettings& settings, bool has_step) {
-  const auto method = method_called(vm, settings.method, kDuring.method);
+  const auto method = method_called(vm, settings.method, at("method"));
   if (!method) return Failed{};
   if (has_step || *method == OdeMethod::kFehlberg45 || *method == OdeMethod::kDormandPrince45)
     return {};
   return failure(vm, "R0609",
                  fmt::format("ode with the method \"{}\" needs a step", settings.method),
-                 kDuring.method, "its steps are as long as it is told, whatever the error",
+                 at("method"), "its steps are as long as it is told, whatever the error",
                  "say step: ..., or use \"dopri5\" or \"rkf45\", which keep to a tolerance");
 }
 
@@ -379,9 +377,8 @@ Answer<RecordObj*> ode_with_units_during(Vm& vm, FunctionValue f, Slot from, dou
 // The times of the states that ode returns.
 Answer<ListObj*> ode_times(Vm& vm, double during, std::optional<double> step,
                            std::optional<std::span<const double>> knots) {
-  constexpr Marks kMarks{0, 0, 1, 0, 0, 2, 0};
   const Stretch stretch{0.0, during, step.value_or(during / kUsualSteps),
-                        knots.value_or(std::span<const double>()), kMarks};
+                        knots.value_or(std::span<const double>()), kDuring};
   if (!check_times(vm, stretch)) return Failed{};
   const auto instants = instants_of(vm, stretch);
   if (!instants) return Failed{};
@@ -424,7 +421,8 @@ constexpr NativeFunction kOdeFunctions[] = {
         "they are so from knot to knot, and none goes across one. events are the instants at which "
         "a "
         "function of `when` went through zero; one that stops makes the last row.",
-        "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last", {.check = check_method<5>}),
+        "ode(fn(t, y) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last",
+        {.check = check_method<"method">}),
     def<ode_during>(
         "ode(f: fn(double, double[]) -> double[], y0: double[], during: time, step: time?, "
         "method: string?, tolerance: double = 1e-8, knots: time[]?, when: OdeEvent[]?) -> "
@@ -433,7 +431,7 @@ constexpr NativeFunction kOdeFunctions[] = {
         "to the tolerance, and a hundred rows are given; with one it is \"rk4\". Methods that do "
         "not choose their steps need one.",
         "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows",
-        {.check = check_method<4>}),
+        {.check = check_method<"method">}),
     def<ode_with_units>(
         "ode(f: fn(time, S) -> U, y0: S, t0: time, t1: time, step: time, method: string = \"rk4\", "
         "tol: double = 1e-8, knots: time[]?, when: OdeEvent<S>{g: fn(time, S) -> double, "
@@ -443,7 +441,7 @@ constexpr NativeFunction kOdeFunctions[] = {
         "fields have the same names and are the rates of those of y. y of the solution and of its "
         "events are such structs.",
         "ode(fn(t: double, y: double[]) => [-y[0]], [1.0], 0s, 1s, step: 100ms).t.last",
-        {.check = check_all_of<check_rates, check_method<5>>}),
+        {.check = check_all_of<check_rates, check_method<"method">>}),
     def<ode_with_units_during>(
         "ode(f: fn(time, S) -> U, y0: S, during: time, step: time?, method: string?, tolerance: "
         "double = 1e-8, knots: time[]?, when: OdeEvent<S>{g: fn(time, S) -> double, direction: "
@@ -452,7 +450,7 @@ constexpr NativeFunction kOdeFunctions[] = {
         "A state with units from 0 s on, for so long; steps and methods are those of a state "
         "without.",
         "ode(fn(t, y) => [-y[0]], [1.0], during: 1s, tolerance: 1e-10).y.rows",
-        {.check = check_all_of<check_rates, check_method<4>>}),
+        {.check = check_all_of<check_rates, check_method<"method">>}),
     def<ode_times>(
         "odeTimes(during: time, step: time?, knots: time[]?) -> time[]",
         "The times of the states that ode gives with the same settings: the start and the end of "
@@ -469,13 +467,13 @@ constexpr NativeFunction kOdeFunctions[] = {
         "ode(fn(t, y) => [y[1], -9.81], [1.0, 0.0], 0s, 1s, step: 10ms, when: [event(fn(t, y) => "
         "y[0], "
         "stop: true)]).t.last",
-        {.check = check_word<1, kDirections>}),
+        {.check = check_word<"direction", kDirections>}),
     def<event>(
         "event(g: fn(time, S) -> D, direction: string = \"both\", stop: bool = false) -> "
         "OdeEvent<S>{g: fn(time, S) -> double, direction: string, stop: bool}",
         "The same for a state with units: g takes the struct, and gives a quantity or a number.",
         "event(fn(t, y) => y[0], direction: \"falling\").stop",
-        {.check = check_word<1, kDirections>}),
+        {.check = check_word<"direction", kDirections>}),
 };
 
 }  // namespace

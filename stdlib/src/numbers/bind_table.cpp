@@ -171,7 +171,7 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file,
         return failure(vm, "R0613",
                        fmt::format("the column `{}` has more than {} values in row {}",
                                    columns[i].name, kMostCells, row),
-                       0, "that is the limit for a file");
+                       at("t"), "that is the limit for a file");
       }
       const std::vector<std::string> cells = cells_of(fields[i], *columns[i].type);
       if (row == 0) {
@@ -185,7 +185,7 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file,
         return failure(vm, "R0613",
                        fmt::format("the column `{}` has {} values in row {} and {} in row 0",
                                    columns[i].name, cells.size(), row, widths[i]),
-                       0, "a file has equally long rows");
+                       at("t"), "a file has equally long rows");
       }
       for (std::size_t k = 0; k < cells.size(); ++k) body += (i + k > 0 ? "," : "") + cells[k];
     }
@@ -198,7 +198,7 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file,
   if (saved.ok()) return {};
   Failure f;
   f.headline = Headline::own("R0626", fmt::format("`{}` cannot be saved", file));
-  f.mark_parameter = 1;
+  f.mark = at("file");
   f.why = saved.error().message;
   return fail(vm, std::move(f));
 }
@@ -206,7 +206,7 @@ Answer<void> save(Vm& vm, const RecordObj& table, std::string_view file,
 Failed cannot_load(Vm& vm, std::string_view file, std::string why, std::string fix = {}) {
   Failure f;
   f.headline = Headline::own("R0626", fmt::format("`{}` cannot be read", file));
-  f.mark_parameter = 0;
+  f.mark = at("file");
   f.why = std::move(why);
   f.fix = std::move(fix);
   return fail(vm, std::move(f));
@@ -272,7 +272,7 @@ constexpr NativeFunction kTableFunctions[] = {
         "number has numbers, otherwise texts. Semicolons and tabulators may separate the cells. A "
         "value that is missing is an error with its line and column.",
         "let m = loadTable(\"points.csv\", columns: \"t [s], q1 [deg], part: string\")",
-        {.check = check_ending<0, kTableEndings>}),
+        {.check = check_ending<"file", kTableEndings>}),
     def<save>(
         "save(t: table, file: string, tUnits: string?)",
         "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "
@@ -281,7 +281,7 @@ constexpr NativeFunction kTableFunctions[] = {
         "and "
         "a posC become several columns.",
         "record run every (10ms) { q: joints() }; run.save(\"run.csv\")",
-        {.check = check_ending<1, kTableEndings>}),
+        {.check = check_ending<"file", kTableEndings>}),
 };
 
 }  // namespace

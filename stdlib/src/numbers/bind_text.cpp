@@ -71,7 +71,7 @@ Obj* trim(Vm& vm, std::string_view s) {
 
 Answer<Obj*> split(Vm& vm, std::string_view s, std::string_view separator) {
   if (separator.empty())
-    return failure(vm, "R0609", "split needs a text to split at, and this one is empty", 1);
+    return failure(vm, "R0609", "split needs a text to split at, and this one is empty", at("t"));
   ListMaker parts(vm);
   std::size_t begin = 0;
   for (std::size_t at = 0; at != std::string_view::npos; begin = at + separator.size()) {
@@ -85,7 +85,7 @@ Answer<Obj*> split(Vm& vm, std::string_view s, std::string_view separator) {
 
 Answer<Obj*> replace(Vm& vm, std::string_view s, std::string_view from, std::string_view to) {
   if (from.empty())
-    return failure(vm, "R0609", "replace needs a text to look for, and this one is empty", 1);
+    return failure(vm, "R0609", "replace needs a text to look for, and this one is empty", at("a"));
   TextMaker out(vm);
   std::size_t begin = 0;
   while (true) {
@@ -134,7 +134,7 @@ Answer<bool> equals(Vm& vm, std::string_view a, std::string_view b) {
 
 Answer<Obj*> repeat(Vm& vm, std::string_view s, std::int64_t times) {
   if (times < 0)
-    return failure(vm, "R0609", fmt::format("a text cannot be repeated {} times", times), 1);
+    return failure(vm, "R0609", fmt::format("a text cannot be repeated {} times", times), at("n"));
   // Short texts are joined first, so that the work is proportional to the result.
   std::string piece(s);
   std::int64_t each = 1;
@@ -187,20 +187,20 @@ std::string in_quotes(std::string_view text) {
 Failed not_a_number(Vm& vm, std::string_view whole, std::string_view s, const char* end,
                     std::string_view what) {
   std::string why;
-  const auto at = static_cast<std::size_t>(end - whole.data());
+  const auto offset = static_cast<std::size_t>(end - whole.data());
   if (s.empty()) {
     why = "there is nothing to read in it";
   } else if (end == s.data() + s.size()) {
     why = "it ends too early";
   } else {
-    std::size_t behind = at;
-    const Answer<std::int64_t> before = count_characters(vm, whole.substr(0, at));
+    std::size_t behind = offset;
+    const Answer<std::int64_t> before = count_characters(vm, whole.substr(0, offset));
     if (!before) return Failed{};
     std::string character;
     append_character(character, next_character(whole, behind));
     why = fmt::format("`{}`, character {}, does not belong to {}", character, *before + 1, what);
   }
-  return failure(vm, "R0609", fmt::format("{} is not {}", in_quotes(whole), what), 0,
+  return failure(vm, "R0609", fmt::format("{} is not {}", in_quotes(whole), what), at("s"),
                  std::move(why));
 }
 
@@ -213,14 +213,14 @@ Answer<Number> parse_number(Vm& vm, std::string_view whole, std::string_view wha
   if (!text) return Failed{};
   std::string_view s = *text;
   if (s.size() > kLongest) {
-    return failure(vm, "R0609", fmt::format("{} is not {}", in_quotes(s), what), 0,
+    return failure(vm, "R0609", fmt::format("{} is not {}", in_quotes(s), what), at("s"),
                    fmt::format("{} bytes are too many for a number", s.size()));
   }
   if (s.size() > 1 && s[0] == '+' && s[1] != '-') s.remove_prefix(1);
   Number value{};
   const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value);
   if (error == std::errc::result_out_of_range && end == s.data() + s.size())
-    return failure(vm, "R0610", fmt::format("{} is {}", s, limits), 0);
+    return failure(vm, "R0610", fmt::format("{} is {}", s, limits), at("s"));
   // The C++ library reads "inf" and "nan", which are not numbers here.
   if (error == std::errc() && !std::isfinite(static_cast<double>(value)))
     return not_a_number(vm, whole, *text, s.data() + (s[0] == '-' ? 1 : 0), what);
@@ -240,13 +240,14 @@ Answer<std::int64_t> code_of(Vm& vm, std::string_view s) {
   if (!count) return Failed{};
   if (*count != 1)
     return failure(vm, "R0613",
-                   fmt::format("codeOf needs one character, and this text has {}", *count), 0);
+                   fmt::format("codeOf needs one character, and this text has {}", *count),
+                   at("s"));
   std::size_t at = 0;
   return static_cast<std::int64_t>(next_character(s, at));
 }
 Answer<std::string> char_of(Vm& vm, std::int64_t n) {
   if (n < 0 || n > 0x10FFFF || (n >= 0xD800 && n <= 0xDFFF))
-    return failure(vm, "R0609", fmt::format("there is no character number {}", n), 0);
+    return failure(vm, "R0609", fmt::format("there is no character number {}", n), at("n"));
   std::string out;
   append_character(out, static_cast<char32_t>(n));
   return out;

@@ -21,7 +21,7 @@ Answer<double> dot(Vm& vm, std::span<const double> a, std::span<const double> b)
     for (std::size_t i = begin; i < end; ++i) sum += a[i] * b[i];
   };
   if (!in_blocks(vm, a.size(), kCost, add)) return Failed{};
-  if (std::isnan(sum)) return not_finite(vm, "the product", sum, -1);
+  if (std::isnan(sum)) return not_finite(vm, "the product", sum, {});
   return sum;
 }
 Answer<std::vector<double>> cross(Vm& vm, std::span<const double> a, std::span<const double> b) {
@@ -33,7 +33,7 @@ Answer<std::vector<double>> cross(Vm& vm, std::span<const double> a, std::span<c
 Answer<double> norm(Vm& vm, std::span<const double> v) {
   double length = 0.0;
   if (!length_of(vm, v, length)) return Failed{};
-  if (std::isnan(length)) return not_finite(vm, "the length of the list", length, 0);
+  if (std::isnan(length)) return not_finite(vm, "the length of the list", length, at("v"));
   return length;
 }
 
@@ -86,7 +86,7 @@ ListObj* raise_each(Vm& vm, std::span<const double> xs, std::span<const double> 
                    fmt::format("element {} of the list is {:.15g}, and a negative number has no "
                                "power of {:.15g}",
                                i, xs[i], n),
-                   0);
+                   at("a"));
   };
   return checked_items(vm, xs.size(), 2 * kFunctionCost, power_of);
 }

@@ -17,9 +17,9 @@ namespace armlet::bind {
 namespace {
 
 // Adds a series to the current figure of the program.
-Answer<void> add_to_current(Vm& vm, Series series, OptionalText axis, int axis_parameter,
-                            PlotUnits units, OptionalText read) {
-  const auto right = is_right(vm, axis, axis_parameter);
+Answer<void> add_to_current(Vm& vm, Series series, OptionalText axis, PlotUnits units,
+                            OptionalText read) {
+  const auto right = is_right(vm, axis, at("axis"));
   if (!right) return Failed{};
   series.right = *right;
   units.is_side_given = axis.has_value();
@@ -37,8 +37,8 @@ Answer<void> plot_values(Vm& vm, std::span<const double> x, std::span<const doub
                 .label = text_or_nothing(label),
                 .x = {x.begin(), x.end()},
                 .y = {y.begin(), y.end()}};
-  const PlotUnits units{text_or_nothing(x_unit), text_or_nothing(y_unit), 0, 1};
-  if (!add_to_current(vm, std::move(series), axis, 3, units, y_units)) return Failed{};
+  const PlotUnits units{text_or_nothing(x_unit), text_or_nothing(y_unit), at("x"), at("y")};
+  if (!add_to_current(vm, std::move(series), axis, units, y_units)) return Failed{};
   return figure_changed(vm);
 }
 
@@ -69,15 +69,15 @@ Answer<void> named_bars(Vm& vm, std::span<const Slot> given, std::span<const dou
   if (!make_room(vm, 2 * y.size())) return Failed{};
   Figure& figure = current_figure(Host::of(vm));
   if ((figure.names.empty() && !figure.series.empty()) || figure.x.log) {
-    return failure(vm, "R0626", "this figure has numbers below it, not names", 0, {},
+    return failure(vm, "R0626", "this figure has numbers below it, not names", at("names"), {},
                    "begin another figure(\"...\") before");
   }
   Series series{
       .kind = SeriesKind::kBars, .label = text_or_nothing(label), .y = {y.begin(), y.end()}};
   std::vector<std::string> names = figure.names;
   series.x = places_of(given, names);
-  const PlotUnits units{{}, text_or_nothing(y_unit), 0, 1};
-  if (!add_to_current(vm, std::move(series), axis, 3, units, y_units)) return Failed{};
+  const PlotUnits units{{}, text_or_nothing(y_unit), at("names"), at("y")};
+  if (!add_to_current(vm, std::move(series), axis, units, y_units)) return Failed{};
   figure.names = std::move(names);
   return figure_changed(vm);
 }
@@ -88,8 +88,8 @@ Answer<void> check_log_of(Vm& vm, const Figure& figure) {
     if (!check_log_of(vm, panel)) return Failed{};
   }
   for (const Series& series : figure.series) {
-    if (!check_log(vm, figure.x, series.x, 'x', 1) ||
-        !check_log(vm, series.right ? figure.right : figure.y, series.y, 'y', 1)) {
+    if (!check_log(vm, figure.x, series.x, 'x', at("log")) ||
+        !check_log(vm, series.right ? figure.right : figure.y, series.y, 'y', at("log"))) {
       return Failed{};
     }
   }
@@ -110,7 +110,7 @@ Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
   const bool x = both || log == "x";
   const bool y = both || log == "y";
   if (log && !x && !y && !log->empty()) {
-    return failure(vm, "R0626", fmt::format("there is no logarithmic axis \"{}\"", *log), 1,
+    return failure(vm, "R0626", fmt::format("there is no logarithmic axis \"{}\"", *log), at("log"),
                    "log: is \"x\", \"y\" or \"xy\"");
   }
   const auto found = std::ranges::find(figures, title, &Figure::title);
@@ -125,7 +125,8 @@ Answer<void> figure(Vm& vm, std::string_view title, OptionalText log) {
   Figure changed = current;
   set_log(changed, x, y);
   if ((x && (changed.is_spatial() || !changed.names.empty())) || changed.picture != nullptr) {
-    return failure(vm, "R0626", "only an axis of numbers in the plane can be logarithmic", 1);
+    return failure(vm, "R0626", "only an axis of numbers in the plane can be logarithmic",
+                   at("log"));
   }
   if (!charge_steps(vm, changed.series.size()) || !check_log_of(vm, changed)) return Failed{};
   changed.saved = false;
@@ -149,7 +150,8 @@ void add_cloud(Host& host, Series series, std::string title, const std::string& 
 }
 
 Failed not_spatial(Vm& vm, std::size_t values) {
-  return failure(vm, "R0613", fmt::format("a point in space has 3 values, not {}", values), 0);
+  return failure(vm, "R0613", fmt::format("a point in space has 3 values, not {}", values),
+                 at("points"));
 }
 
 Answer<void> scatter_lists(Vm& vm, std::span<const Slot> points, OptionalText title,
@@ -201,15 +203,16 @@ Answer<void> save_plot(Vm& vm, std::string_view file, OptionalText title) {
     if (!title || figure.title == *title) chosen.push_back(&figure);
   }
   if (chosen.empty() && title) {
-    return failure(vm, "R0626", fmt::format("there is no figure \"{}\"", *title), 1);
+    return failure(vm, "R0626", fmt::format("there is no figure \"{}\"", *title), at("figure"));
   }
   if (chosen.empty()) {
-    return failure(vm, "R0626", "there is no figure to save", 0, {}, "call plot(x, y) before");
+    return failure(vm, "R0626", "there is no figure to save", at("path"), {},
+                   "call plot(x, y) before");
   }
   const bool as_text = path.ends_with(".txt");
   if (!as_text && !path.ends_with(".svg")) {
     return failure(vm, "R0626", fmt::format("a picture is a .svg or .txt file, not \"{}\"", path),
-                   0);
+                   at("path"));
   }
   constexpr std::uint64_t kCost = 256;  // of a point, until it is in a picture
   std::vector<Figure> shown;
@@ -223,13 +226,14 @@ Answer<void> save_plot(Vm& vm, std::string_view file, OptionalText title) {
   const auto saved = host.save_file(kPicture, path, content);
   if (!saved.ok()) {
     return failure(vm, "R0626",
-                   fmt::format("\"{}\" cannot be written: {}", path, saved.error().message), 0);
+                   fmt::format("\"{}\" cannot be written: {}", path, saved.error().message),
+                   at("path"));
   }
   for (Figure* each : chosen) each->saved = true;
   return {};
 }
 
-constexpr CallOptions kWithAxis{.check = check_word<3, kAxisSides>};
+constexpr CallOptions kWithAxis{.check = check_word<"axis", kAxisSides>};
 
 constexpr NativeFunction kPlotFunctions[] = {
     def<figure>("figure(title: string, log: string?)",
@@ -237,7 +241,7 @@ constexpr NativeFunction kPlotFunctions[] = {
                 "belongs to it. "
                 "log: \"y\", \"x\" or \"xy\" makes these axes logarithmic, which show values above "
                 "zero only.",
-                "figure(\"speeds\")", {.check = check_word<1, kLogarithmicAxes>}),
+                "figure(\"speeds\")", {.check = check_word<"log", kLogarithmicAxes>}),
     def<plot_values<SeriesKind::kLine>>(
         "plot(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?, "
         "yUnits: string?)",
@@ -279,7 +283,7 @@ constexpr NativeFunction kPlotFunctions[] = {
         "(.svg) "
         "or text (.txt).",
         "plot([0s, 1s], [0deg, 30deg]); savePlot(\"speeds.svg\")",
-        {.check = check_ending<0, kPictureEndings>}),
+        {.check = check_ending<"path", kPictureEndings>}),
 };
 
 }  // namespace

@@ -25,11 +25,12 @@ struct LineOptions {
 template <class F>
 Answer<void> add_lines(Vm& vm, std::span<const double> x, std::size_t lines,
                        const LineOptions& options, F value) {
-  const auto labels = labels_of(vm, options.label, 2, lines);
+  const auto labels = labels_of(vm, options.label, at("label"), lines);
   if (!labels) return Failed{};
-  const auto right = is_right(vm, options.axis, 3);
+  const auto right = is_right(vm, options.axis, at("axis"));
   if (!right || !make_room(vm, 2 * lines * x.size())) return Failed{};
-  PlotUnits units{text_or_nothing(options.x_unit), text_or_nothing(options.y_unit), 0, 1};
+  PlotUnits units{text_or_nothing(options.x_unit), text_or_nothing(options.y_unit), at("x"),
+                  at("y")};
   units.is_side_given = options.axis.has_value();
   const auto read = read_units(vm, options.y_units, options.y_unit, lines);
   Figure& figure = current_figure(Host::of(vm));
@@ -51,11 +52,11 @@ Answer<void> add_lines(Vm& vm, std::span<const double> x, std::size_t lines,
 Answer<void> plot_numbered(Vm& vm, std::span<const double> y, OptionalText label, OptionalText axis,
                            OptionalText y_unit, OptionalText y_units) {
   if (!make_room(vm, 2 * y.size())) return Failed{};
-  const auto right = is_right(vm, axis, 2);
+  const auto right = is_right(vm, axis, at("axis"));
   if (!right) return Failed{};
   Series series{.label = text_or_nothing(label), .y = {y.begin(), y.end()}, .right = *right};
   for (std::size_t i = 0; i < y.size(); ++i) series.x.push_back(static_cast<double>(i));
-  PlotUnits units{{}, text_or_nothing(y_unit), 0, 0};
+  PlotUnits units{{}, text_or_nothing(y_unit), at("y"), at("y")};
   units.is_side_given = axis.has_value();
   const auto each = read_units(vm, y_units, y_unit, y.size());
   if (!add_by_unit(vm, current_figure(Host::of(vm)), std::move(series), std::move(units), each))
@@ -79,7 +80,7 @@ Answer<void> plot_lists(Vm& vm, std::span<const double> x, std::span<const Slot>
     if (have == x.size()) continue;
     const bool is_rows = lists.size() == x.size();
     return failure(vm, "R0613", fmt::format("y[{}] has {} values for {} of x", k, have, x.size()),
-                   1, is_rows ? "each list is a line: this one has a list for each x" : "",
+                   at("y"), is_rows ? "each list is a line: this one has a list for each x" : "",
                    is_rows ? "plot(x, matrix(y)) draws its columns" : "");
   }
   return add_lines(vm, x, lists.size(), {label, axis, x_unit, y_unit, y_units},
@@ -90,7 +91,7 @@ constexpr NativeFunction kPlotLinesFunctions[] = {
     def<plot_numbered>(
         "plot(y: D[], label: string?, axis: string?, yUnit: string?, yUnits: string?)",
         "Draws the values of a list over their numbers 0, 1, 2, ...", "plot([2mm, 3mm, 5mm])",
-        {.check = check_word<2, kAxisSides>}),
+        {.check = check_word<"axis", kAxisSides>}),
     def<plot_matrix>(
         "plot(x: D[], y: matrix, label: string[]?, axis: string?, xUnit: string?, yUnit: string?, "
         "yUnits: string?)",
@@ -100,13 +101,13 @@ constexpr NativeFunction kPlotLinesFunctions[] = {
         "its "
         "joints: what turns is drawn on the left and what slides on the right.",
         "plot([0s, 1s, 2s], [0, 0; 0.5, 1; 1, 4], label: [\"a\", \"b\"], yUnit: \"rad\")",
-        {.check = check_word<3, kAxisSides>}),
+        {.check = check_word<"axis", kAxisSides>}),
     def<plot_lists>(
         "plot(x: D[], y: E[][], label: string[]?, axis: string?, xUnit: string?, yUnit: string?, "
         "yUnits: string?)",
         "Draws a line for each list of a list; label: their names.",
         "plot([0s, 1s, 2s], [[0deg, 30deg, 90deg], [0deg, 60deg, 180deg]], label: [\"a\", \"b\"])",
-        {.check = check_word<3, kAxisSides>}),
+        {.check = check_word<"axis", kAxisSides>}),
 };
 
 }  // namespace

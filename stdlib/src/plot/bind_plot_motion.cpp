@@ -106,8 +106,8 @@ Answer<void> plot_trajectory(Vm& vm, const PlannedMotion& plan, OptionalText giv
   if (only) {
     if (*only < 1 || *only > last) {
       return failure(vm, "R0626",
-                     fmt::format("there is no joint {}: the motion has {}", *only, last), 2,
-                     "joints count from 1");
+                     fmt::format("there is no joint {}: the motion has {}", *only, last),
+                     at("joint"), "joints count from 1");
     }
     first = static_cast<int>(*only) - 1;
     last = first + 1;
@@ -120,7 +120,7 @@ Answer<void> plot_trajectory(Vm& vm, const PlannedMotion& plan, OptionalText giv
 }
 
 Answer<void> plot_named_trajectory(Vm& vm, const PlannedMotion& plan, std::span<const Slot> names) {
-  const auto labels = labels_of(vm, names, 1, static_cast<std::size_t>(plan.motion.n()));
+  const auto labels = labels_of(vm, names, at("label"), static_cast<std::size_t>(plan.motion.n()));
   if (!labels) return Failed{};
   return draw_motion(vm, plan, 0, plan.motion.n(), *labels);
 }
@@ -150,8 +150,9 @@ Answer<void> plot_positions(Vm& vm, std::span<const double> x, std::span<const S
   if (x.size() != positions.size()) return size_failure(vm, "x and y", x.size(), positions.size());
   if (!make_room(vm, 2 * x.size())) return Failed{};
   auto lines = joint_lines(positions, "joint ");
-  if (!lines) return failure(vm, "R0613", "the positions have different numbers of joints", 1);
-  const auto labels = labels_of(vm, given_labels, 2, lines->size());
+  if (!lines)
+    return failure(vm, "R0613", "the positions have different numbers of joints", at("y"));
+  const auto labels = labels_of(vm, given_labels, at("label"), lines->size());
   if (!labels || !make_room(vm, 2 * x.size() * lines->size())) return Failed{};
   Figure& figure = current_figure(Host::of(vm));
   const std::size_t had = figure.series.size();
@@ -161,7 +162,8 @@ Answer<void> plot_positions(Vm& vm, std::span<const double> x, std::span<const S
                   .x = {x.begin(), x.end()},
                   .y = std::move(line.y)};
     series.right = line.right;
-    if (add_series(vm, figure, std::move(series), {text_or_nothing(x_unit), line.unit, 0, 1}))
+    if (add_series(vm, figure, std::move(series),
+                   {text_or_nothing(x_unit), line.unit, at("x"), at("y")}))
       continue;
     figure.series.resize(had);
     return Failed{};
@@ -259,7 +261,7 @@ Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label
   const std::vector<RecordField>& columns = table.layout->type->record->row->record->fields;
   const auto rows = table_rows(table);
   const std::string label = text_or_nothing(given_label);
-  if (rows.empty()) return failure(vm, "R0626", "there are no samples to draw", 0);
+  if (rows.empty()) return failure(vm, "R0626", "there are no samples to draw", at("run"));
   std::vector<double> t;
   std::vector<Panel> panels;
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -277,8 +279,8 @@ Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label
     if (column.uneven) {
       return failure(
           vm, "R0613",
-          fmt::format("the column `{}` has not as many values in every row", columns[k].name), 0,
-          "each of them is a line");
+          fmt::format("the column `{}` has not as many values in every row", columns[k].name),
+          at("run"), "each of them is a line");
     }
     if (column.lines.empty()) continue;
     const auto read = read_units(vm, known, column.lines.front().unit, column.lines.size());
@@ -291,7 +293,8 @@ Answer<void> plot_table(Vm& vm, const RecordObj& table, OptionalText given_label
     }
     add_panels(panels, columns[k].name, std::move(column.lines));
   }
-  if (panels.empty()) return failure(vm, "R0626", "no column of this record holds numbers", 0);
+  if (panels.empty())
+    return failure(vm, "R0626", "no column of this record holds numbers", at("run"));
   return draw(vm, t, std::move(panels));
 }
 

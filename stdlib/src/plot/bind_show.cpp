@@ -67,8 +67,8 @@ Answer<Figure*> figure_for(Vm& vm, std::vector<Figure>& figures, OptionalText ti
   if (found == figures.end()) return nullptr;
   if (!takes_picture(*found)) {
     return failure(vm, "R0626",
-                   fmt::format("the figure \"{}\" shows something else than a picture", *title), 1,
-                   {}, "give the picture another title");
+                   fmt::format("the figure \"{}\" shows something else than a picture", *title),
+                   at("title"), {}, "give the picture another title");
   }
   std::rotate(found, found + 1, figures.end());
   return &figures.back();

@@ -27,12 +27,12 @@ std::string unit_phrase(const std::string& unit) { return unit.empty() ? "plain 
 
 // Fails unless an axis shows this unit or has no values yet.
 Answer<void> check_unit(Vm& vm, const Axis& axis, bool is_new, const std::string& unit,
-                        int parameter) {
+                        CallPart part) {
   if (is_new || axis.unit == unit) return {};
   return failure(vm, "R0626",
                  fmt::format("this figure shows {} on that axis, these values are {}",
                              unit_phrase(axis.unit), unit_phrase(unit)),
-                 parameter, {}, "begin another figure(\"...\") before");
+                 part, {}, "begin another figure(\"...\") before");
 }
 
 // The name of the quantity with this unit, if the program gives no label.
@@ -70,19 +70,19 @@ Answer<void> make_room(Vm& vm, std::size_t more, std::string_view fix) {
   for (const Figure& figure : Host::of(vm).figures()) values += values_of(figure);
   if (values <= kMaxValues) return {};
   return failure(vm, "R0626",
-                 fmt::format("the figures of a program hold at most {} values", kMaxValues), 0, {},
-                 std::string(fix));
+                 fmt::format("the figures of a program hold at most {} values", kMaxValues),
+                 CallPart::first(), {}, std::string(fix));
 }
 
 Answer<void> check_log(Vm& vm, const Axis& axis, std::span<const double> values, char name,
-                       int parameter) {
+                       CallPart part) {
   if (!axis.log) return {};
   const auto low = std::ranges::find_if(values, [](double v) { return v <= 0.0; });
   if (low == values.end()) return {};
   return failure(vm, "R0609",
                  fmt::format("a logarithmic axis shows values above zero: {}[{}] is {}{}", name,
                              low - values.begin(), *low, axis.unit.empty() ? "" : " " + axis.unit),
-                 parameter, {}, "plot magnitudes, abs(...), or begin a figure without log:");
+                 part, {}, "plot magnitudes, abs(...), or begin a figure without log:");
 }
 
 Answer<void> add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& units) {
@@ -91,7 +91,7 @@ Answer<void> add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& 
                    figure.is_spatial()         ? "this figure is drawn in space"
                    : figure.picture != nullptr ? "this figure shows a picture"
                                                : "this figure is drawn in panels",
-                   units.x_parameter, {}, "begin another figure(\"...\") before");
+                   units.x_part, {}, "begin another figure(\"...\") before");
   }
   const bool is_read = units.is_read && !units.y.empty();
   if (is_read && !units.is_side_given && !takes(figure, series.right, units.y) &&
@@ -103,10 +103,10 @@ Answer<void> add_series(Vm& vm, Figure& figure, Series series, const PlotUnits& 
   const bool new_side = is_free(figure, series.right);
   const bool fits = is_read && takes(figure, series.right, units.y);
   const bool hides_unit = !new_side && units.y.empty() && !upright.read.empty();
-  if (!check_unit(vm, figure.x, is_new, units.x, units.x_parameter) ||
-      (!fits && !hides_unit && !check_unit(vm, upright, new_side, units.y, units.y_parameter)) ||
-      !check_log(vm, {.unit = units.x, .log = figure.x.log}, series.x, 'x', units.x_parameter) ||
-      !check_log(vm, {.unit = units.y, .log = upright.log}, series.y, 'y', units.y_parameter)) {
+  if (!check_unit(vm, figure.x, is_new, units.x, units.x_part) ||
+      (!fits && !hides_unit && !check_unit(vm, upright, new_side, units.y, units.y_part)) ||
+      !check_log(vm, {.unit = units.x, .log = figure.x.log}, series.x, 'x', units.x_part) ||
+      !check_log(vm, {.unit = units.y, .log = upright.log}, series.y, 'y', units.y_part)) {
     return Failed{};
   }
   const bool is_map = series.kind != SeriesKind::kBars && units.x == "m" && units.y == "m";
@@ -162,25 +162,25 @@ Answer<std::vector<Figure>*> panels_of(Vm& vm, Figure& figure,
     }
   }
   if (std::ranges::equal(figure.panels, titles, {}, &Figure::title)) return &figure.panels;
-  return failure(vm, "R0626", "this figure shows something else", 0, {},
+  return failure(vm, "R0626", "this figure shows something else", CallPart::first(), {},
                  "begin another figure(\"...\") before");
 }
 
-Answer<bool> is_right(Vm& vm, OptionalText side, int parameter) {
+Answer<bool> is_right(Vm& vm, OptionalText side, CallPart part) {
   if (!side || *side == kAxisSides[0]) return false;
   if (*side == kAxisSides[1]) return true;
-  return failure(vm, "R0626", fmt::format("there is no axis \"{}\"", *side), parameter,
+  return failure(vm, "R0626", fmt::format("there is no axis \"{}\"", *side), part,
                  "the axes are \"left\" and \"right\"");
 }
 
-Answer<std::vector<std::string>> labels_of(Vm& vm, OptionalItems labels, int parameter,
+Answer<std::vector<std::string>> labels_of(Vm& vm, OptionalItems labels, CallPart part,
                                            std::size_t count) {
   if (!labels) return std::vector<std::string>(count);
   if (labels->size() != count) {
     return failure(vm, "R0613",
                    fmt::format("{} label{} for {} line{}", labels->size(),
                                labels->size() == 1 ? "" : "s", count, count == 1 ? "" : "s"),
-                   parameter);
+                   part);
   }
   if (!charge_work(vm, 16 * count)) return Failed{};
   std::vector<std::string> texts;

@@ -38,14 +38,14 @@ using OptionalItems = std::optional<std::span<const Slot>>;
 // Adds a series to a figure or panel. Its axes show these units, or show them from now
 // on.
 //
-// x_parameter, y_parameter  of the call, for messages.
+// x_part, y_part  of the call, for messages.
 // is_read   the type of y has no unit; the check before the run has determined it from
 //           the text. If the axis shows another unit, y is drawn on the other side; if it
 //           shows plain numbers, as plain numbers.
 // is_side_given  the program gives the side. A failure leaves the figure unchanged.
 struct PlotUnits {
   std::string x{}, y{};
-  int x_parameter = 0, y_parameter = 0;
+  CallPart x_part = CallPart::first(), y_part = CallPart::first();
   bool is_read = false;
   bool is_side_given = false;
 };
@@ -64,17 +64,17 @@ struct PlotUnits {
 // Fails unless a logarithmic axis can show all of the values: the finite ones have to be above
 // zero.
 [[nodiscard]] Answer<void> check_log(Vm& vm, const Axis& axis, std::span<const double> values,
-                                     char name, int parameter);
+                                     char name, CallPart part);
 
 // The panels of a figure that is empty or already has panels with these titles.
 [[nodiscard]] Answer<std::vector<Figure>*> panels_of(Vm& vm, Figure& figure,
                                                      const std::vector<std::string>& titles);
 
 // Whether an optional argument is "right", not "left"; fails for other words.
-[[nodiscard]] Answer<bool> is_right(Vm& vm, OptionalText side, int parameter);
+[[nodiscard]] Answer<bool> is_right(Vm& vm, OptionalText side, CallPart part);
 
 // The texts of a list argument: one for each of `count` lines, or empty ones if it was left out.
 [[nodiscard]] Answer<std::vector<std::string>> labels_of(Vm& vm, OptionalItems labels,
-                                                         int parameter, std::size_t count);
+                                                         CallPart part, std::size_t count);
 
 }  // namespace armlet::bind

@@ -80,37 +80,43 @@ Answer<PosC> forward_kinematics(Vm& vm, const RobotRef& r, Q values) {
   });
 }
 
-enum Asked { kStart = 1, kX = 2, kRoll = 5 };
-
+// asked  the argument that messages about the position mark.
 template <class Q>
-Answer<PosJ> inverse_from_position(Vm& vm, const RobotRef& r, Q q0, const PosC& p) {
+Answer<PosJ> inverse_of(Vm& vm, const RobotRef& r, Q q0, const PosC& p, CallPart asked) {
   const Robot& robot = model_of(vm, r);
-  const auto start = joint_argument(vm, robot, q0, kStart);
+  const auto start = joint_argument(vm, robot, q0, at("q0"));
   if (!start) return Failed{};
   const auto q = solve_target(
-      vm, {.function = "IKinematics", .robot = r.id, .target = kX, .moves = false}, p, *start);
+      vm, {.function = "IKinematics", .robot = r.id, .target = asked, .moves = false}, p, *start);
   if (!q) return Failed{};
   return make_posj(robot, *q);
 }
 
 template <class Q>
+Answer<PosJ> inverse_from_position(Vm& vm, const RobotRef& r, Q q0, const PosC& p) {
+  return inverse_of<Q>(vm, r, q0, p, at("p"));
+}
+
+template <class Q>
 Answer<PosJ> inverse_from_numbers(Vm& vm, const RobotRef& r, Q q0, double x, double y, double z,
                                   std::optional<double> roll) {
+  static constexpr CallPart kCoordinates[] = {at("X"), at("Y"), at("Z")};
   const Eigen::Vector3d p(x, y, z);
   for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(p[i])) return not_finite(vm, "a coordinate", p[i], kX + i);
+    if (!std::isfinite(p[i])) return not_finite(vm, "a coordinate", p[i], kCoordinates[i]);
   }
-  if (!roll) return inverse_from_position<Q>(vm, r, q0, {make_translation(p), false});
-  if (!std::isfinite(*roll)) return not_finite(vm, "the angle", *roll, kRoll);
+  if (!roll) return inverse_of<Q>(vm, r, q0, {make_translation(p), false}, at("X"));
+  if (!std::isfinite(*roll)) return not_finite(vm, "the angle", *roll, at("Roll"));
   const PosC target{make_pose(rot_z(*roll), p), true};
   if (task_of(model_of(vm, r), target) == IkTask::kPose) {
     return failure(vm, "R0613",
                    fmt::format("X, Y, Z and Roll do not say how the tool of `{}` is tilted",
                                state_of(vm, r).name),
-                   kRoll, "they are enough for an arm whose tool keeps its tilt, such as a SCARA",
+                   at("Roll"),
+                   "they are enough for an arm whose tool keeps its tilt, such as a SCARA",
                    "give a whole position: IKinematics(q0, pose(x: ..., roll: ...))");
   }
-  return inverse_from_position<Q>(vm, r, q0, target);
+  return inverse_of<Q>(vm, r, q0, target, at("X"));
 }
 
 constexpr std::string_view kFromTable =
@@ -126,8 +132,9 @@ constexpr std::string_view kInverse =
     "is given: the platform's name of ikine.";
 constexpr std::string_view kInversePosition =
     "Joint values near q0 that bring the tool point to p.";
-constexpr CallOptions kOfTable{.check = check_all_of<check_word<3, kConventions>, check_dh_table>};
-constexpr CallOptions kNearList{.check = check_joint_list<1>};
+constexpr CallOptions kOfTable{
+    .check = check_all_of<check_word<"convention", kConventions>, check_dh_table>};
+constexpr CallOptions kNearList{.check = check_joint_list<"q0">};
 
 constexpr NativeFunction kDhFunctions[] = {
     def<robot_from_table<Word>>(
@@ -156,7 +163,7 @@ constexpr NativeFunction kDhFunctions[] = {
         "robots.scara().forwardKinematics(posJ(20deg, 30deg, 100mm, 0deg))"),
     def<forward_kinematics<JointList>>(
         "robot.forwardKinematics(r: robot, q: double[]) -> posC", kForward,
-        "robots.scara().forwardKinematics([0.0, 0.0, 0.1, 0.0])", kNearList),
+        "robots.scara().forwardKinematics([0.0, 0.0, 0.1, 0.0])", {.check = check_joint_list<"q">}),
     def<inverse_from_numbers<Joints>>(
         "robot.IKinematics(r: robot, q0: posJ, X: double, Y: double, Z: double, Roll: double?) -> "
         "posJ",

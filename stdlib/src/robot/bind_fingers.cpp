@@ -37,12 +37,12 @@ Answer<RobotRef> barrett_hand(Vm& vm, const RobotRef& on, std::optional<std::str
         host.cell().add_hand(on.id, make_barrett_robots(std::string(name.value_or(kHandName))));
     return RobotRef{hand, &host.cell()};
   } catch (const ArgumentError& error) {
-    return failure_of(vm, row("R0630"), error, 0);
+    return failure_of(vm, row("R0630"), error, at("on"));
   }
 }
 
 void check_barrett_hand(CheckCall& call) {
-  const auto name = call.constant(1);
+  const auto name = call.constant(at("name"));
   const FingeredHand hand = make_barrett_robots(name ? name->text : kHandName);
   set_robot_fact(call, std::make_shared<const Robot>(hand.palm), hand.palm.name());
 }
@@ -57,7 +57,7 @@ Failed fail_no_fingers(Vm& vm, int robot) {
   const std::string& name = Host::of(vm).cell().robot(robot).name;
   f.resource = robot_called(name);
   f.headline = {row("R0650"), {name}};
-  f.mark_parameter = 0;
+  f.mark = CallPart::first();
   f.fix = fmt::format("mount one: robot hand = robots.barrettHand(on: {})", name);
   return fail(vm, std::move(f));
 }
@@ -69,7 +69,8 @@ Answer<FingerRef> finger(Vm& vm, const RobotRef& h, std::int64_t number) {
   const auto& fingers = cell.robot(hand).fingers;
   const auto count = static_cast<std::int64_t>(fingers.size());
   if (number < 1 || number > count)
-    return failure(vm, "R0606", fmt::format("finger {} is outside 1 to {}", number, count), 1);
+    return failure(vm, "R0606", fmt::format("finger {} is outside 1 to {}", number, count),
+                   at("i"));
   return FingerRef{fingers[static_cast<std::size_t>(number - 1)], hand, static_cast<int>(number)};
 }
 
@@ -83,7 +84,7 @@ Eigen::VectorXd bent(const Cell& cell, const FingerRef& f, double bend) {
 Started move_finger(Vm& vm, const FingerRef& f, const PosJ& target, Number time, Number speed) {
   const Cell& cell = Host::of(vm).cell();
   if (target.n != 1) return size_failure(vm, "a finger", target.n, 1);
-  MoveCall hand{.function = "moveJ", .robot = f.hand, .time = 2, .speed = 3};
+  MoveCall hand{.function = "moveJ", .robot = f.hand};
   Eigen::VectorXd q = cell.robot(f.hand).q;
   q[f.number] = target.q[0];
   q = clamped(vm, hand, q);
@@ -121,7 +122,7 @@ void advise_touching(Vm& vm, int hand) {
     const double part = carried_part(cell, arm, contacts, each.object);
     Failure advice;
     advice.headline = {row("W0725"), {each.object}};
-    advice.mark_parameter = kMarkCallee;
+    advice.mark = CallPart::callee();
     advice.why = fmt::format("friction at the fingers carries {:.0f} % of its weight",
                              100.0 * std::min(part, 0.99));
     advice.fix = "close with more force, or take it nearer to its middle, from more sides";
@@ -244,7 +245,7 @@ Started close_hand(Vm& vm, const RobotRef& h, Number force) {
     return failure(vm, "R0609",
                    fmt::format("fingers that press with {} N: those of `{}` press with up to {} N",
                                format_number(wanted), cell.robot(hand).name, format_number(most)),
-                   1);
+                   at("force"));
   }
   std::vector<double> bends;
   for (const Closing& each : close_hand(cell, hand, wanted)) bends.push_back(each.bend);
@@ -266,7 +267,7 @@ Started open_hand(Vm& vm, const RobotRef& h) {
 
 Answer<RecordObj*> grasp_quality_of(Vm& vm, const RobotRef& h, const ObjectRef& o) {
   const Cell& cell = Host::of(vm).cell();
-  if (find_object(vm, o.name) == nullptr) return fail_unknown_object(vm, o.name, 1);
+  if (find_object(vm, o.name) == nullptr) return fail_unknown_object(vm, o.name, at("o"));
   const int hand = hand_of(cell, h.id);
   if (hand < 0) return fail_no_fingers(vm, h.id);
   const GraspQuality quality = hand_quality(cell, hand, o.name);

@@ -16,23 +16,22 @@
 namespace armlet::bind {
 namespace {
 
-// The indices of the parameters of ikine(r, p, near, mask, axes, posture).
-enum Parameter { kNear = 2, kMask = 3, kAxes = 4, kPosture = 5 };
-
 using Mask = std::optional<std::span<const Slot>>;
 using OptionalWord = std::optional<std::string_view>;
 
 Answer<void> read_mask(Vm& vm, Mask mask, IkOptions& options) {
   if (!mask) return {};
   if (mask->size() != 6) {
-    return failure(vm, "R0613", fmt::format("a mask has 6 values, not {}", mask->size()), kMask,
+    return failure(vm, "R0613", fmt::format("a mask has 6 values, not {}", mask->size()),
+                   at("mask"),
                    "they stand for x, y, z and the turns about x, y, z: 1 counts, 0 does not");
   }
   for (std::size_t i = 0; i < 6; ++i) {
     const std::int64_t value = (*mask)[i].i;
     if (value != 0 && value != 1) {
-      return failure(vm, "R0609", fmt::format("a mask of {}: its values are 1 or 0", value), kMask,
-                     "1 counts, 0 does not", "to keep the place only: mask: [1, 1, 1, 0, 0, 0]");
+      return failure(vm, "R0609", fmt::format("a mask of {}: its values are 1 or 0", value),
+                     at("mask"), "1 counts, 0 does not",
+                     "to keep the place only: mask: [1, 1, 1, 0, 0, 0]");
     }
     options.mask[i] = value == 1;
   }
@@ -43,12 +42,12 @@ Answer<void> read_mask(Vm& vm, Mask mask, IkOptions& options) {
 Answer<void> read_axes(Vm& vm, std::string_view axes, IkOptions& options) {
   if (axes == "tool") options.mask_frame = IkMaskFrame::kTool;
   if (axes == "tool" || axes == "world") return {};
-  return failure(vm, "R0626", fmt::format("a mask has no axes \"{}\"", axes), kAxes,
+  return failure(vm, "R0626", fmt::format("a mask has no axes \"{}\"", axes), at("axes"),
                  "its axes are those of the \"world\" or of the \"tool\"");
 }
 
 Answer<void> read_posture(Vm& vm, const Robot& robot, const PosJ& values, IkOptions& options) {
-  auto q = joint_argument(vm, robot, values, kPosture);
+  auto q = joint_argument(vm, robot, values, at("posture"));
   if (!q) return Failed{};
   options.posture.emplace(Posture::kNearGiven, *std::move(q));
   return {};
@@ -59,7 +58,7 @@ Answer<void> read_posture(Vm& vm, const Robot&, OptionalWord word, IkOptions& op
   if (*word == "manipulability") options.posture = Posture::kManipulability;
   if (options.posture) return {};
   return failure(
-      vm, "R0626", fmt::format("there is no posture called \"{}\"", *word), kPosture,
+      vm, "R0626", fmt::format("there is no posture called \"{}\"", *word), at("posture"),
       "\"midRange\" keeps the joints in the middle of their ranges, \"manipulability\" keeps away "
       "from singularities",
       "use one of these, or give joint values to stay near: posture: home()");
@@ -88,7 +87,7 @@ Answer<Question> question_of(Vm& vm, const Call<Near, PostureGiven>& call) {
   const Robot& robot = model_of(vm, call.r);
   Question out{.T_world_tool = call.p.T};
   IkOptions& options = out.options;
-  auto seed = seed_of(vm, call.r, call.near, kNear);
+  auto seed = seed_of(vm, call.r, call.near, at("near"));
   if (!seed) return Failed{};
   options.seed = *std::move(seed);
   const auto task = task_of(robot, call.p);
@@ -110,7 +109,7 @@ Answer<PosJ> ikine(Vm& vm, const RobotRef& r, const PosC& p, Near near, Mask mas
                    std::string_view axes, PostureGiven posture) {
   const auto question = question_of(vm, Call<Near, PostureGiven>{r, p, near, mask, axes, posture});
   if (!question) return Failed{};
-  const MoveCall call{.function = "ikine", .robot = r.id};
+  const MoveCall call{.function = "ikine", .robot = r.id, .target = at("p")};
   if (question->tilted) return fail_tilted(vm, call, p);
   const Robot& robot = model_of(vm, r);
   const IkResult result = solve_ik(robot, question->T_world_tool, question->options);
@@ -146,7 +145,7 @@ std::string explain_position(Vm& vm, const RobotRef& r, const PosC& p) {
 // Explains how the pose of these joint values is solved with them as the seed.
 Answer<std::string> explain_joints(Vm& vm, const RobotRef& r, const PosJ& values) {
   const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
+  const auto q = joint_argument(vm, robot, values, at("q"));
   if (!q) return Failed{};
   Question question{.T_world_tool = forward(robot, *q)};
   question.options.seed = *q;
@@ -188,7 +187,7 @@ constexpr NativeFunction kIkineFunctions[] = {
         "the ones nearest to the middle of the joints' ranges (\"midRange\") or farthest from "
         "singularities (\"manipulability\").",
         "ikine(here(), posture: \"midRange\")",
-        {.check = check_all_of<check_word<kAxes, kMaskAxes>, check_word<kPosture, kPostures>,
+        {.check = check_all_of<check_word<"axes", kMaskAxes>, check_word<"posture", kPostures>,
                                note_positions>,
          .explain = explained_by<explain_ikine<const PosJ*, OptionalWord>>}),
     def<ikine<const PosJ*, Joints>>(
@@ -197,15 +196,15 @@ constexpr NativeFunction kIkineFunctions[] = {
         "Of all joint values that bring the tool point to p the ones nearest to a posture, every "
         "joint counted by its range.",
         "ikine(here(), posture: home())",
-        {.check = check_all_of<check_word<kAxes, kMaskAxes>, note_positions>,
+        {.check = check_all_of<check_word<"axes", kMaskAxes>, note_positions>,
          .explain = explained_by<explain_ikine<const PosJ*, Joints>>}),
     def<ikine<JointList, OptionalWord>>(
         "ikine(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", posture: "
         "string?) -> posJ",
         "Joint values that bring the tool point to p, near joint values in rad and m.",
         "ikine(here(), near: [0.0, 0.5, 0.1, 0.0])",
-        {.check = check_all_of<check_joint_list<kNear>, check_word<kAxes, kMaskAxes>,
-                               check_word<kPosture, kPostures>, note_positions>,
+        {.check = check_all_of<check_joint_list<"near">, check_word<"axes", kMaskAxes>,
+                               check_word<"posture", kPostures>, note_positions>,
          .explain = explained_by<explain_ikine<JointList, OptionalWord>>}),
     def<ikine<JointList, Joints>>(
         "ikine(r: robot, p: posC, near: double[], mask: int[]?, axes: string = \"world\", posture: "
@@ -214,7 +213,7 @@ constexpr NativeFunction kIkineFunctions[] = {
         "posture.",
         "ikine(here(), near: [0.0, 0.5, 0.1, 0.0], posture: home())",
         {.check =
-             check_all_of<check_joint_list<kNear>, check_word<kAxes, kMaskAxes>, note_positions>,
+             check_all_of<check_joint_list<"near">, check_word<"axes", kMaskAxes>, note_positions>,
          .explain = explained_by<explain_ikine<JointList, Joints>>}),
     def<ikine_all>(
         "ikineAll(r: robot, p: posC, limits: bool = true) -> posJ[]",

@@ -16,8 +16,6 @@
 namespace armlet::bind {
 namespace {
 
-constexpr int kNearParameter = 2;  // index of the parameter
-
 // The fields of an IkInfo.
 struct Info {
   bool found = false;
@@ -116,7 +114,7 @@ Answer<RecordObj*> ikine_info(Vm& vm, const RobotRef& r, const PosC& p, Near nea
   const Robot& robot = model_of(vm, r);
   IkOptions options;
   options.respect_limits = limits;
-  auto seed = seed_of(vm, r, near, kNearParameter);
+  auto seed = seed_of(vm, r, near, at("near"));
   if (!seed) return Failed{};
   options.seed = *std::move(seed);
   // An orientation that the arm cannot have is treated as a pose for which no solution is found.
@@ -138,8 +136,7 @@ constexpr NativeFunction kIkineInfoFunctions[] = {
         "ikineInfo(xyz(2m, 0m, 300mm)).distance"),
     def<ikine_info<JointList>>(
         "ikineInfo(r: robot, p: posC, near: double[], limits: bool = true) -> IkInfo", kHelp,
-        "ikineInfo(here(), near: [0.0, 0.5, 0.1, 0.0]).found",
-        {.check = check_joint_list<kNearParameter>}),
+        "ikineInfo(here(), near: [0.0, 0.5, 0.1, 0.0]).found", {.check = check_joint_list<"near">}),
 };
 
 }  // namespace

@@ -34,16 +34,13 @@ using Text = std::optional<std::string_view>;
 
 // ---- rows: joint revolute(...), joint prismatic(...) --------------------------------------------
 
-// The indices of the parameters of both rows.
-enum Row { kLimits = 4, kCom = 10, kInertia = 11, kFriction = 12, kMeshUnit = 16 };
-
 Answer<void> read_limits(Vm& vm, Numbers limits, Joint& joint) {
   if (!limits) return {};
   if (limits->size() != 2) {
     return failure(
         vm, "R0613",
         fmt::format("limits are two values, the lower and the upper one, not {}", limits->size()),
-        kLimits);
+        at("limits"));
   }
   joint.lower = (*limits)[0];
   joint.upper = (*limits)[1];
@@ -73,13 +70,13 @@ Answer<JointRow> joint_row(Vm& vm, double theta, double d, double a, double alph
     return fail_mesh(vm, row.link.mesh,
                      fmt::format("its {} is {}{}; expected more than 0", k == 0 ? "unit" : "scale",
                                  factors[k], k == 0 ? " m" : ""),
-                     {}, kMeshUnit + k);
+                     {}, k == 0 ? at("meshUnit") : at("meshScale"));
   }
   if (mesh_unit) row.link.mesh_unit = *mesh_unit;
   row.link.mesh_scale = mesh_scale;
-  const auto about_com = inertia_argument(vm, inertia, kInertia);
-  if (!about_com || !read_limits(vm, limits, joint) || !read_com(vm, com, kCom, row.link) ||
-      !read_friction(vm, friction, kFriction, row.link)) {
+  const auto about_com = inertia_argument(vm, inertia, at("inertia"));
+  if (!about_com || !read_limits(vm, limits, joint) || !read_com(vm, com, at("com"), row.link) ||
+      !read_friction(vm, friction, at("friction"), row.link)) {
     return Failed{};
   }
   if (*about_com) row.link.inertia = **about_com;
@@ -113,7 +110,7 @@ Answer<void> load_meshes(Vm& vm, RobotSpec& spec) {
     if (link.mesh.empty()) continue;
     const auto mesh =
         load_link_mesh(vm, {}, link.mesh, {.unit = link.mesh_unit, .scale = link.mesh_scale});
-    if (!mesh.ok()) return fail_mesh(vm, link.mesh, mesh.error().message, {}, -1);
+    if (!mesh.ok()) return fail_mesh(vm, link.mesh, mesh.error().message, {}, {});
     if (*mesh != nullptr) link.bodies.push_back({.triangles = *mesh});
   }
   return {};
@@ -125,7 +122,6 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
                              std::string_view convention, const PosJ* home, const PosC* tcp,
                              std::string_view inertias, NamePairs allow, NamePairs watch,
                              HostList<BodyRow> bodies) try {
-  constexpr int kGravity = 4;
   RobotSpec spec;
   spec.name = name;
   spec.source = "declared in the program";
@@ -147,7 +143,7 @@ Answer<RobotRef> robot_block(Vm& vm, std::string_view name, HostList<JointRow> j
   const auto has_bodies = add_bodies(vm, bodies, spec);
   if (!has_bodies) return Failed{};
   if (!has_forces && !*has_bodies) spec.links.clear();
-  if (!read_vector3(vm, gravity, kGravity, "gravity", spec.gravity)) return Failed{};
+  if (!read_vector3(vm, gravity, at("gravity"), "gravity", spec.gravity)) return Failed{};
   if (home != nullptr) spec.home = home->vector();
   Robot robot = finished(Robot(std::move(spec)), base, tool);
   if (tcp != nullptr) robot = robot.with_tool_point(tcp->T);
@@ -161,7 +157,7 @@ void advise_notes(Vm& vm, const std::string& path, const RobotSpec& spec) {
   for (const std::string& note : spec.notes) {
     Failure advice;
     advice.headline = {row("W0747"), {path, note}};
-    advice.mark_parameter = kMarkCallee;
+    advice.mark = CallPart::callee();
     vm.advise(advice);
   }
 }
@@ -170,19 +166,20 @@ void advise_notes(Vm& vm, const std::string& path, const RobotSpec& spec) {
 Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::string_view inertias,
                                  const PosC* base, const ToolValue* tool, Text name,
                                  NamePairs allow, NamePairs watch) try {
-  constexpr int kPath = 0;
   const std::string path(file);
   const Result<std::string> text = Host::of(vm).load_file(path);
   if (!text.ok()) {
     return failure(vm, "R0626",
-                   fmt::format("\"{}\" cannot be read: {}", path, text.error().message), kPath);
+                   fmt::format("\"{}\" cannot be read: {}", path, text.error().message),
+                   at("path"));
   }
   UrdfOptions options;
   options.inertia_check = inertia_check_of(inertias);
   options.has_mesh = [&](const std::string& mesh) { return Host::of(vm).has_mesh(path, mesh); };
   options.load_glb = [&](const std::string& mesh) { return load_link_glb(vm, path, mesh); };
   Result<RobotSpec> spec = serial_arm_of_urdf(*text, options, tip.value_or(""));
-  if (!spec.ok()) return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), kPath);
+  if (!spec.ok())
+    return failure_of(vm, row("R0630"), ArgumentError(spec.error().message), at("path"));
   advise_notes(vm, path, *spec);
   Robot robot = finished(Robot(std::move(spec).value()), base, tool, name);
   return add_robot(vm, with_own_pairs(std::move(robot), allow, watch));
@@ -202,7 +199,7 @@ Answer<ToolValue> gripper(Vm& vm, double stroke, double length, double force,
                           Number max_force) try {
   Tool tool = parallel_gripper(stroke, length, force);
   if (max_force && !(*max_force > 0.0 && std::isfinite(*max_force)))
-    return domain_failure(vm, "maxForce", *max_force, "be above 0 N", {}, 3);
+    return domain_failure(vm, "maxForce", *max_force, "be above 0 N", {}, at("maxForce"));
   if (max_force) tool.max_force = *max_force;
   return ToolValue{tool, {}};
 } catch (const ArgumentError& error) {
@@ -264,8 +261,8 @@ constexpr NativeFunction kModelFunctions[] = {
         "say it; inertias: \"published\" keeps numbers that no rigid body has; allow, watch: pairs "
         "of links that are never, or always, compared with each other, [[\"base\", \"link 3\"]].",
         "robot arm { joint revolute(a: 300mm) }",
-        {.check = check_all_of<check_word<5, kConventions>, check_word<8, kInertiaWords>,
-                               check_robot_block>}),
+        {.check = check_all_of<check_word<"convention", kConventions>,
+                               check_word<"inertias", kInertiaWords>, check_robot_block>}),
     def<robot_from_urdf>(
         "urdf(path: string, tip: string?, inertias: string = \"rigid\", base: posC?, tool: tool?, "
         "name: string?, allow: string[][]?, watch: string[][]?) -> robot",
@@ -273,7 +270,7 @@ constexpr NativeFunction kModelFunctions[] = {
         "file has several arms; allow, watch: pairs of links, by name, that are never, or always, "
         "compared with each other.",
         "urdf(\"arm.urdf\", tip: \"tool0\")",
-        {.check = check_all_of<check_word<2, kInertiaWords>, note_read_robot>}),
+        {.check = check_all_of<check_word<"inertias", kInertiaWords>, note_read_robot>}),
     def<default_robot>("robot()() -> robot", "The robot that the host supplies.", "joints()",
                        {.check = check_default_robot}),
 };

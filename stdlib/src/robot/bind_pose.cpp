@@ -19,14 +19,11 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Refuses infinite and undefined numbers in a pose; they are the parameters from `first`
-// on.
-Answer<void> require_finite(Vm& vm, std::string_view what, std::initializer_list<double> values) {
-  int parameter = 0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) return not_finite(vm, what, value, parameter);
-    ++parameter;
-  }
+// Refuses infinite and undefined numbers in a pose.
+Answer<void> require_finite(Vm& vm, std::string_view what,
+                            std::initializer_list<std::pair<double, CallPart>> values) {
+  for (const auto& [value, part] : values)
+    if (!std::isfinite(value)) return not_finite(vm, what, value, part);
   return {};
 }
 
@@ -42,24 +39,35 @@ PosC placed(const Isometry3d& T) { return {T, false}; }
 PosC turned(const Eigen::Matrix3d& R) { return {make_pose(R, Vector3d::Zero()), true}; }
 
 Answer<PosC> xyz(Vm& vm, double x, double y, double z) {
-  if (!require_finite(vm, "a coordinate", {x, y, z})) return Failed{};
+  if (!require_finite(vm, "a coordinate", {{x, at("x")}, {y, at("y")}, {z, at("z")}}))
+    return Failed{};
   return placed(make_translation({x, y, z}));
 }
 template <Eigen::Matrix3d (*kRotate)(double)>
 Answer<PosC> turn(Vm& vm, double angle) {
-  if (!require_finite(vm, "the angle", {angle})) return Failed{};
+  if (!require_finite(vm, "the angle", {{angle, at("a")}})) return Failed{};
   return turned(kRotate(angle));
 }
 Answer<PosC> rpy(Vm& vm, double roll, double pitch, double yaw) {
-  if (!require_finite(vm, "an angle", {roll, pitch, yaw})) return Failed{};
+  if (!require_finite(vm, "an angle", {{roll, at("roll")}, {pitch, at("pitch")}, {yaw, at("yaw")}}))
+    return Failed{};
   return PosC{pose_from_rpy(Vector3d::Zero(), {roll, pitch, yaw}), true};
 }
 Answer<PosC> pose(Vm& vm, double x, double y, double z, double roll, double pitch, double yaw) {
-  if (!require_finite(vm, "a coordinate or angle", {x, y, z, roll, pitch, yaw})) return Failed{};
+  if (!require_finite(vm, "a coordinate or angle",
+                      {{x, at("x")},
+                       {y, at("y")},
+                       {z, at("z")},
+                       {roll, at("roll")},
+                       {pitch, at("pitch")},
+                       {yaw, at("yaw")}}))
+    return Failed{};
   return PosC{pose_from_rpy({x, y, z}, {roll, pitch, yaw}), true};
 }
 Answer<PosC> quaternion(Vm& vm, double w, double x, double y, double z) {
-  if (!require_finite(vm, "a value of the quaternion", {w, x, y, z})) return Failed{};
+  if (!require_finite(vm, "a value of the quaternion",
+                      {{w, at("w")}, {x, at("x")}, {y, at("y")}, {z, at("z")}}))
+    return Failed{};
   Eigen::Vector4d q(w, x, y, z);
   if (!std::isfinite(q.norm())) q /= q.cwiseAbs().maxCoeff();  // its length does not matter
   if (q.norm() < 1e-9) return failure(vm, "R0609", "a quaternion of zeros has no direction");
@@ -67,12 +75,14 @@ Answer<PosC> quaternion(Vm& vm, double w, double x, double y, double z) {
 }
 Answer<PosC> axis_angle(Vm& vm, std::span<const double> axis, double angle) {
   if (axis.size() != 3)
-    return failure(vm, "R0613", fmt::format("an axis has 3 values, not {}", axis.size()), 0);
+    return failure(vm, "R0613", fmt::format("an axis has 3 values, not {}", axis.size()),
+                   at("axis"));
   Vector3d v(axis[0], axis[1], axis[2]);
-  if (!v.allFinite()) return not_finite(vm, "a value of the axis", v.sum(), 0);
+  if (!v.allFinite()) return not_finite(vm, "a value of the axis", v.sum(), at("axis"));
   if (!std::isfinite(v.norm())) v /= v.cwiseAbs().maxCoeff();
-  if (!std::isfinite(angle)) return not_finite(vm, "the angle", angle, 1);
-  if (v.norm() < 1e-12) return failure(vm, "R0609", "an axis of zeros has no direction", 0);
+  if (!std::isfinite(angle)) return not_finite(vm, "the angle", angle, at("a"));
+  if (v.norm() < 1e-12)
+    return failure(vm, "R0609", "an axis of zeros has no direction", at("axis"));
   return turned(R_from_axis_angle(v, angle));
 }
 
@@ -81,7 +91,7 @@ PosC compose(const PosC& a, const PosC& b) {
   return {renormalised(a.T * b.T), a.has_orientation || b.has_orientation};
 }
 Answer<PosC> above(Vm& vm, const PosC& p, double height) {
-  if (!std::isfinite(height)) return not_finite(vm, "the height", height, 1);
+  if (!std::isfinite(height)) return not_finite(vm, "the height", height, at("h"));
   PosC raised = p;
   raised.T.translation().z() += height;
   return raised;
@@ -136,7 +146,7 @@ bool near_joints(const PosJ& a, const PosJ& b, double tol) {
 }
 
 Answer<PosC> lerp_positions(Vm& vm, const PosC& a, const PosC& b, double s) {
-  if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, 2);
+  if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, at("s"));
   return PosC{interpolate(a.T, b.T, s), a.has_orientation || b.has_orientation};
 }
 
@@ -158,13 +168,14 @@ std::vector<double> place(const PosC& p) {
 Answer<PosJ> posj_from(Vm& vm, std::span<const double> values) {
   if (values.empty() || values.size() > kMaxJoints) {
     return failure(vm, "R0613",
-                   fmt::format("a posJ has 1 to {} values, not {}", kMaxJoints, values.size()), 0);
+                   fmt::format("a posJ has 1 to {} values, not {}", kMaxJoints, values.size()),
+                   at("values"));
   }
   PosJ p;
   p.n = static_cast<std::uint8_t>(values.size());
   for (int i = 0; i < p.n; ++i) {
     if (!std::isfinite(values[i]))
-      return not_finite(vm, fmt::format("value {} of the posJ", i + 1), values[i], 0);
+      return not_finite(vm, fmt::format("value {} of the posJ", i + 1), values[i], at("values"));
     p.q[i] = values[i];
   }
   if (const Robot* robot = Host::of(vm).only_robot(); robot != nullptr && robot->n() == p.n) {
@@ -177,7 +188,7 @@ Answer<PosJ> posj_from(Vm& vm, std::span<const double> values) {
 // Checks index i: fails unless there is such a joint.
 Answer<int> joint_of(Vm& vm, const PosJ& p, std::int64_t i) {
   if (i < 0 || i >= p.n)
-    return failure(vm, "R0606", fmt::format("index {} is outside 0 to {}", i, p.n - 1), 1);
+    return failure(vm, "R0606", fmt::format("index {} is outside 0 to {}", i, p.n - 1), at("i"));
   return static_cast<int>(i);
 }
 Answer<double> posj_element(Vm& vm, const PosJ& p, std::int64_t i) {
@@ -192,14 +203,14 @@ template <Stored kStored>
 Answer<PosJ> posj_with(Vm& vm, const PosJ& before, std::int64_t i, double value) {
   const auto joint = joint_of(vm, before, i);
   if (!joint) return Failed{};
-  if (!std::isfinite(value)) return not_finite(vm, "a joint value", value, 2);
+  if (!std::isfinite(value)) return not_finite(vm, "a joint value", value, at("value"));
   const bool turns = before.turns[*joint];
   if (kStored != Stored::kNumber && before.kinds_known && turns != (kStored == Stored::kAngle)) {
     return failure(
         vm, "R0609",
         fmt::format("joint {} {}: its value is {}, not {}", i + 1, turns ? "turns" : "slides",
                     turns ? "an angle" : "a length", turns ? "a length" : "an angle"),
-        2);
+        at("value"));
   }
   PosJ p = before;
   p.q[*joint] = value;
@@ -208,7 +219,7 @@ Answer<PosJ> posj_with(Vm& vm, const PosJ& before, std::int64_t i, double value)
 
 template <int kAxis>
 Answer<PosC> posc_with_position(Vm& vm, const PosC& before, double value) {
-  if (!std::isfinite(value)) return not_finite(vm, "a coordinate", value, 1);
+  if (!std::isfinite(value)) return not_finite(vm, "a coordinate", value, at("value"));
   PosC p = before;
   p.T.translation()[kAxis] = value;
   return p;
@@ -245,12 +256,12 @@ Answer<PosJ> posj_add_list(Vm& vm, const PosJ& before, std::span<const double> d
   for (int i = 0; i < p.n; ++i) {
     p.q[i] += d[i];
     if (!std::isfinite(p.q[i]))
-      return not_finite(vm, fmt::format("value {} of the posJ", i + 1), p.q[i], 1);
+      return not_finite(vm, fmt::format("value {} of the posJ", i + 1), p.q[i], at("d"));
   }
   return p;
 }
 Answer<PosJ> posj_times_number(Vm& vm, const PosJ& before, double k) {
-  if (!std::isfinite(k)) return not_finite(vm, "the factor", k, -1);
+  if (!std::isfinite(k)) return not_finite(vm, "the factor", k, {});
   PosJ p = before;
   for (int i = 0; i < p.n; ++i) p.q[i] *= k;
   return p;
@@ -259,7 +270,7 @@ Answer<PosJ> number_times_posj(Vm& vm, double k, const PosJ& p) {
   return posj_times_number(vm, p, k);
 }
 Answer<PosJ> lerp_joints(Vm& vm, const PosJ& p, const PosJ& q, double s) {
-  if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, 2);
+  if (!std::isfinite(s)) return not_finite(vm, "the fraction", s, at("s"));
   return combine(vm, p, q, [s](double a, double b) { return a + (b - a) * s; });
 }
 

@@ -61,10 +61,12 @@ std::vector<PosJ> limits(Vm& vm, const RobotRef& r) {
 // ---- changing a robot ---------------------------------------------------------------------------
 
 Answer<void> set_tool(Vm& vm, const RobotRef& r, const PosC& tcp) {
-  return exchange_model(vm, r, [&](const Robot& robot) { return robot.with_tool_point(tcp.T); });
+  return exchange_model(vm, r, at("tcp"),
+                        [&](const Robot& robot) { return robot.with_tool_point(tcp.T); });
 }
 Answer<void> set_home(Vm& vm, const RobotRef& r, const PosJ& q) {
-  return exchange_model(vm, r, [&](const Robot& robot) { return robot.with_home(q.vector()); });
+  return exchange_model(vm, r, at("q"),
+                        [&](const Robot& robot) { return robot.with_home(q.vector()); });
 }
 
 // ---- kinematics ---------------------------------------------------------------------------------
@@ -73,12 +75,12 @@ template <class Q>
 Answer<PosC> fkine(Vm& vm, const RobotRef& r, Q values, std::optional<std::int64_t> joint) {
   if (!check_arm(vm, r.id)) return Failed{};
   const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
+  const auto q = joint_argument(vm, robot, values, at("q"));
   if (!q) return Failed{};
   if (!joint) return PosC{forward(robot, *q), true};
   if (*joint < 1 || *joint > robot.rows())
     return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", *joint, robot.rows()),
-                   2);
+                   at("joint"));
   return PosC{link_frame(robot, *q, static_cast<int>(*joint)), true};
 }
 
@@ -100,14 +102,14 @@ template <class Q>
 Answer<Jacobian> jacobian_of(Vm& vm, const RobotRef& r, Q values, std::string_view name) {
   if (!check_arm(vm, r.id)) return Failed{};
   const Robot& robot = model_of(vm, r);
-  const auto q = joint_argument(vm, robot, values, 1);
+  const auto q = joint_argument(vm, robot, values, at("q"));
   if (!q) return Failed{};
   const auto frame = name == "world"  ? std::optional(JacobianFrame::kWorld)
                      : name == "base" ? std::optional(JacobianFrame::kBase)
                      : name == "tool" ? std::optional(JacobianFrame::kTool)
                                       : std::nullopt;
   if (!frame) {
-    return failure(vm, "R0626", fmt::format("a Jacobian has no frame \"{}\"", name), 2,
+    return failure(vm, "R0626", fmt::format("a Jacobian has no frame \"{}\"", name), at("frame"),
                    "its frames are \"world\", \"base\" and \"tool\"");
   }
   return jacobian(robot, *q, *frame);
@@ -184,7 +186,7 @@ constexpr NativeFunction kRobotFunctions[] = {
                   "Moves the tool point, seen from the flange; the hand stays.",
                   "setTool(xyz(z: 50mm))", {.commands = true}),
     def<set_home>("setHome(r: robot, q: posJ)", "Changes the home position.", "setHome(joints())",
-                  {.check = check_joints_of<1>}),
+                  {.check = check_joints_of<"q">}),
     def<fkine<Joints>>(
         "fkine(r: robot, q: posJ, joint: int?) -> posC",
         "Where the tool point is for these joint values; with joint: the frame after that joint, "
@@ -192,23 +194,24 @@ constexpr NativeFunction kRobotFunctions[] = {
         "fkine(joints())"),
     def<fkine<JointList>>("fkine(r: robot, q: double[], joint: int?) -> posC",
                           "Where the tool point is for these joint values (SI).",
-                          "fkine([0.0, 0.0, 0.1, 0.0])", {.check = check_joint_list<1>}),
+                          "fkine([0.0, 0.0, 0.1, 0.0])", {.check = check_joint_list<"q">}),
     def<link_frames<Joints>>("linkFrames(r: robot, q: posJ) -> posC[]", kFrames,
                              "linkFrames(joints())"),
     def<link_frames<JointList>>("linkFrames(r: robot, q: double[]) -> posC[]", kFrames,
-                                "linkFrames([0.0, 0.0, 0.1, 0.0])", {.check = check_joint_list<1>}),
+                                "linkFrames([0.0, 0.0, 0.1, 0.0])",
+                                {.check = check_joint_list<"q">}),
     def<manipulability_of<Joints>>("manipulability(r: robot, q: posJ) -> double", kManipulability,
                                    "manipulability(joints())"),
     def<manipulability_of<JointList>>("manipulability(r: robot, q: double[]) -> double",
                                       kManipulability, "manipulability([0.0, 0.5, 0.1, 0.0])",
-                                      {.check = check_joint_list<1>}),
+                                      {.check = check_joint_list<"q">}),
     def<jacobian_of<Joints>>("jacobian(r: robot, q: posJ, frame: string = \"world\") -> matrix",
                              kJacobian, "jacobian(joints())",
-                             {.check = check_word<2, kJacobianFrames>}),
+                             {.check = check_word<"frame", kJacobianFrames>}),
     def<jacobian_of<JointList>>(
         "jacobian(r: robot, q: double[], frame: string = \"world\") -> matrix", kJacobian,
         "jacobian([0.0, 0.5, 0.1, 0.0], frame: \"tool\")",
-        {.check = check_all_of<check_joint_list<1>, check_word<2, kJacobianFrames>>}),
+        {.check = check_all_of<check_joint_list<"q">, check_word<"frame", kJacobianFrames>>}),
     def<jacobian_dot<Joints, JointList>>("jacobianDot(r: robot, q: posJ, qd: double[]) -> double[]",
                                          kJacobianDot, "jacobianDot(joints(), jointSpeeds())",
                                          {.check = note_twist_rate}),
@@ -218,12 +221,13 @@ constexpr NativeFunction kRobotFunctions[] = {
     def<jacobian_dot<JointList, JointList>>(
         "jacobianDot(r: robot, q: double[], qd: double[]) -> double[]", kJacobianDot,
         "jacobianDot([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])",
-        {.check = check_all_of<check_joint_list<1>, note_twist_rate>}),
+        {.check = check_all_of<check_joint_list<"q">, note_twist_rate>}),
     def<jacobian_rate_of<Joints>>("jacobianRate(r: robot, q: posJ, qd: double[]) -> matrix",
                                   kJacobianRate, "jacobianRate(joints(), jointSpeeds())"),
-    def<jacobian_rate_of<JointList>>(
-        "jacobianRate(r: robot, q: double[], qd: double[]) -> matrix", kJacobianRate,
-        "jacobianRate([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])", {.check = check_joint_list<1>}),
+    def<jacobian_rate_of<JointList>>("jacobianRate(r: robot, q: double[], qd: double[]) -> matrix",
+                                     kJacobianRate,
+                                     "jacobianRate([0.0, 0.5, 0.1, 0.0], [0.1, 0.2, 0.0, 0.3])",
+                                     {.check = check_joint_list<"q">}),
     def<dh_table>("dhTable(r: robot) -> matrix",
                   "The Denavit-Hartenberg parameters, one row theta, d, a, alpha for each joint, "
                   "in rad and m.",

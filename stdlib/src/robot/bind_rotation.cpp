@@ -25,11 +25,8 @@ using Eigen::Vector3d;
 
 template <std::size_t kSequence>
 Answer<PosC> from_euler(Vm& vm, double a, double b, double c) {
-  int parameter = 0;
-  for (const double angle : {a, b, c}) {
-    if (!std::isfinite(angle)) return not_finite(vm, "an angle", angle, parameter);
-    ++parameter;
-  }
+  for (const auto& [angle, part] : {std::pair(a, at("a")), {b, at("b")}, {c, at("c")}})
+    if (!std::isfinite(angle)) return not_finite(vm, "an angle", angle, part);
   return PosC{make_pose(R_from_euler(kEulerSequences[kSequence], {a, b, c}), Vector3d::Zero()),
               true};
 }
@@ -37,7 +34,7 @@ Answer<PosC> from_euler(Vm& vm, double a, double b, double c) {
 Answer<void> require_sequence(Vm& vm, std::string_view name) {
   if (std::ranges::find(kEulerSequences, name) != kEulerSequences.end()) return {};
   return failure(
-      vm, "R0609", fmt::format("\"{}\" is not a sequence of Euler angles", name), 1,
+      vm, "R0609", fmt::format("\"{}\" is not a sequence of Euler angles", name), at("sequence"),
       "a sequence is three of the axes X, Y and Z of which no two neighbours are the same",
       "write one such as \"ZYZ\" or \"ZYX\"");
 }
@@ -60,42 +57,42 @@ double angle(const PosC& p) {
 Vector6d log_pose(const PosC& p) { return pose_log(p.T); }
 Answer<PosC> exp_pose(Vm& vm, std::span<const double> v) {
   if (v.size() != 6) {
-    return failure(vm, "R0613", fmt::format("a twist has 6 values, not {}", v.size()), 0,
+    return failure(vm, "R0613", fmt::format("a twist has 6 values, not {}", v.size()), at("v"),
                    "they are v (m) and w (rad), as logPose gives them");
   }
   const Vector6d xi = Eigen::Map<const Vector6d>(v.data());
   for (const double x : v) {
-    if (!std::isfinite(x)) return not_finite(vm, "a value of the twist", x, 0);
+    if (!std::isfinite(x)) return not_finite(vm, "a value of the twist", x, at("v"));
   }
   const bool turns = std::isfinite(xi.tail<3>().norm());
   const Eigen::Isometry3d T = turns ? pose_exp(xi) : Eigen::Isometry3d::Identity();
   if (!turns || !T.matrix().allFinite())
     return failure(vm, "R0612", "the pose of this twist is not finite: its values are too large",
-                   0);
+                   at("v"));
   return PosC{T, true};
 }
 
 Eigen::MatrixXd adjoint_of(const PosC& p) { return adjoint(p.T); }
 Answer<Eigen::Matrix3d> hat_of(Vm& vm, std::span<const double> v) {
   if (v.size() != 3)
-    return failure(vm, "R0613", fmt::format("hat is of 3 values, not {}", v.size()), 0);
+    return failure(vm, "R0613", fmt::format("hat is of 3 values, not {}", v.size()), at("v"));
   return Eigen::Matrix3d(hat({v[0], v[1], v[2]}));
 }
 
 Answer<double> wrapped(Vm& vm, double a) {
-  if (!std::isfinite(a)) return not_finite(vm, "the angle", a, 0);
+  if (!std::isfinite(a)) return not_finite(vm, "the angle", a, at("a"));
   return wrap_angle(a);
 }
 Answer<double> angle_from_to(Vm& vm, double from, double to) {
-  if (!std::isfinite(from)) return not_finite(vm, "an angle", from, 0);
-  if (!std::isfinite(to)) return not_finite(vm, "an angle", to, 1);
+  if (!std::isfinite(from)) return not_finite(vm, "an angle", from, at("from"));
+  if (!std::isfinite(to)) return not_finite(vm, "an angle", to, at("to"));
   return angle_difference(to, from);
 }
 
 // (p, point)
 Answer<Vector3d> move_point(Vm& vm, const PosC& p, std::span<const double> v) {
   if (v.size() != 3)
-    return failure(vm, "R0613", fmt::format("a point has 3 values, not {}", v.size()), 1);
+    return failure(vm, "R0613", fmt::format("a point has 3 values, not {}", v.size()), at("point"));
   return Vector3d(p.T * Vector3d(v[0], v[1], v[2]));
 }
 
@@ -130,11 +127,13 @@ constexpr NativeFunction kRotationFunctions[] = {
         "180 "
         "deg where the first and third axis are the same, otherwise in -90 to 90 deg; where the "
         "angles are not unique the first is 0.",
-        "eulerZYZ(10deg, 20deg, 30deg).euler(\"ZYX\")", {.check = check_word<1, kEulerSequences>}),
+        "eulerZYZ(10deg, 20deg, 30deg).euler(\"ZYX\")",
+        {.check = check_word<"sequence", kEulerSequences>}),
     def<singular>("posC.singular(p: posC, sequence: string) -> bool",
                   "Whether the Euler angles of this sequence are not unique: the first and third "
                   "axis coincide.",
-                  "rotY(90deg).singular(\"ZYX\")", {.check = check_word<1, kEulerSequences>}),
+                  "rotY(90deg).singular(\"ZYX\")",
+                  {.check = check_word<"sequence", kEulerSequences>}),
     def<quaternion_of>("posC.quat(p: posC) -> double[]",
                        "The orientation as a unit quaternion w, x, y, z with w >= 0.",
                        "rotZ(90deg).quat"),

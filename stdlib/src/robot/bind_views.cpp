@@ -35,7 +35,7 @@ Answer<void> check_has(Vm& vm, const RobotRef& r, int joint, int n) {
   return failure(
       vm, "R0606",
       fmt::format("joint {} of `{}`, which has {}", joint, state_of(vm, r).name, joints_text(n)),
-      0);
+      CallPart::first());
 }
 
 Answer<double> joint_value(Vm& vm, const RobotRef& r, int joint) {

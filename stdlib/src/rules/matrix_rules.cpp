@@ -10,11 +10,13 @@
 namespace armlet::bind {
 namespace {
 
-std::optional<SizeFact> size_of(const CheckCall& call, int parameter) {
-  if (const auto fact = std::dynamic_pointer_cast<const SizeFact>(call.fact(parameter)))
-    return *fact;
-  const int items = call.item_count(parameter);
-  if (!call.type(parameter)->is(Kind::kList) || items == 0) return std::nullopt;
+// The operands, whose names differ from operator to operator.
+constexpr CallPart kLeft = CallPart::first(), kRight = CallPart::operand(1);
+
+std::optional<SizeFact> size_of(const CheckCall& call, CallPart part) {
+  if (const auto fact = std::dynamic_pointer_cast<const SizeFact>(call.fact(part))) return *fact;
+  const int items = call.item_count(part);
+  if (!call.type(part)->is(Kind::kList) || items == 0) return std::nullopt;
   return SizeFact(items);
 }
 
@@ -35,10 +37,10 @@ void set_size(CheckCall& call, SizeFact size) {
 // E0305 with both operands marked.
 void report_sizes(CheckCall& call, const SizeFact& a, std::string_view word, const SizeFact& b,
                   std::string fix) {
-  Diagnostic d = make_diagnostic("E0305", call.span(1),
+  Diagnostic d = make_diagnostic("E0305", call.span(kRight),
                                  {fmt::format("{} {} {}", text_of(a), word, text_of(b))});
   d.mark.label = label_of(b);
-  d.related.push_back({call.span(0), label_of(a)});
+  d.related.push_back({call.span(kLeft), label_of(a)});
   if (!fix.empty()) d.fix = Fix{.text = std::move(fix)};
   call.report(std::move(d));
 }
@@ -49,8 +51,8 @@ std::string_view word_of(std::string_view function) {
   return function.substr(std::string_view("operator").size());
 }
 
-std::optional<std::int64_t> whole(const CheckCall& call, int parameter) {
-  const auto value = call.constant(parameter);
+std::optional<std::int64_t> whole(const CheckCall& call, CallPart part) {
+  const auto value = call.constant(part);
   if (!value || value->kind != Constant::Kind::kInt || value->integer < 0) return std::nullopt;
   return value->integer;
 }
@@ -60,7 +62,7 @@ bool refuse_oblong(CheckCall& call, const SizeFact& size) {
   const bool power = call.function_name() == "operator^";
   const std::string name = power ? "a power" : std::string(call.function_name());
   Diagnostic d =
-      make_diagnostic("E0305", call.span(0), {fmt::format("{} of {}", name, text_of(size))});
+      make_diagnostic("E0305", call.span(kLeft), {fmt::format("{} of {}", name, text_of(size))});
   d.mark.label = label_of(size);
   d.why = fmt::format("{} needs a square matrix", name);
   call.report(std::move(d));
@@ -70,8 +72,8 @@ bool refuse_oblong(CheckCall& call, const SizeFact& size) {
 }  // namespace
 
 void check_product(CheckCall& call) {
-  const auto a = size_of(call, 0);
-  const auto b = size_of(call, 1);
+  const auto a = size_of(call, kLeft);
+  const auto b = size_of(call, kRight);
   if (!a || !b) return;
   if (a->cols != b->rows) {
     return report_sizes(call, *a, "times", *b,
@@ -83,8 +85,8 @@ void check_product(CheckCall& call) {
 }
 
 void check_solve(CheckCall& call) {
-  const auto a = size_of(call, 0);
-  const auto b = size_of(call, 1);
+  const auto a = size_of(call, kLeft);
+  const auto b = size_of(call, kRight);
   if (!a || !b) return;
   if (a->rows != b->rows) {
     return report_sizes(call, *a, "\\", *b,
@@ -95,8 +97,8 @@ void check_solve(CheckCall& call) {
 }
 
 void check_sum(CheckCall& call) {
-  const auto a = size_of(call, 0);
-  const auto b = size_of(call, 1);
+  const auto a = size_of(call, kLeft);
+  const auto b = size_of(call, kRight);
   if (!a || !b) return;
   if (a->rows != b->rows || a->cols != b->cols) {
     return report_sizes(call, *a, word_of(call.function_name()), *b,
@@ -106,48 +108,48 @@ void check_sum(CheckCall& call) {
 }
 
 void check_same_size(CheckCall& call) {
-  for (const int parameter : {0, 1}) {
-    if (parameter == 1 && call.type(0)->is(Kind::kMatrix)) return;
-    if (!call.type(parameter)->is(Kind::kMatrix)) continue;
-    if (const auto size = size_of(call, parameter)) set_size(call, *size);
+  for (const CallPart part : {kLeft, kRight}) {
+    if (part == kRight && call.type(kLeft)->is(Kind::kMatrix)) return;
+    if (!call.type(part)->is(Kind::kMatrix)) continue;
+    if (const auto size = size_of(call, part)) set_size(call, *size);
     return;
   }
 }
 
 void check_square(CheckCall& call) {
-  const auto size = size_of(call, 0);
+  const auto size = size_of(call, kLeft);
   if (size && !refuse_oblong(call, *size)) set_size(call, *size);
 }
 
 void check_square_to_number(CheckCall& call) {
-  if (const auto size = size_of(call, 0)) refuse_oblong(call, *size);
+  if (const auto size = size_of(call, kLeft)) refuse_oblong(call, *size);
 }
 
 void check_transposed(CheckCall& call) {
-  if (const auto size = size_of(call, 0)) set_size(call, SizeFact(size->cols, size->rows));
+  if (const auto size = size_of(call, kLeft)) set_size(call, SizeFact(size->cols, size->rows));
 }
 
 void check_filled(CheckCall& call) {
-  const auto rows = whole(call, 0);
-  const auto cols = whole(call, 1);
+  const auto rows = whole(call, kLeft);
+  const auto cols = whole(call, kRight);
   if (rows && cols) set_size(call, SizeFact(*rows, *cols));
 }
 
 void check_filled_list(CheckCall& call) {
-  if (const auto n = whole(call, 0)) set_size(call, SizeFact(*n));
+  if (const auto n = whole(call, kLeft)) set_size(call, SizeFact(*n));
 }
 
 void check_identity(CheckCall& call) {
-  if (const auto n = whole(call, 0)) set_size(call, SizeFact(*n, *n));
+  if (const auto n = whole(call, kLeft)) set_size(call, SizeFact(*n, *n));
 }
 
 void check_diagonal(CheckCall& call) {
-  if (const auto v = size_of(call, 0)) set_size(call, SizeFact(v->rows, v->rows));
+  if (const auto v = size_of(call, kLeft)) set_size(call, SizeFact(v->rows, v->rows));
 }
 
 void check_outer(CheckCall& call) {
-  const auto v = size_of(call, 0);
-  const auto w = size_of(call, 1);
+  const auto v = size_of(call, kLeft);
+  const auto w = size_of(call, kRight);
   if (v && w) set_size(call, SizeFact(v->rows, w->rows));
 }
 

@@ -50,10 +50,10 @@ void set_position_fact(CheckCall& call, int count, std::vector<PositionFact::Ite
 std::vector<PositionFact::Item> written_values(const CheckCall& call, int count) {
   std::vector<PositionFact::Item> out;
   for (int i = 0; i < count; ++i) {
-    const auto constant = call.item_constant(0, i);
-    const Type* type = call.item_type(0, i);
+    const auto constant = call.item_constant(CallPart::first(), i);
+    const Type* type = call.item_type(CallPart::first(), i);
     PositionFact::Item& item = out.emplace_back();
-    item.written = call.item_span(0, i);
+    item.written = call.item_span(CallPart::first(), i);
     if (constant) item.value = constant->real;
     if (type != nullptr && type->is_quantity()) item.turns = type->dim == dims::kAngle;
   }
@@ -104,7 +104,7 @@ std::string unit_fix(double value, std::string_view text, bool turns) {
 }
 
 void report_missing_unit(CheckCall& call, const RobotFact* robot, int item, double value) {
-  const Span span = call.item_span(0, item);
+  const Span span = call.item_span(CallPart::first(), item);
   Diagnostic d = make_diagnostic("E0401", span);
   d.mark.label = "plain number";
   const bool turns = robot == nullptr || robot->turns[item];
@@ -131,13 +131,13 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 
 void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const Type* type) {
   Diagnostic d = make_diagnostic(
-      row("E0404"), call.item_span(0, item),
+      row("E0404"), call.item_span(CallPart::first(), item),
       {std::to_string(item + 1), robot.turns[item] ? "turns" : "slides",
        robot.turns[item] ? "an angle" : "a length", std::string(type_phrase(type))});
   d.mark.label = fmt::format("{} value", ordinal(item));
   d.why = joint_list(robot);
   // 30deg for a prismatic joint: the number is kept.
-  const std::string text = call.text_of(call.item_span(0, item));
+  const std::string text = call.text_of(call.item_span(CallPart::first(), item));
   const std::size_t digits = text.find_first_not_of("0123456789._-");
   const bool is_literal = digits != std::string::npos && digits > 0 &&
                           std::ranges::all_of(text.substr(digits), is_letter);
@@ -145,21 +145,21 @@ void report_wrong_kind(CheckCall& call, const RobotFact& robot, int item, const 
   const std::string other = (is_literal ? text.substr(0, digits) : "30") + unit;
   d.fix = Fix{.text = (robot.turns[item] ? "write an angle such as " : "write a length such as ") +
                       other};
-  if (is_literal) d.fix->edits = {{call.item_span(0, item), other}};
+  if (is_literal) d.fix->edits = {{call.item_span(CallPart::first(), item), other}};
   call.report(std::move(d));
 }
 
 }  // namespace
 
 void check_posj_values(CheckCall& call) {
-  const int count = call.item_count(0);
+  const int count = call.item_count(CallPart::first());
   const auto robot = ambient_robot(call);
   const bool fits = robot != nullptr && static_cast<int>(robot->turns.size()) == count;
   if (robot == nullptr || fits) set_position_fact(call, count, written_values(call, count));
   for (int i = 0; i < count; ++i) {
-    const Type* type = call.item_type(0, i);
+    const Type* type = call.item_type(CallPart::first(), i);
     if (type == nullptr || type->is(Kind::kAny)) continue;
-    const auto constant = call.item_constant(0, i);
+    const auto constant = call.item_constant(CallPart::first(), i);
     const bool plain = !type->is_quantity();
     if (plain) {
       const bool zero = constant && constant->real == 0.0;
@@ -171,7 +171,7 @@ void check_posj_values(CheckCall& call) {
     if (fits && type->dim != (robot->turns[i] ? dims::kAngle : dims::kLength))
       return report_wrong_kind(call, *robot, i, type);
     if (type->dim != dims::kAngle && type->dim != dims::kLength) {
-      Diagnostic d = make_diagnostic(row("E0404"), call.item_span(0, i),
+      Diagnostic d = make_diagnostic(row("E0404"), call.item_span(CallPart::first(), i),
                                      {std::to_string(i + 1), "turns or slides",
                                       "an angle or a length", std::string(type_phrase(type))});
       d.mark.label = fmt::format("{} value", ordinal(i));
@@ -180,33 +180,33 @@ void check_posj_values(CheckCall& call) {
   }
   if (robot != nullptr && !fits) {
     report_count(call, *robot, count, call.call_span(),
-                 [&](int i) { return call.item_span(0, i); });
+                 [&](int i) { return call.item_span(CallPart::first(), i); });
   }
 }
 
 void check_posj_list(CheckCall& call) {
-  const auto constant = call.constant(0);
+  const auto constant = call.constant(CallPart::first());
   const auto robot = ambient_robot(call);
   if (!constant || constant->kind != Constant::Kind::kList) return;
   const int count = static_cast<int>(constant->items.size());
   if (robot != nullptr && static_cast<int>(robot->turns.size()) != count) {
-    return report_count(call, *robot, count, call.span(0),
-                        [&](int i) { return call.origin(0, i); });
+    return report_count(call, *robot, count, call.span(CallPart::first()),
+                        [&](int i) { return call.origin(CallPart::first(), i); });
   }
   // A list in a variable may change before it is used; the run reports where it was set (R0602).
   std::vector<PositionFact::Item> items;
-  const Span used = call.span(0);
+  const Span used = call.span(CallPart::first());
   for (int i = 0; i < count; ++i) {
-    const Span origin = call.origin(0, i);
+    const Span origin = call.origin(CallPart::first(), i);
     const bool in_place =
         origin.source == used.source && origin.begin >= used.begin && origin.end <= used.end;
     items.push_back({.written = origin});
     if (in_place) items.back().value = constant->items[static_cast<std::size_t>(i)].real;
   }
   set_position_fact(call, count, std::move(items));
-  const Type* type = call.type(0);
+  const Type* type = call.type(CallPart::first());
   const bool plain = type != nullptr && type->is(Kind::kList) && !type->element->is_quantity();
-  if (plain) advise_degrees(call, 0, constant->items, robot.get());
+  if (plain) advise_degrees(call, CallPart::first(), constant->items, robot.get());
 }
 
 // ---- moves --------------------------------------------------------------------------------------
@@ -219,8 +219,8 @@ static std::string listed(const std::vector<std::string>& names) {
   return out;
 }
 
-void check_planner(CheckCall& call, int parameter) {
-  const auto constant = call.constant(parameter);
+void check_planner(CheckCall& call, CallPart part) {
+  const auto constant = call.constant(part);
   if (!constant || constant->kind != Constant::Kind::kText) return;
   const auto* host = static_cast<const Host*>(call.host());
   const PlannerSet planners = host != nullptr ? host->planners() : PlannerSet();
@@ -228,7 +228,7 @@ void check_planner(CheckCall& call, int parameter) {
   if (planners.has(name) || call.mentions("addPlanner")) return;
   const std::vector<std::string> names = planners.names();
   const std::vector<std::string_view> all(names.begin(), names.end());
-  const Span span = call.span(parameter);
+  const Span span = call.span(part);
   Diagnostic d = make_diagnostic(row("E0202"), span, {name});
   d.why = "the planners are " + listed(names);
   if (const auto meant = most_similar(name, all)) {
@@ -239,19 +239,19 @@ void check_planner(CheckCall& call, int parameter) {
   call.report(std::move(d));
 }
 
-void check_joint_target(CheckCall& call, int parameter) {
+void check_joint_target(CheckCall& call, CallPart part) {
   const auto robot = robot_of(call);
-  const auto position = std::dynamic_pointer_cast<const PositionFact>(call.fact(parameter));
+  const auto position = std::dynamic_pointer_cast<const PositionFact>(call.fact(part));
   if (robot == nullptr || position == nullptr) return;
   if (position->count != static_cast<int>(robot->turns.size())) {
-    report_count(call, *robot, position->count, call.span(parameter), [&](int) { return Span{}; });
+    report_count(call, *robot, position->count, call.span(part), [&](int) { return Span{}; });
   } else {
-    check_joint_limits(call, parameter);
+    check_joint_limits(call, part);
   }
 }
 
-std::vector<Edit> without(const CheckCall& call, int parameter) {
-  Span setting = call.setting_span(parameter);
+std::vector<Edit> without(const CheckCall& call, CallPart part) {
+  Span setting = call.setting_span(part);
   const std::uint32_t begin = call.call_span().begin;
   const std::string before = call.text_of({begin, setting.begin, setting.source});
   const std::size_t comma = before.find_last_not_of(" \t\r\n");
@@ -260,14 +260,15 @@ std::vector<Edit> without(const CheckCall& call, int parameter) {
   return {{setting, ""}};
 }
 
-void check_duration(CheckCall& call, int parameter) {
-  const auto constant = call.given(parameter) ? call.constant(parameter) : std::nullopt;
+void check_duration(CheckCall& call, CallPart part) {
+  const auto constant = call.given(part) ? call.constant(part) : std::nullopt;
   if (!constant || !(constant->real < 0.0)) return;
-  call.report(make_diagnostic("E0513", call.span(parameter),
+  call.report(make_diagnostic("E0513", call.span(part),
                               {"the time", "0 or more", format_number(constant->real, 6) + " s"}));
 }
 
-void check_time_and_speed(CheckCall& call, int time, int speed) {
+void check_time_and_speed(CheckCall& call) {
+  constexpr CallPart time = at("time"), speed = at("speed");
   if (call.given(time) && call.given(speed)) {
     Diagnostic d = make_diagnostic(row("E0506"), call.setting_span(speed));
     d.related.push_back({call.setting_span(time), ""});
@@ -278,55 +279,53 @@ void check_time_and_speed(CheckCall& call, int time, int speed) {
 }
 
 void check_move_joints(CheckCall& call) {
-  check_joint_target(call, 1);
-  check_time_and_speed(call, 2, 3);
-  check_fraction(call, 3);
-  check_fraction(call, 4);
-  check_planner(call, 5);
-  check_joints_in_path(call, 7);
-  if (!call.given(6)) return;
-  Diagnostic d = make_diagnostic("E0207", call.setting_span(6), {"moveJ", "near"});
+  check_joint_target(call, at("target"));
+  check_move_position(call);
+  if (!call.given(at("near"))) return;
+  Diagnostic d = make_diagnostic("E0207", call.setting_span(at("near")), {"moveJ", "near"});
   d.why = "near chooses among the joint values that reach a place; a posJ is such values already";
-  d.fix = Fix{.text = "leave near out", .edits = without(call, 6), .confidence = Confidence::kSure};
+  d.fix = Fix{.text = "leave near out",
+              .edits = without(call, at("near")),
+              .confidence = Confidence::kSure};
   call.report(std::move(d));
 }
 void check_move_position(CheckCall& call) {
-  check_time_and_speed(call, 2, 3);
-  check_fraction(call, 3);
-  check_fraction(call, 4);
-  check_planner(call, 5);
-  check_joints_in_path(call, 7);
+  check_time_and_speed(call);
+  check_fraction(call, at("speed"));
+  check_fraction(call, at("accel"));
+  check_planner(call, at("traj"));
+  check_joints_in_path(call);
 }
 void check_move_line(CheckCall& call) {
-  check_time_and_speed(call, 2, 3);
-  check_positive(call, 3);
-  check_positive(call, 4);
-  check_in_path(call, {.time = 2, .tool = 5, .blend = 7});
+  check_time_and_speed(call);
+  check_positive(call, at("speed"));
+  check_positive(call, at("accel"));
+  check_in_path(call, TakesTool::kYes);
 }
 
 void check_classic_joints(CheckCall& call) {
-  check_planner(call, 1);
-  check_joint_target(call, 2);
-  check_duration(call, 3);
+  check_planner(call, at("traj"));
+  check_joint_target(call, at("p"));
+  check_duration(call, at("time"));
 }
 void check_classic_position(CheckCall& call) {
-  check_planner(call, 1);
-  check_duration(call, 3);
+  check_planner(call, at("traj"));
+  check_duration(call, at("time"));
 }
 
 void explain_list_for_posj(CheckCall& call) {
-  const Span span = call.span(2);
+  const Span span = call.span(at("q"));
   Diagnostic d = make_diagnostic("E0301", span, {"second", "a position"});
-  d.mark.label = fmt::format("this is {}", type_phrase(call.type(2)));
+  d.mark.label = fmt::format("this is {}", type_phrase(call.type(at("q"))));
   const std::string_view wanted = call.function_name() == "moveC" ? "posC" : "posJ";
   d.why = fmt::format("`{}` moves to a {}, an object made from the numbers", call.function_name(),
                       wanted);
   const std::string whole = call.text_of(call.call_span());
   const std::string value = call.text_of(span);
-  const std::size_t at = span.begin - call.call_span().begin;
+  const std::size_t offset = span.begin - call.call_span().begin;
   const std::string made = fmt::format("new {}({})", wanted, value);
-  d.fix = Fix{.text = fmt::format("write {}{}{};", whole.substr(0, at), made,
-                                  whole.substr(at + value.size())),
+  d.fix = Fix{.text = fmt::format("write {}{}{};", whole.substr(0, offset), made,
+                                  whole.substr(offset + value.size())),
               .edits = {{span, made}},
               .confidence = Confidence::kSure};
   call.report(std::move(d));
@@ -347,33 +346,44 @@ void explain_arc(CheckCall& call) {
 
 namespace {
 
-void check_lengths(CheckCall& call, std::initializer_list<std::string_view> names) {
-  int parameter = -1;
-  for (const std::string_view name : names) {
-    const auto constant = call.constant(++parameter);
+// A length of a shape: its parameter, and what messages call it.
+struct Length {
+  CallPart part;
+  std::string_view name;
+};
+
+void check_lengths(CheckCall& call, std::initializer_list<Length> lengths) {
+  for (const auto& [part, name] : lengths) {
+    const auto constant = call.constant(part);
     if (!constant || constant->real > 0.0) continue;
     return call.report(make_diagnostic(
-        "E0513", call.span(parameter),
+        "E0513", call.span(part),
         {fmt::format("the {}", name), "more than 0 mm", format_mm(constant->real)}));
   }
 }
 
 }  // namespace
 
-void check_box(CheckCall& call) { check_lengths(call, {"length x", "length y", "length z"}); }
-void check_cylinder(CheckCall& call) { check_lengths(call, {"radius", "height"}); }
-void check_plane(CheckCall& call) { check_lengths(call, {"length x", "length y"}); }
-void check_sphere(CheckCall& call) { check_lengths(call, {"radius"}); }
+void check_box(CheckCall& call) {
+  check_lengths(call, {{at("x"), "length x"}, {at("y"), "length y"}, {at("z"), "length z"}});
+}
+void check_cylinder(CheckCall& call) {
+  check_lengths(call, {{at("radius"), "radius"}, {at("height"), "height"}});
+}
+void check_plane(CheckCall& call) {
+  check_lengths(call, {{at("x"), "length x"}, {at("y"), "length y"}});
+}
+void check_sphere(CheckCall& call) { check_lengths(call, {{at("radius"), "radius"}}); }
 
 void check_object_name(CheckCall& call) {
-  const auto constant = call.constant(0);
+  const auto constant = call.constant(CallPart::first());
   const WorldNames* world = call.world();
   if (!constant || world == nullptr) return;
   const std::string& name = constant->text;
   if (call.declares("object", name)) return;
   call.use_world();
   if (call.mentions("spawn") || world->has(name)) return;
-  Diagnostic d = make_diagnostic(row("E0203"), call.span(0), {name});
+  Diagnostic d = make_diagnostic(row("E0203"), call.span(CallPart::first()), {name});
   if (!call.takes_errors()) return call.report(std::move(d));
   std::vector<std::string> known;
   for (const std::string& thing : world->things) {
@@ -390,7 +400,7 @@ void check_object_name(CheckCall& call) {
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   if (const auto meant = most_similar(name, candidates)) {
     d.fix = Fix{.text = fmt::format("did you mean \"{}\"?", *meant),
-                .edits = {{call.span(0), fmt::format("\"{}\"", *meant)}},
+                .edits = {{call.span(CallPart::first()), fmt::format("\"{}\"", *meant)}},
                 .confidence = Confidence::kSure};
   }
   call.report(std::move(d));

@@ -66,15 +66,15 @@ void note_upright(CheckCall& call);
 // Notes the model of a robot with these joints. If any of the parameters `may_tilt` is given, the
 // base or the tool may be tilted.
 void note_model(CheckCall& call, RobotFact& fact, const std::vector<Joint>& joints,
-                DhConvention convention, std::initializer_list<int> may_tilt);
+                DhConvention convention, std::initializer_list<CallPart> may_tilt);
 // Whether one of these parameters is given that may tilt the base or the tool of a robot.
-[[nodiscard]] bool may_be_tilted(const CheckCall& call, std::initializer_list<int> may_tilt);
+[[nodiscard]] bool may_be_tilted(const CheckCall& call, std::initializer_list<CallPart> may_tilt);
 
 // W0702: radians that look like degrees, in a list of joint values known from the text.
-void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>& items,
+void advise_degrees(CheckCall& call, CallPart part, const std::vector<Constant>& items,
                     const RobotFact* robot);
 // Reports W0702 for a parameter that takes joint values as a list.
-template <int kParameter>
+template <ParameterName kName>
 void check_joint_list(CheckCall& call);
 
 // The robot that a call without a robot uses; for a call with one, its first parameter.
@@ -89,48 +89,43 @@ void check_dh_table(CheckCall& call);
 void check_ready_robot(CheckCall& call);
 void check_default_robot(CheckCall& call);
 void set_robot_fact(CheckCall& call, std::shared_ptr<const Robot> robot, std::string name,
-                    std::initializer_list<int> may_tilt = {});
+                    std::initializer_list<CallPart> may_tilt = {});
 
 // E0534: known joint values that are beyond known limits.
 void check_joint_values(CheckCall& call, const RobotFact& robot, const PositionFact& position,
                         Span used);
 // Reports E0534 for a parameter, a posJ or a list of them, of a call whose first parameter is the
 // robot.
-void check_joint_limits(CheckCall& call, int parameter);
+void check_joint_limits(CheckCall& call, CallPart part);
 // Reports E0534 for a posJ, and E0302 for a wrong number of values.
-void check_joint_target(CheckCall& call, int parameter);
-template <int kParameter>
+void check_joint_target(CheckCall& call, CallPart part);
+template <ParameterName kName>
 void check_joints_of(CheckCall& call) {
-  check_joint_target(call, kParameter);
+  check_joint_target(call, kPart<kName>);
 }
 
-// Moves. The parameters have the order of the signatures in brackets.
-void check_move_joints(CheckCall& call);       // (r, target: posJ, ..., traj: string)
-void check_move_position(CheckCall& call);     // (r, target: posC, ..., traj: string)
-void check_classic_joints(CheckCall& call);    // (r, traj, posJ, time)
-void check_classic_position(CheckCall& call);  // (r, traj, posC, time)
-void check_move_line(CheckCall& call);  // (r, target, time, speed, accel, tool, frame, blend)
+// Moves.
+void check_move_joints(CheckCall& call);       // to a posJ
+void check_move_position(CheckCall& call);     // to a posC
+void check_classic_joints(CheckCall& call);    // moveJ(traj, posJ, time)
+void check_classic_position(CheckCall& call);  // moveJ(traj, posC, time)
+void check_move_line(CheckCall& call);
 // Parts of these rules: an unknown planner, and a time together with a speed.
-void check_planner(CheckCall& call, int parameter);
-void check_time_and_speed(CheckCall& call, int time, int speed);
+void check_planner(CheckCall& call, CallPart part);
+void check_time_and_speed(CheckCall& call);
 // The edit that removes a setting; empty if no comma precedes it.
-[[nodiscard]] std::vector<Edit> without(const CheckCall& call, int parameter);
+[[nodiscard]] std::vector<Edit> without(const CheckCall& call, CallPart part);
 // A negative duration in the text: E0513.
-void check_duration(CheckCall& call, int parameter);
+void check_duration(CheckCall& call, CallPart part);
 void check_arc(CheckCall& call);     // (r, via, target, time, speed, blend)
 void check_spline(CheckCall& call);  // (r, points, time, traj, speed)
-// Settings of a move that have a meaning only in a path, or only outside of one: E0502, E0514. -1:
-// the move has no such setting.
-struct PathParameters {
-  int time = -1;
-  int tool = -1;
-  int blend = -1;
-};
-void check_in_path(CheckCall& call, const PathParameters& parameters);
-void check_joints_in_path(CheckCall& call,
-                          int blend);  // (r, target, time, speed, accel, traj, ...)
+// The settings time, tool and blend of a move, which have a meaning only in a path, or only outside
+// of one: E0502, E0514.
+enum class TakesTool { kNo, kYes };
+void check_in_path(CheckCall& call, TakesTool takes_tool);
+void check_joints_in_path(CheckCall& call);  // also speed, accel and traj
 // A length given to `path` or in it: E0513.
-void check_blend(CheckCall& call, int parameter);
+void check_blend(CheckCall& call, CallPart part);
 // (name, points, time, durations, speed, accel), after the robot or without it.
 template <bool kRobotFirst>
 void check_trajectory(CheckCall& call);
@@ -147,8 +142,8 @@ void check_sphere(CheckCall& call);
 // The first parameter is an object's name: E0203.
 void check_object_name(CheckCall& call);
 
-// Joint values in parameter `parameter` of a call whose first parameter is the robot.
-void check_list_of_joints(CheckCall& call, int parameter);
+// Joint values in parameter `part` of a call whose first parameter is the robot.
+void check_list_of_joints(CheckCall& call, CallPart part);
 
 // A list with a number for each joint, in a call whose first parameter is the robot: its numbers
 // get their units as soon as the joints of the robot are known, before or in the run (DimsFact).
@@ -169,13 +164,13 @@ void note_dh_table(CheckCall& call);
 void note_twist(CheckCall& call);
 void note_twist_rate(CheckCall& call);
 
-// The result is a motion of the robot in parameter `kParameter`, or of the motion there, so that
-// numbers for its joints have units.
-template <int kParameter>
+// The result is a motion of the robot in parameter `kName`, or of the motion there, so that numbers
+// for its joints have units.
+template <ParameterName kName>
 void note_motion_of(CheckCall& call) {
-  const bool is_given = call.given(kParameter);
-  auto known = is_given ? call.fact(kParameter) : nullptr;
-  if (!is_given && kParameter == 0) known = call.ambient_fact("robot");
+  const bool is_given = call.given(kPart<kName>);
+  auto known = is_given ? call.fact(kPart<kName>) : nullptr;
+  if (!is_given && kPart<kName> == at("r")) known = call.ambient_fact("robot");
   if (known != nullptr) call.set_result_fact(std::move(known));
 }
 
@@ -185,9 +180,9 @@ void check_all_of(CheckCall& call) {
   (kRules(call), ...);
 }
 
-template <int kParameter>
+template <ParameterName kName>
 void check_joint_list(CheckCall& call) {
-  check_list_of_joints(call, kParameter);
+  check_list_of_joints(call, kPart<kName>);
 }
 
 }  // namespace armlet::bind

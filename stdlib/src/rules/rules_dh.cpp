@@ -12,9 +12,6 @@
 namespace armlet::bind {
 namespace {
 
-// (table: double[][], types: string or string[], limits: double[][], convention, base, tool, name)
-enum { kTable, kTypes, kLimits, kConvention, kBase, kTool, kName };
-
 std::string count_of(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
@@ -25,7 +22,7 @@ bool is_list(const std::optional<Constant>& value) {
 
 // "RRPR" from a word or from one text for each joint; nullopt if it is not known from the text.
 std::optional<std::string> kinds_of(const CheckCall& call) {
-  const auto types = call.constant(kTypes);
+  const auto types = call.constant(at("types"));
   if (!types) return std::nullopt;
   if (types->kind == Constant::Kind::kText) return types->text;
   std::string word;
@@ -39,7 +36,7 @@ bool check_rows(CheckCall& call, const Constant& table) {
   for (std::size_t i = 0; i < table.items.size(); ++i) {
     const std::size_t found = table.items[i].items.size();
     if (table.items[i].kind != Constant::Kind::kList || found == kRow) continue;
-    Diagnostic d = make_diagnostic(row("E0509"), call.item_span(kTable, static_cast<int>(i)),
+    Diagnostic d = make_diagnostic(row("E0509"), call.item_span(at("table"), static_cast<int>(i)),
                                    {std::to_string(i + 1), count_of(found, "value")});
     d.why = "a row is theta, d, a, alpha";
     call.report(std::move(d));
@@ -50,13 +47,13 @@ bool check_rows(CheckCall& call, const Constant& table) {
 
 // E0511; false if a pair was reported.
 bool check_limits(CheckCall& call, const std::string& kinds) {
-  const auto limits = call.constant(kLimits);
+  const auto limits = call.constant(at("limits"));
   if (!is_list(limits)) return true;
   for (std::size_t i = 0; i < limits->items.size() && i < kinds.size(); ++i) {
     const auto& pair = limits->items[i].items;
     if (pair.size() != 2 || pair[0].real <= pair[1].real) continue;
     const JointKind kind = kinds[i] == 'R' ? JointKind::kRevolute : JointKind::kPrismatic;
-    Diagnostic d = make_diagnostic(row("E0511"), call.item_span(kLimits, static_cast<int>(i)),
+    Diagnostic d = make_diagnostic(row("E0511"), call.item_span(at("limits"), static_cast<int>(i)),
                                    {format_joint_value(kind, pair[0].real), std::to_string(i + 1),
                                     format_joint_value(kind, pair[1].real)});
     d.fix = Fix{.text = "limits are written as [lower, upper]"};
@@ -88,8 +85,9 @@ void report_assumed_limits(CheckCall& call, const std::string& kinds) {
 
 // Notes the model of a robot from a table, if the whole table is known from the text.
 void note_table_model(CheckCall& call, const std::string& kinds, RobotFact& fact) try {
-  const auto table = call.constant(kTable);
-  const auto convention = call.given(kConvention) ? call.constant(kConvention) : Constant{};
+  const auto table = call.constant(at("table"));
+  const auto convention =
+      call.given(at("convention")) ? call.constant(at("convention")) : Constant{};
   if (!is_list(table) || !convention) return;
   std::vector<std::vector<double>> rows;
   for (const Constant& line : table->items) {
@@ -98,7 +96,7 @@ void note_table_model(CheckCall& call, const std::string& kinds, RobotFact& fact
   }
   note_model(call, fact, joints_from_table(rows, kinds),
              convention->text == "modified" ? DhConvention::kModified : DhConvention::kStandard,
-             {kBase, kTool});
+             {at("base"), at("tool")});
 } catch (const ArgumentError&) {
   // A table that makes no robot is reported in the run, with the reason.
 }
@@ -106,32 +104,32 @@ void note_table_model(CheckCall& call, const std::string& kinds, RobotFact& fact
 }  // namespace
 
 void check_dh_table(CheckCall& call) {
-  const auto table = call.constant(kTable);
+  const auto table = call.constant(at("table"));
   if (is_list(table) && !check_rows(call, *table)) return;
   const auto kinds = kinds_of(call);
   if (!kinds) {
-    if (!call.given(kLimits)) report_assumed_limits(call, "RP");
+    if (!call.given(at("limits"))) report_assumed_limits(call, "RP");
     return;
   }
   const bool letters = kinds->find_first_not_of("RP") == std::string::npos;
   if (!letters || (is_list(table) && kinds->size() != table->items.size())) {
-    Diagnostic d = make_diagnostic(row("E0510"), call.span(kTypes), {*kinds});
+    Diagnostic d = make_diagnostic(row("E0510"), call.span(at("types")), {*kinds});
     if (letters)
       d.mark.label = fmt::format("{} for {}", count_of(kinds->size(), "joint"),
                                  count_of(table->items.size(), "row"));
     d.why = "R is a joint that turns, P one that slides";
     return call.report(std::move(d));
   }
-  if (!call.given(kLimits)) {
+  if (!call.given(at("limits"))) {
     report_assumed_limits(call, *kinds);
   } else if (!check_limits(call, *kinds)) {
     return;
   }
   auto fact = std::make_shared<RobotFact>();
-  const auto name = call.constant(kName);
+  const auto name = call.constant(at("name"));
   fact->name = name ? name->text : "this robot";
   for (const char c : *kinds) fact->turns.push_back(c == 'R');
-  const auto limits = call.given(kLimits) ? call.constant(kLimits) : std::nullopt;
+  const auto limits = call.given(at("limits")) ? call.constant(at("limits")) : std::nullopt;
   for (std::size_t i = 0; is_list(limits) && i < limits->items.size(); ++i) {
     const auto& pair = limits->items[i].items;
     fact->limits.emplace_back();

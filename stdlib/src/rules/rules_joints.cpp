@@ -28,17 +28,17 @@ struct Rewritten {
   std::vector<Edit> edits;
 };
 
-Rewritten with_degrees(const CheckCall& call, int parameter, const std::vector<Constant>& items,
+Rewritten with_degrees(const CheckCall& call, CallPart part, const std::vector<Constant>& items,
                        const RobotFact* robot) {
   Rewritten out;
-  const Span begin = call.origin(parameter, 0);
+  const Span begin = call.origin(part, 0);
   out.braces = begin.begin > 0 && call.text_of({begin.begin - 1, begin.begin, begin.source}) == "{";
   const std::string_view suffix = out.braces ? kUnit : kFactor;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const bool turns = robot == nullptr || i >= robot->turns.size() || robot->turns[i];
     const double size = std::abs(items[i].real);
     const bool many = turns && size > kMoreThanARevolution && size < kNoAngle;
-    const Span origin = call.origin(parameter, static_cast<int>(i));
+    const Span origin = call.origin(part, static_cast<int>(i));
     if (origin.empty()) return {};
     if (many && out.first < 0) out.first = static_cast<int>(i);
     out.text += fmt::format("{}{}{}", i > 0 ? ", " : "", call.text_of(origin), many ? suffix : "");
@@ -58,12 +58,12 @@ std::string revolutions_text(double value) {
 
 }  // namespace
 
-void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>& items,
+void advise_degrees(CheckCall& call, CallPart part, const std::vector<Constant>& items,
                     const RobotFact* robot) {
-  Rewritten meant = with_degrees(call, parameter, items, robot);
+  Rewritten meant = with_degrees(call, part, items, robot);
   if (meant.first < 0) return;
-  const Span origin = call.origin(parameter, meant.first);
-  const Span used = call.span(parameter);
+  const Span origin = call.origin(part, meant.first);
+  const Span used = call.span(part);
   // A list written in the call itself is marked at the number.
   const bool in_place = is_inside(origin, used);
   Diagnostic d =
@@ -78,13 +78,13 @@ void advise_degrees(CheckCall& call, int parameter, const std::vector<Constant>&
   call.report(std::move(d));
 }
 
-void check_list_of_joints(CheckCall& call, int parameter) {
-  if (!call.given(parameter)) return;
-  const auto constant = call.constant(parameter);
+void check_list_of_joints(CheckCall& call, CallPart part) {
+  if (!call.given(part)) return;
+  const auto constant = call.constant(part);
   if (!constant || constant->kind != Constant::Kind::kList) return;
-  const Type* type = call.type(parameter);
+  const Type* type = call.type(part);
   if (type == nullptr || !type->is(Kind::kList) || type->element->is_quantity()) return;
-  advise_degrees(call, parameter, constant->items, robot_of(call).get());
+  advise_degrees(call, part, constant->items, robot_of(call).get());
 }
 
 std::shared_ptr<const RobotFact> ambient_robot(const CheckCall& call) {
@@ -92,7 +92,8 @@ std::shared_ptr<const RobotFact> ambient_robot(const CheckCall& call) {
 }
 
 std::shared_ptr<const RobotFact> robot_of(const CheckCall& call) {
-  if (call.given(0)) return std::dynamic_pointer_cast<const RobotFact>(call.fact(0));
+  if (call.given(CallPart::first()))
+    return std::dynamic_pointer_cast<const RobotFact>(call.fact(CallPart::first()));
   return ambient_robot(call);
 }
 

@@ -72,18 +72,18 @@ void check_joint_values(CheckCall& call, const RobotFact& robot, const PositionF
   }
 }
 
-void check_joint_limits(CheckCall& call, int parameter) {
+void check_joint_limits(CheckCall& call, CallPart part) {
   const auto robot = robot_of(call);
-  if (robot == nullptr || !call.given(parameter)) return;
+  if (robot == nullptr || !call.given(part)) return;
   const auto check = [&](const std::shared_ptr<const Fact>& fact, Span used) {
     if (const auto position = std::dynamic_pointer_cast<const PositionFact>(fact))
       check_joint_values(call, *robot, *position, used);
   };
-  check(call.fact(parameter), call.span(parameter));
-  const Type* type = call.type(parameter);
+  check(call.fact(part), call.span(part));
+  const Type* type = call.type(part);
   if (type == nullptr || !type->is(Kind::kList)) return;
-  for (int i = 0; i < call.item_count(parameter); ++i)
-    check(call.item_fact(parameter, i), call.item_span(parameter, i));
+  for (int i = 0; i < call.item_count(part); ++i)
+    check(call.item_fact(part, i), call.item_span(part, i));
 }
 
 }  // namespace armlet::bind

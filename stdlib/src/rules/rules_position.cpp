@@ -27,9 +27,9 @@ std::string numbers_text(const std::set<int>& counts) {
   return out + " numbers";
 }
 
-bool leaves_upright(const CheckCall& call, int parameter) {
-  return !call.given(parameter) ||
-         std::dynamic_pointer_cast<const UprightFact>(call.fact(parameter)) != nullptr;
+bool leaves_upright(const CheckCall& call, CallPart part) {
+  return !call.given(part) ||
+         std::dynamic_pointer_cast<const UprightFact>(call.fact(part)) != nullptr;
 }
 
 // The coordinates of the tool that a robot controls, if they are known from the text.
@@ -42,8 +42,8 @@ std::optional<TaskSpace> space_of(const RobotFact& robot) {
 
 }  // namespace
 
-bool may_be_tilted(const CheckCall& call, std::initializer_list<int> may_tilt) {
-  return !std::ranges::all_of(may_tilt, [&](int each) { return leaves_upright(call, each); });
+bool may_be_tilted(const CheckCall& call, std::initializer_list<CallPart> may_tilt) {
+  return !std::ranges::all_of(may_tilt, [&](CallPart each) { return leaves_upright(call, each); });
 }
 
 Joint joint_of(const JointFact& fact) {
@@ -58,7 +58,7 @@ Joint joint_of(const JointFact& fact) {
 void note_upright(CheckCall& call) { call.set_result_fact(std::make_shared<UprightFact>()); }
 
 void note_model(CheckCall& call, RobotFact& fact, const std::vector<Joint>& joints,
-                DhConvention convention, std::initializer_list<int> may_tilt) try {
+                DhConvention convention, std::initializer_list<CallPart> may_tilt) try {
   RobotSpec spec;
   spec.name = fact.name;
   spec.convention = convention;
@@ -71,10 +71,11 @@ void note_model(CheckCall& call, RobotFact& fact, const std::vector<Joint>& join
 
 // (values, of)
 void check_posc_list(CheckCall& call) {
-  const auto constant = call.constant(0);
+  const auto constant = call.constant(CallPart::first());
   if (!constant || constant->kind != Constant::Kind::kList) return;
-  const auto robot = call.given(1) ? std::dynamic_pointer_cast<const RobotFact>(call.fact(1))
-                                   : ambient_robot(call);
+  const auto robot = call.given(at("of"))
+                         ? std::dynamic_pointer_cast<const RobotFact>(call.fact(at("of")))
+                         : ambient_robot(call);
   std::set<int> counts = {kPlaceNumbers, kPoseNumbers};
   const auto space = robot != nullptr ? space_of(*robot) : std::nullopt;
   const TaskSpace controlled = space.value_or(TaskSpace::kOther);
@@ -83,7 +84,7 @@ void check_posc_list(CheckCall& call) {
   if (!space) counts.insert({2, 4, 5});
   const int count = static_cast<int>(constant->items.size());
   if (counts.contains(count)) return;
-  Diagnostic d = make_diagnostic("E0534", call.span(0),
+  Diagnostic d = make_diagnostic("E0534", call.span(CallPart::first()),
                                  {"posC", numbers_text(counts), fmt::format("{}", count)});
   d.why = "3 numbers are a place, 6 a place with roll, pitch and yaw";
   if (has_names) {

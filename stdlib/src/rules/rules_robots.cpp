@@ -19,7 +19,7 @@
 namespace armlet::bind {
 
 void set_robot_fact(CheckCall& call, std::shared_ptr<const Robot> robot, std::string name,
-                    std::initializer_list<int> may_tilt) {
+                    std::initializer_list<CallPart> may_tilt) {
   auto fact = std::make_shared<RobotFact>();
   fact->name = std::move(name);
   for (int i = 0; i < robot->n(); ++i) {
@@ -35,21 +35,21 @@ namespace {
 
 // (theta, d, a, alpha, limits, ...)
 void set_joint_fact(CheckCall& call, bool turns) {
-  constexpr int kLimits = 4;
+  constexpr CallPart kRow[] = {at("theta"), at("d"), at("a"), at("alpha")};
   auto fact = std::make_shared<JointFact>();
   fact->turns = turns;
-  std::array<double, kLimits> row{};
+  std::array<double, std::size(kRow)> row{};
   bool known = true;
-  for (int i = 0; i < kLimits; ++i) {
-    const auto value = call.given(i) ? call.constant(i) : Constant{};
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto value = call.given(kRow[i]) ? call.constant(kRow[i]) : Constant{};
     known = known && value;
-    if (value) row[static_cast<std::size_t>(i)] = value->real;
+    if (value) row[i] = value->real;
   }
   if (known) fact->row = DhRow{row[0], row[1], row[2], row[3]};
-  const auto limits = call.constant(kLimits);
+  const auto limits = call.constant(at("limits"));
   if (limits && limits->kind == Constant::Kind::kList && limits->items.size() == 2) {
     fact->limits = {limits->items[0].real, limits->items[1].real};
-    fact->written = call.span(kLimits);
+    fact->written = call.span(at("limits"));
   }
   call.set_result_fact(std::move(fact));
 }
@@ -77,24 +77,22 @@ void check_limits(CheckCall& call, const JointFact& joint, int i) {
 
 }  // namespace
 
-static constexpr int kRowInertia = 11;
 void check_revolute_row(CheckCall& call) {
-  check_inertia_size(call, kRowInertia);
+  check_inertia_size(call, at("inertia"));
   set_joint_fact(call, true);
 }
 void check_prismatic_row(CheckCall& call) {
-  check_inertia_size(call, kRowInertia);
+  check_inertia_size(call, at("inertia"));
   set_joint_fact(call, false);
 }
 
 // (name: string, joint: jointRow[], base, tool, gravity, convention, home, tcp, ...)
 void check_robot_block(CheckCall& call) {
-  constexpr int kBasePose = 2, kHand = 3, kConvention = 5, kToolPoint = 7;
   std::vector<Joint> joints;
   auto fact = std::make_shared<RobotFact>();
-  if (const auto name = call.constant(0)) fact->name = name->text;
-  for (int i = 0; i < call.item_count(1); ++i) {
-    const auto joint = std::dynamic_pointer_cast<const JointFact>(call.item_fact(1, i));
+  if (const auto name = call.constant(at("name"))) fact->name = name->text;
+  for (int i = 0; i < call.item_count(at("joint")); ++i) {
+    const auto joint = std::dynamic_pointer_cast<const JointFact>(call.item_fact(at("joint"), i));
     if (joint == nullptr) return;
     check_limits(call, *joint, i);
     fact->turns.push_back(joint->turns);
@@ -106,15 +104,16 @@ void check_robot_block(CheckCall& call) {
     d.fix = Fix{.text = "give it joints, such as joint revolute(a: 300mm)"};
     return call.report(std::move(d));
   }
-  constexpr int kHome = 6;
-  const auto home =
-      call.given(kHome) ? std::dynamic_pointer_cast<const PositionFact>(call.fact(kHome)) : nullptr;
-  if (home != nullptr) check_joint_values(call, *fact, *home, call.span(kHome));
-  const auto convention = call.given(kConvention) ? call.constant(kConvention) : Constant{};
+  const auto home = call.given(at("home"))
+                        ? std::dynamic_pointer_cast<const PositionFact>(call.fact(at("home")))
+                        : nullptr;
+  if (home != nullptr) check_joint_values(call, *fact, *home, call.span(at("home")));
+  const auto convention =
+      call.given(at("convention")) ? call.constant(at("convention")) : Constant{};
   if (convention && joints.size() == fact->turns.size()) {
     note_model(call, *fact, joints,
                convention->text == "modified" ? DhConvention::kModified : DhConvention::kStandard,
-               {kBasePose, kHand, kToolPoint});
+               {at("base"), at("tool"), at("tcp")});
   }
   call.set_result_fact(std::move(fact));
 }
@@ -123,12 +122,13 @@ void check_robot_block(CheckCall& call) {
 void check_ready_robot(CheckCall& call) {
   const std::string_view function = call.function_name();
   const auto robot = make_robot(function.substr(function.rfind('.') + 1));
-  const auto name = call.constant(2);
+  const auto name = call.constant(at("name"));
   // A base in the call replaces that of the catalogue.
-  auto placed = call.given(0)
+  auto placed = call.given(at("base"))
                     ? std::make_shared<const Robot>(robot->with_base(Eigen::Isometry3d::Identity()))
                     : robot;
-  set_robot_fact(call, std::move(placed), name ? name->text : robot->name(), {0, 1});
+  set_robot_fact(call, std::move(placed), name ? name->text : robot->name(),
+                 {at("base"), at("tool")});
 }
 
 void check_default_robot(CheckCall& call) {

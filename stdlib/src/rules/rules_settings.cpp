@@ -16,17 +16,17 @@ namespace armlet::bind {
 namespace {
 
 // The value of a setting that the program writes; nullopt if it is left out or computed.
-std::optional<Constant> written(const CheckCall& call, int parameter) {
-  return call.given(parameter) ? call.constant(parameter) : std::nullopt;
+std::optional<Constant> written(const CheckCall& call, CallPart part) {
+  return call.given(part) ? call.constant(part) : std::nullopt;
 }
 
 bool is_number(const Constant& constant) {
   return constant.kind == Constant::Kind::kReal || constant.kind == Constant::Kind::kInt;
 }
 
-Diagnostic refused(const CheckCall& call, int parameter, std::string accepted, std::string given) {
+Diagnostic refused(const CheckCall& call, CallPart part, std::string accepted, std::string given) {
   return make_diagnostic(
-      "E0534", call.span(parameter),
+      "E0534", call.span(part),
       {std::string(call.function_name()), std::move(accepted), std::move(given)});
 }
 
@@ -48,74 +48,74 @@ std::optional<Fix> meant_word(std::string_view written, const std::vector<std::s
              .confidence = Confidence::kMaybe};
 }
 
-void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words,
+void check_words(CheckCall& call, CallPart part, std::span<const std::string_view> words,
                  std::string_view setting) {
-  const auto constant = written(call, parameter);
+  const auto constant = written(call, part);
   if (!constant || constant->kind != Constant::Kind::kText ||
       std::ranges::find(words, constant->text) != words.end())
     return;
   std::string accepted = choice_of(words);
   if (!setting.empty()) accepted += fmt::format(" for `{}`", setting);
-  Diagnostic out = refused(call, parameter, std::move(accepted), '"' + constant->text + '"');
-  out.fix = meant_word(constant->text, {words.begin(), words.end()}, call.span(parameter));
+  Diagnostic out = refused(call, part, std::move(accepted), '"' + constant->text + '"');
+  out.fix = meant_word(constant->text, {words.begin(), words.end()}, call.span(part));
   call.report(std::move(out));
 }
 
-void check_method_word(CheckCall& call, int parameter) {
-  check_words(call, parameter, ode_method_names());
+void check_method_word(CheckCall& call, CallPart part) {
+  check_words(call, part, ode_method_names());
 }
 
-void check_endings(CheckCall& call, int parameter, std::span<const std::string_view> endings) {
-  const auto constant = written(call, parameter);
+void check_endings(CheckCall& call, CallPart part, std::span<const std::string_view> endings) {
+  const auto constant = written(call, part);
   if (!constant || constant->kind != Constant::Kind::kText) return;
   const std::string_view text = constant->text;
   const std::string_view name = text.substr(text.find_last_of('/') + 1);
   if (std::ranges::find(endings, name) != endings.end()) {
-    call.report(refused(call, parameter, fmt::format("a name before \"{}\"", name),
-                        '"' + constant->text + '"'));
+    call.report(
+        refused(call, part, fmt::format("a name before \"{}\"", name), '"' + constant->text + '"'));
     return;
   }
   if (std::ranges::any_of(endings, [&](std::string_view ending) { return text.ends_with(ending); }))
     return;
-  call.report(refused(call, parameter, "a file that ends with " + choice_of(endings),
+  call.report(refused(call, part, "a file that ends with " + choice_of(endings),
                       '"' + constant->text + '"'));
 }
 
-void check_fraction(CheckCall& call, int parameter) {
-  const auto constant = written(call, parameter);
+void check_fraction(CheckCall& call, CallPart part) {
+  const auto constant = written(call, part);
   if (!constant || !is_number(*constant) || (constant->real > 0.0 && constant->real <= 1.0)) return;
-  Diagnostic out = refused(call, parameter, "a fraction above 0 and at most 1",
-                           format_number(constant->real, 6));
+  Diagnostic out =
+      refused(call, part, "a fraction above 0 and at most 1", format_number(constant->real, 6));
   out.why = "it is a part of what the joints can do";
   constexpr double kPercent = 100.0;
   constexpr double kLeastPercent = 2.0;  // smaller: 1.5 rather means 150 % than 1.5 %
   if (constant->real >= kLeastPercent && constant->real <= kPercent) {
     const std::string meant = format_number(constant->real / kPercent, 6);
     out.fix = Fix{.text = fmt::format("for {} % write {}", format_number(constant->real, 6), meant),
-                  .edits = {{call.span(parameter), meant}},
+                  .edits = {{call.span(part), meant}},
                   .confidence = Confidence::kMaybe};
   }
   call.report(std::move(out));
 }
 
-void check_positive(CheckCall& call, int parameter) {
-  const auto constant = written(call, parameter);
+void check_positive(CheckCall& call, CallPart part) {
+  const auto constant = written(call, part);
   if (!constant || !is_number(*constant) || constant->real > 0.0) return;
-  call.report(refused(call, parameter, "more than 0", call.text_of(call.span(parameter))));
+  call.report(refused(call, part, "more than 0", call.text_of(call.span(part))));
 }
 
-void check_inertia_size(CheckCall& call, int parameter) {
-  if (!call.given(parameter)) return;
+void check_inertia_size(CheckCall& call, CallPart part) {
+  if (!call.given(part)) return;
   constexpr std::int64_t kRows = 3;
   const auto report = [&](std::string size) {
-    call.report(refused(call, parameter, "an inertia of 3 rows of 3 values", std::move(size)));
+    call.report(refused(call, part, "an inertia of 3 rows of 3 values", std::move(size)));
   };
-  const auto size = std::dynamic_pointer_cast<const SizeFact>(call.fact(parameter));
+  const auto size = std::dynamic_pointer_cast<const SizeFact>(call.fact(part));
   if (size != nullptr && !size->is_list) {
     if (size->rows == kRows && size->cols == kRows) return;
     return report(fmt::format("a {} x {} matrix", size->rows, size->cols));
   }
-  const auto constant = call.constant(parameter);
+  const auto constant = call.constant(part);
   if (!constant || constant->kind != Constant::Kind::kList) return;
   if (constant->items.size() != kRows)
     return report(

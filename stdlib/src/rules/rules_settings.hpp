@@ -23,38 +23,38 @@ namespace armlet::bind {
 // Checks a text that must be one of some words.
 //
 // setting  the name that the message gives; empty: none.
-void check_words(CheckCall& call, int parameter, std::span<const std::string_view> words,
+void check_words(CheckCall& call, CallPart part, std::span<const std::string_view> words,
                  std::string_view setting = {});
-template <int kParameter, const auto& kWords>
+template <ParameterName kName, const auto& kWords>
 void check_word(CheckCall& call) {
-  check_words(call, kParameter, kWords);
+  check_words(call, kPart<kName>, kWords);
 }
 
 // Checks the name of a method of integration.
-void check_method_word(CheckCall& call, int parameter);
-template <int kParameter>
+void check_method_word(CheckCall& call, CallPart part);
+template <ParameterName kName>
 void check_method(CheckCall& call) {
-  check_method_word(call, kParameter);
+  check_method_word(call, kPart<kName>);
 }
 
 // Checks a file name that must have one of some extensions: ".svg".
-void check_endings(CheckCall& call, int parameter, std::span<const std::string_view> endings);
-template <int kParameter, const auto& kEndings>
+void check_endings(CheckCall& call, CallPart part, std::span<const std::string_view> endings);
+template <ParameterName kName, const auto& kEndings>
 void check_ending(CheckCall& call) {
-  check_endings(call, kParameter, kEndings);
+  check_endings(call, kPart<kName>, kEndings);
 }
 
 // Checks a fraction of the limits of the joints: above 0 and at most 1.
-void check_fraction(CheckCall& call, int parameter);
+void check_fraction(CheckCall& call, CallPart part);
 
 // Checks a speed or an acceleration: above 0.
-void check_positive(CheckCall& call, int parameter);
+void check_positive(CheckCall& call, CallPart part);
 
 // Checks an inertia whose size is known from the text: three rows of three numbers.
-void check_inertia_size(CheckCall& call, int parameter);
-template <int kParameter>
+void check_inertia_size(CheckCall& call, CallPart part);
+template <ParameterName kName>
 void check_inertia(CheckCall& call) {
-  check_inertia_size(call, kParameter);
+  check_inertia_size(call, kPart<kName>);
 }
 
 }  // namespace armlet::bind

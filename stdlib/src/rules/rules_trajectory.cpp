@@ -7,7 +7,7 @@ namespace armlet::bind {
 namespace {
 
 // E0506 for two settings that exclude each other.
-void refuse_both(CheckCall& call, int one, int other, std::string_view what) {
+void refuse_both(CheckCall& call, CallPart one, CallPart other, std::string_view what) {
   if (!call.given(one) || !call.given(other)) return;
   Diagnostic d = make_diagnostic(row("E0506"), call.setting_span(other));
   d.message = what;
@@ -19,32 +19,28 @@ void refuse_both(CheckCall& call, int one, int other, std::string_view what) {
 }  // namespace
 
 void check_arc(CheckCall& call) {
-  check_time_and_speed(call, 3, 4);
-  check_in_path(call, {.time = 3, .blend = 5});
+  check_time_and_speed(call);
+  check_in_path(call, TakesTool::kNo);
 }
 
 void check_spline(CheckCall& call) {
-  check_time_and_speed(call, 2, 4);
-  check_planner(call, 3);
-  check_joint_limits(call, 1);
+  check_time_and_speed(call);
+  check_planner(call, at("traj"));
+  check_joint_limits(call, at("points"));
 }
 
 template <bool kRobotFirst>
 void check_trajectory(CheckCall& call) {
-  constexpr int kName = kRobotFirst ? 1 : 0;
-  constexpr int kTime = kName + 2;
-  constexpr int kDurations = kName + 3;
-  constexpr int kSpeed = kName + 4;
-  check_planner(call, kName);
-  check_time_and_speed(call, kTime, kSpeed);
-  refuse_both(call, kTime, kDurations, "`time` and `durations` cannot both be given");
-  refuse_both(call, kDurations, kSpeed, "`durations` and `speed` cannot both be given");
-  if constexpr (kRobotFirst) check_joint_limits(call, kName + 1);
+  check_planner(call, at("name"));
+  check_time_and_speed(call);
+  refuse_both(call, at("time"), at("durations"), "`time` and `durations` cannot both be given");
+  refuse_both(call, at("durations"), at("speed"), "`durations` and `speed` cannot both be given");
+  if constexpr (kRobotFirst) check_joint_limits(call, at("points"));
 }
 
 void check_plan(CheckCall& call) {
-  check_time_and_speed(call, 2, 3);
-  check_joint_limits(call, 1);
+  check_time_and_speed(call);
+  check_joint_limits(call, at("to"));
 }
 
 template void check_trajectory<true>(CheckCall& call);

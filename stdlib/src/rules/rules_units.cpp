@@ -14,7 +14,8 @@ using Dims = std::vector<NumberDim>;
 // Reads the units from the known robot, now or when the enclosing function is called with one.
 void note_of_robot(CheckCall& call, const DimsOfArgumentFact::Reader& reader) {
   constexpr int kRobot = 0;
-  const auto robot = call.given(kRobot) ? call.fact(kRobot) : call.ambient_fact("robot");
+  const auto robot =
+      call.given(CallPart::first()) ? call.fact(CallPart::first()) : call.ambient_fact("robot");
   if (robot == nullptr)
     return call.set_result_fact(std::make_shared<DimsOfArgumentFact>(kRobot, reader));
   if (Dims dims = reader(*robot); !dims.empty())
@@ -51,7 +52,7 @@ void note_same_numbers(CheckCall& call) {
     const auto* known = dynamic_cast<const DimsFact*>(&given);
     return known != nullptr ? known->dims : Dims();
   };
-  const auto given = call.fact(0);
+  const auto given = call.fact(CallPart::first());
   if (given == nullptr)
     return call.set_result_fact(std::make_shared<DimsOfArgumentFact>(0, reader));
   if (Dims dims = reader(*given); !dims.empty())
@@ -74,8 +75,7 @@ void note_twist_rate(CheckCall& call) { note_six(call, dims::kAccel, dims::kAngu
 
 // urdf(path, tip, inertias, base, tool, name)
 void note_read_robot(CheckCall& call) {
-  constexpr int kName = 5;
-  const auto name = call.constant(kName);
+  const auto name = call.constant(at("name"));
   if (!name || name->text.empty() || name->text.find(',') != std::string::npos) return;
   auto fact = std::make_shared<ReadRobotFact>();
   fact->name = name->text;

@@ -20,7 +20,8 @@ namespace {
 Answer<MatrixObj*> parameters(Vm& vm, const PlannedMotion& tr, std::int64_t joint) {
   const Trajectory& motion = tr.motion;
   if (joint < 1 || joint > motion.n())
-    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, motion.n()), 1);
+    return failure(vm, "R0606", fmt::format("joint {} is outside 1 to {}", joint, motion.n()),
+                   at("joint"));
   const auto pieces = acceleration_pieces(motion, static_cast<int>(joint) - 1);
   int degree = 0;
   for (const Segment& piece : pieces) degree = std::max(degree, piece.degree);
@@ -33,8 +34,6 @@ Answer<MatrixObj*> parameters(Vm& vm, const PlannedMotion& tr, std::int64_t join
   }
   return matrix;
 }
-
-enum Parameter { kStep = 1, kMethod = 2 };
 
 constexpr double kMostSteps = 1'000'000;
 constexpr double kTolerance = 1e-8;
@@ -84,18 +83,19 @@ Answer<Request> request_of(Vm& vm, const Trajectory& motion, double step, std::s
     for (const std::string_view known : ode_method_names())
       names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", known);
     return failure(vm, "R0609", fmt::format("there is no method \"{}\" to integrate with", name),
-                   kMethod, "the methods are " + names);
+                   at("method"), "the methods are " + names);
   }
   if (!(std::isfinite(step) && step > 0.0))
-    return domain_failure(vm, "an integration with a step", step, "be longer than 0 s", {}, kStep);
+    return domain_failure(vm, "an integration with a step", step, "be longer than 0 s", {},
+                          at("step"));
   std::vector<double> knots = motion.knots();
   if (!split && knots.size() > 2) knots = {knots.front(), knots.back()};
   const double steps = count_steps(knots, step);
   if (steps <= kMostSteps) return Request{*method, step_times(knots, step)};
   return failure(
       vm, "R0613",
-      fmt::format("this would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps), kStep,
-      {}, "use a longer step");
+      fmt::format("this would take {:.15g} steps; {:.15g} are the limit", steps, kMostSteps),
+      at("step"), {}, "use a longer step");
 }
 
 Answer<RecordObj*> integrate(Vm& vm, const PlannedMotion& tr, double step, std::string_view method,
@@ -130,8 +130,8 @@ Answer<RecordObj*> integrate(Vm& vm, const PlannedMotion& tr, double step, std::
     if (outcome.status == OdeStatus::kDone) continue;
     release(vm, solution);
     return failure(vm, "R0609",
-                   fmt::format("the integration cannot go on at t = {:.6g} s", outcome.t), kMethod,
-                   "no step is short enough where the accelerations jump",
+                   fmt::format("the integration cannot go on at t = {:.6g} s", outcome.t),
+                   at("method"), "no step is short enough where the accelerations jump",
                    "use split: true, or a method with fixed steps");
   }
 }
@@ -151,7 +151,7 @@ constexpr NativeFunction kAccelerationFunctions[] = {
         "split they are so over the whole motion, whatever its knots.",
         "trajectory(\"434\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).integrate(step: "
         "10ms).t.last",
-        {.check = check_method<2>}),
+        {.check = check_method<"method">}),
 };
 
 }  // namespace

@@ -12,7 +12,6 @@
 namespace armlet::bind {
 namespace {
 
-constexpr int kLaw = 1;      // index of the parameter with the law
 constexpr int kPieces = 64;  // of a law given as a function
 
 // Registers the planner under its name for the rest of the run.
@@ -22,12 +21,12 @@ void add_planner(Vm& vm, std::string_view name, ScalarLaw law) {
 
 Answer<void> add_polynomial(Vm& vm, std::string_view name, std::span<const double> law) try {
   for (const double c : law) {
-    if (!std::isfinite(c)) return not_finite(vm, "a coefficient of the law", c, kLaw);
+    if (!std::isfinite(c)) return not_finite(vm, "a coefficient of the law", c, at("law"));
   }
   add_planner(vm, name, law_of_polynomial(law));
   return {};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0626", error, kLaw);
+  return failure_of(vm, "R0626", error, at("law"));
 }
 
 Answer<void> add_function(Vm& vm, std::string_view name,
@@ -36,13 +35,13 @@ Answer<void> add_function(Vm& vm, std::string_view name,
   for (int k = 0; k <= kPieces; ++k) {
     const auto s = law(static_cast<double>(k) / kPieces);
     if (!s) return Failed{};
-    if (!std::isfinite(*s)) return not_finite(vm, "a value of the law", *s, kLaw);
+    if (!std::isfinite(*s)) return not_finite(vm, "a value of the law", *s, at("law"));
     values.push_back(*s);
   }
   add_planner(vm, name, law_of_values(values));
   return {};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, "R0626", error, kLaw);
+  return failure_of(vm, "R0626", error, at("law"));
 }
 
 std::vector<std::string> planner_names(Vm& vm) { return Host::of(vm).planners().names(); }

@@ -28,18 +28,11 @@ namespace {
 using Number = std::optional<double>;
 using Durations = std::optional<std::span<const double>>;
 
-// A call whose parameters have consecutive indices, starting with the name.
-MoveCall call_of(const RobotRef& r, int name) {
-  return {.function = "trajectory",
-          .robot = r.id,
-          .target = name + 1,
-          .time = name + 2,
-          .speed = name + 4,
-          .accel = name + 5,
-          .planner = name};
+MoveCall call_of(const RobotRef& r) {
+  return {.function = "trajectory", .robot = r.id, .target = at("points"), .planner = at("name")};
 }
-PointSettings settings_from(const MoveCall& call, const MoveSettings& move, Durations durations) {
-  PointSettings settings{.move = move, .durations_parameter = call.time + 1};
+PointSettings settings_from(const MoveSettings& move, Durations durations) {
+  PointSettings settings{.move = move};
   if (durations) settings.durations.assign(durations->begin(), durations->end());
   return settings;
 }
@@ -76,17 +69,17 @@ Answer<PlannedMotion> planned_of(Vm& vm, const MoveCall& call, std::string_view 
 template <class T>
 Answer<PlannedMotion> make_for(Vm& vm, const RobotRef& r, std::string_view name, HostList<T> points,
                                Number time, Durations durations, Number speed, Number accel) {
-  const MoveCall call = call_of(r, 1);
+  const MoveCall call = call_of(r);
   const MoveSettings move{.time = time, .speed = speed, .accel = accel};
-  return planned_of(vm, call, name, points, settings_from(call, move, durations));
+  return planned_of(vm, call, name, points, settings_from(move, durations));
 }
 template <class T>
 Answer<PlannedMotion> make_with(Vm& vm, std::string_view name, HostList<T> points, Number time,
                                 Durations durations, Number speed, Number accel,
                                 const RobotRef& robot) {
-  const MoveCall call = call_of(robot, 0);
+  const MoveCall call = call_of(robot);
   const MoveSettings move{.time = time, .speed = speed, .accel = accel};
-  return planned_of(vm, call, name, points, settings_from(call, move, durations));
+  return planned_of(vm, call, name, points, settings_from(move, durations));
 }
 
 // The settings of a motion to one target around obstacles.
@@ -99,18 +92,17 @@ struct WaySettings {
 
 Answer<WayOptions> search_of(Vm& vm, const WaySettings& settings) {
   constexpr std::int64_t kMost = 1'000'000;
-  constexpr int kClearance = 6, kIterations = 7;
   if (!(settings.clearance > 0.0 && settings.clearance <= 1.0)) {
     return failure(vm, "R0609",
                    fmt::format("a clearance of {}: it lies above 0 mm and not above 1 m",
                                format_mm(settings.clearance)),
-                   kClearance);
+                   at("clearance"));
   }
   if (settings.iterations < 1 || settings.iterations > kMost) {
     return failure(
         vm, "R0609",
         fmt::format("{} iterations: a search makes 1 to {} of them", settings.iterations, kMost),
-        kIterations);
+        at("iterations"));
   }
   return WayOptions{.clearance = settings.clearance,
                     .iterations = static_cast<int>(settings.iterations)};
@@ -146,7 +138,7 @@ Answer<PlannedMotion> plan_to_joints(Vm& vm, MoveCall call, const Eigen::VectorX
 }
 
 MoveCall plan_call(const RobotRef& r) {
-  return {.function = "plan", .robot = r.id, .target = 1, .time = 2, .speed = 3, .accel = 4};
+  return {.function = "plan", .robot = r.id, .target = at("to")};
 }
 Answer<PlannedMotion> plan_joints(Vm& vm, const RobotRef& r, const PosJ& to, Number time,
                                   Number speed, Number accel, bool avoid, double clearance,
@@ -173,14 +165,14 @@ Answer<PlannedMotion> plan_position(Vm& vm, const RobotRef& r, const PosC& to, N
 // ---- reading ------------------------------------------------------------------------------------
 
 Answer<PosJ> joints_at(Vm& vm, const PlannedMotion& tr, double t) {
-  if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
+  if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, at("t"));
   PosJ values = tr.joints;
   for (int i = 0; i < values.n; ++i) values.q[static_cast<std::size_t>(i)] = tr.motion.value(i, t);
   return values;
 }
 template <int kOrder>
 Answer<std::vector<double>> rates_at(Vm& vm, const PlannedMotion& tr, double t) {
-  if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, 1);
+  if (!std::isfinite(t)) return not_finite(vm, "a time given to a trajectory", t, at("t"));
   const Trajectory& motion = tr.motion;
   std::vector<double> values;
   for (int i = 0; i < motion.n(); ++i) values.push_back(motion.value(i, t, kOrder));
@@ -198,7 +190,7 @@ Answer<std::vector<double>> peaks(Vm& vm, const PlannedMotion& tr, std::int64_t 
     return failure(
         vm, "R0609",
         fmt::format("there are no peaks of order {}: 1 is speed, 2 acceleration, 3 jerk", order),
-        1);
+        at("order"));
   }
   const Trajectory& motion = tr.motion;
   std::vector<double> values;
@@ -276,32 +268,32 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
         "plan(r: robot, to: posJ, time: time?, speed: double?, accel: double?, avoid: bool = true, "
         "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
         kPlanHelp, "follow(plan(to: posJ(60deg, 30deg, 0mm, 0deg)))",
-        {.check = check_all_of<check_plan, note_motion_of<0>>}),
+        {.check = check_all_of<check_plan, note_motion_of<"r">>}),
     def<plan_position>(
         "plan(r: robot, to: posC, time: time?, speed: double?, accel: double?, avoid: bool = true, "
         "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
         kPlanHelp, "follow(plan(to: xyz(300mm, -200mm, 200mm)))",
-        {.check = check_all_of<check_plan, note_motion_of<0>>}),
+        {.check = check_all_of<check_plan, note_motion_of<"r">>}),
     def<make_for<PosJ>>(
         "trajectory(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, "
         "speed: double?, accel: double?) -> trajectory",
         kMakeHelp, kMakeExample,
-        {.check = check_all_of<check_trajectory<true>, note_motion_of<0>>}),
+        {.check = check_all_of<check_trajectory<true>, note_motion_of<"r">>}),
     def<make_for<PosC>>(
         "trajectory(r: robot, name: string, points: posC[], time: time?, durations: time[]?, "
         "speed: double?, accel: double?) -> trajectory",
         kMakeHelp, kPositionsExample,
-        {.check = check_all_of<check_trajectory<true>, note_motion_of<0>>}),
+        {.check = check_all_of<check_trajectory<true>, note_motion_of<"r">>}),
     def<make_with<PosJ>>(
         "trajectory(name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, "
         "accel: double?, robot: robot) -> trajectory",
         kMakeHelp, kRobotExample,
-        {.check = check_all_of<check_trajectory<false>, note_motion_of<6>>}),
+        {.check = check_all_of<check_trajectory<false>, note_motion_of<"robot">>}),
     def<make_with<PosC>>(
         "trajectory(name: string, points: posC[], time: time?, durations: time[]?, speed: double?, "
         "accel: double?, robot: robot) -> trajectory",
         kMakeHelp, kRobotPositionsExample,
-        {.check = check_all_of<check_trajectory<false>, note_motion_of<6>>}),
+        {.check = check_all_of<check_trajectory<false>, note_motion_of<"robot">>}),
     def<joints_at>(
         "trajectory.q(tr: trajectory, t: time) -> posJ",
         "The joint values at that time; before the start and after the end those of the ends.",
@@ -345,7 +337,7 @@ constexpr NativeFunction kTrajectoryFunctions[] = {
     def<reversed>("trajectory.reversed(tr: trajectory) -> trajectory",
                   "The same path run backwards in the same time.",
                   "trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]).reversed()",
-                  {.check = note_motion_of<0>}),
+                  {.check = note_motion_of<"tr">}),
     def<explain_trajectory>(
         "explain(tr: trajectory)",
         "Prints what a trajectory is made of: for every joint its way and its peaks of speed, "

@@ -7,37 +7,37 @@
 
 namespace armlet::bind {
 
-Failed failure(Vm& vm, KnownCode code, std::string message, int parameter, std::string why,
+Failed failure(Vm& vm, KnownCode code, std::string message, CallPart part, std::string why,
                std::string fix) {
   Failure f;
   f.headline = Headline::own(code, std::move(message));
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.why = std::move(why);
   f.fix = std::move(fix);
   return fail(vm, std::move(f));
 }
 
 Failed domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
-                      std::string fix, int parameter) {
+                      std::string fix, CallPart part) {
   if (!std::isfinite(value))
-    return not_finite(vm, fmt::format("the value given to {}", function), value, parameter);
+    return not_finite(vm, fmt::format("the value given to {}", function), value, part);
   Failure f;
   const std::string shown = fmt::format("{:.15g}", value);
   f.headline = Headline::own(
       "R0609", fmt::format("{} of {}: the value must {}", function, shown, requirement));
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.label = shown;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));
 }
 
-Failed not_finite(Vm& vm, std::string_view what, double value, int parameter) {
+Failed not_finite(Vm& vm, std::string_view what, double value, CallPart part) {
   return failure(vm, "R0612",
                  fmt::format("{} is {}, which is not a finite number", what,
                              std::isnan(value) ? "nan"
                              : value > 0       ? "inf"
                                                : "-inf"),
-                 parameter);
+                 part);
 }
 
 Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right) {
@@ -59,11 +59,11 @@ std::string clause_of(const std::exception& error) {
   return sentence;
 }
 
-Failed failure_of(Vm& vm, MessageCode<1> code, const std::exception& error, int parameter,
+Failed failure_of(Vm& vm, MessageCode<1> code, const std::exception& error, CallPart part,
                   std::string fix) {
   Failure f;
   f.headline = {code, {clause_of(error)}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));
 }

@@ -81,18 +81,18 @@ std::span<const NativeFunction> calibration_functions();
 
 // R0609: `function` of `value`: the value must `requirement`. Marks argument `parameter`.
 Failed domain_failure(Vm& vm, std::string_view function, double value, std::string_view requirement,
-                      std::string fix = {}, int parameter = 0);
+                      std::string fix = {}, CallPart part = CallPart::first());
 // R0612: an argument that is infinite or not a number.
-Failed not_finite(Vm& vm, std::string_view what, double value, int parameter);
+Failed not_finite(Vm& vm, std::string_view what, double value, CallPart part);
 // R0613: two sizes that do not match.
 Failed size_failure(Vm& vm, std::string_view what, std::size_t left, std::size_t right);
 
 // A failure of a native function with a code of the catalogue and its own headline.
-Failed failure(Vm& vm, KnownCode code, std::string message, int parameter = -1,
+Failed failure(Vm& vm, KnownCode code, std::string message, CallPart part = {},
                std::string why = {}, std::string fix = {});
 
 // A failure whose headline has the sentence of a broken precondition as its argument.
-Failed failure_of(Vm& vm, MessageCode<1> code, const std::exception& error, int parameter = -1,
+Failed failure_of(Vm& vm, MessageCode<1> code, const std::exception& error, CallPart part = {},
                   std::string fix = {});
 
 // The sentence of a broken precondition in a form that can follow other words, without capital and

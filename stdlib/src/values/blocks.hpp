@@ -78,7 +78,8 @@ template <bool kMax, class Number>
 Answer<std::int64_t> index_of_extreme(Vm& vm, std::span<const Slot> xs) {
   if (xs.empty())
     return failure(vm, "R0613",
-                   fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"), 0);
+                   fmt::format("an empty list has no {} value", kMax ? "largest" : "smallest"),
+                   CallPart::first());
   const auto number = [xs](std::size_t i) { return number_in<Number>(xs[i]); };
   std::size_t best = 0;
   std::size_t bad = xs.size();
@@ -91,7 +92,7 @@ Answer<std::int64_t> index_of_extreme(Vm& vm, std::span<const Slot> xs) {
   };
   const bool done = in_blocks(vm, xs.size(), kCost, look);
   if (bad != xs.size())
-    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, 0);
+    return not_finite(vm, fmt::format("element {} of the list", bad), xs[bad].d, CallPart::first());
   if (!done) return Failed{};
   return static_cast<std::int64_t>(best);
 }

@@ -14,10 +14,10 @@ std::string values_text(std::int64_t count) {
   return fmt::format("{} value{}", count, count == 1 ? "" : "s");
 }
 
-Failed sizes_differ(Vm& vm, const std::string& sizes, int parameter, std::string fix) {
+Failed sizes_differ(Vm& vm, const std::string& sizes, CallPart part, std::string fix) {
   Failure f;
   f.headline = {"R0613", {sizes}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));
 }
@@ -26,10 +26,10 @@ Failed not_square(Vm& vm, std::string_view function, const MatrixObj& A) {
   return failure(vm, "R0613",
                  fmt::format("{} needs a square matrix, but this one is {}", function,
                              size_text(A.rows, A.cols)),
-                 0);
+                 CallPart::first());
 }
 
-Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter) {
+Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, CallPart part) {
   constexpr std::int64_t kMost = 100'000'000;
   if (rows >= 0 && cols >= 0 && rows <= kMost && cols <= kMost &&
       (cols == 0 || rows <= kMost / cols)) {
@@ -37,7 +37,7 @@ Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int par
   }
   const bool negative = rows < 0 || cols < 0;
   return failure(vm, "R0613",
-                 fmt::format("a matrix cannot have {} rows and {} columns", rows, cols), parameter,
+                 fmt::format("a matrix cannot have {} rows and {} columns", rows, cols), part,
                  negative ? "" : fmt::format("a matrix has at most {} values", kMost));
 }
 

@@ -21,12 +21,12 @@ namespace armlet::bind {
 // "1 value", "4 values".
 [[nodiscard]] std::string values_text(std::int64_t count);
 
-// R0613 "the sizes do not fit: 3x3 times 4", with the last argument marked.
-Failed sizes_differ(Vm& vm, const std::string& sizes, int parameter = 1, std::string fix = {});
+// R0613 "the sizes do not fit: 3x3 times 4", with an argument marked.
+Failed sizes_differ(Vm& vm, const std::string& sizes, CallPart part, std::string fix = {});
 // R0613 for a matrix that `function` needs to be square.
 Failed not_square(Vm& vm, std::string_view function, const MatrixObj& A);
 // Fails with R0613 unless a matrix of this size can be made.
-Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, int parameter);
+Answer<void> possible_size(Vm& vm, std::int64_t rows, std::int64_t cols, CallPart part);
 
 // The root of the sum of squares, scaled against overflow and underflow. False: the program must
 // stop, and the failure is set.

@@ -47,7 +47,7 @@ Answer<void> RateOfProgram::operator()(double t, std::span<const double> y,
   return failure(vm_, "R0613",
                  fmt::format("the function given to ode returns {} values for a state of {}", count,
                              rate.size()),
-                 parameter_, "it gives the rate of change of every element of the state");
+                 part_, "it gives the rate of change of every element of the state");
 }
 
 Answer<void> RateOfStructs::operator()(double t, std::span<const double> y,
@@ -64,15 +64,15 @@ Answer<void> RateOfStructs::operator()(double t, std::span<const double> y,
 }
 
 void check_rates(CheckCall& call) {
-  const Type* state = call.type(1);
-  const Type* function = call.type(0);
+  const Type* state = call.type(at("y0"));
+  const Type* function = call.type(at("f"));
   if (state == nullptr || !state->is(Kind::kRecord) || function == nullptr ||
       !function->is(Kind::kFunction))
     return;
   const std::vector<RecordField>& fields = state->record->fields;
   for (const RecordField& field : fields) {
     if (field.type->is(Kind::kReal)) continue;
-    Diagnostic d = make_diagnostic("E0313", call.span(1),
+    Diagnostic d = make_diagnostic("E0313", call.span(at("y0")),
                                    {"ode", "a struct of quantities", type_phrase(state)});
     d.why = fmt::format("`{}` is {}, which has no rate", field.name, type_phrase(field.type));
     call.report(std::move(d));
@@ -84,7 +84,7 @@ void check_rates(CheckCall& call) {
       std::ranges::equal(rates->record->fields, fields, {}, &RecordField::name, &RecordField::name);
   if (!is_struct) {
     Diagnostic d = make_diagnostic(
-        "E0313", call.span(0),
+        "E0313", call.span(at("f")),
         {"ode", fmt::format("a function that gives the rates of {}", type_phrase(state)),
          "one that gives " + type_phrase(rates)});
     d.why = "its result is a struct whose fields have the names of those of the state";
@@ -95,7 +95,7 @@ void check_rates(CheckCall& call) {
     const RecordField& rate = rates->record->fields[i];
     const auto wanted = divide(fields[i].type->dim, dims::kTime);
     if (!wanted || (rate.type->is(Kind::kReal) && rate.type->dim == *wanted)) continue;
-    Diagnostic d = make_diagnostic("E0401", call.span(0));
+    Diagnostic d = make_diagnostic("E0401", call.span(at("f")));
     d.why = fmt::format("`{}` of the state is {}, so its rate is {}; `{}` of {} is {}", rate.name,
                         dimension_phrase(fields[i].type->dim), dimension_phrase(*wanted), rate.name,
                         type_name(rates), type_phrase(rate.type));
@@ -178,7 +178,7 @@ Answer<std::vector<OdeWitness>> WitnessesOfProgram::witnesses() {
     const std::string_view name = text_value(record->fields()[kDirection]);
     const auto found = std::ranges::find(kDirections, name);
     if (found == kDirections.end()) {
-      return failure(vm_, "R0609", fmt::format("an event cannot be \"{}\"", name), parameter_,
+      return failure(vm_, "R0609", fmt::format("an event cannot be \"{}\"", name), part_,
                      "it is \"both\", \"rising\" or \"falling\"");
     }
     Obj* const g = record->fields()[kFunction].o;
@@ -206,11 +206,10 @@ Failed WitnessesOfProgram::cannot_look(const OdeEvents::Outcome& outcome) const 
   const std::string where = fmt::format("event {} at t = {:.6g} s", outcome.witness, outcome.t);
   switch (outcome.status) {
     case OdeEvents::Status::kNotFinite:
-      return failure(vm_, "R0612", fmt::format("the function of {} is not finite", where),
-                     parameter_);
+      return failure(vm_, "R0612", fmt::format("the function of {} is not finite", where), part_);
     case OdeEvents::Status::kNoStep:
       return failure(vm_, "R0609", fmt::format("ode cannot find {}: no step leads there", where),
-                     parameter_, "the equation is stiff there, or jumps, or runs to infinity");
+                     part_, "the equation is stiff there, or jumps, or runs to infinity");
     default:
       return {};
   }

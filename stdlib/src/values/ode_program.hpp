@@ -32,17 +32,16 @@ class StateArgument {
 };
 
 // The program's f(t, y); its result is copied from the list that it returns. Failures mark
-// `parameter`.
+// `part`.
 class RateOfProgram {
  public:
-  RateOfProgram(Vm& vm, Obj* f, int parameter)
-      : vm_(vm), f_(f), parameter_(parameter), y_(vm, nullptr) {}
+  RateOfProgram(Vm& vm, Obj* f, CallPart part) : vm_(vm), f_(f), part_(part), y_(vm, nullptr) {}
   Answer<void> operator()(double t, std::span<const double> y, std::span<double> rate);
 
  private:
   Vm& vm_;
   Obj* f_;
-  int parameter_;
+  CallPart part_;
   StateArgument y_;
 };
 
@@ -66,10 +65,10 @@ void check_rates(CheckCall& call);
 // The events that a program waits for in an integration: a list of OdeEvent, or of OdeEvent<S>.
 class WitnessesOfProgram {
  public:
-  // `events` is borrowed; `parameter` is the parameter of the call that holds them; `record`: the
+  // `events` is borrowed; `part` is the argument of the call that holds them; `record`: the
   // struct of the states, null: lists.
-  WitnessesOfProgram(Vm& vm, std::span<const Slot> events, int parameter, const Type* record)
-      : vm_(vm), events_(events), parameter_(parameter), y_(vm, record) {}
+  WitnessesOfProgram(Vm& vm, std::span<const Slot> events, CallPart part, const Type* record)
+      : vm_(vm), events_(events), part_(part), y_(vm, record) {}
 
   [[nodiscard]] bool empty() const { return events_.empty(); }
   // Fails for an unknown direction.
@@ -82,7 +81,7 @@ class WitnessesOfProgram {
  private:
   Vm& vm_;
   std::span<const Slot> events_;
-  int parameter_;
+  CallPart part_;
   StateArgument y_;
 };
 

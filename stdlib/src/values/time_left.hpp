@@ -8,6 +8,6 @@
 namespace armlet::bind {
 
 // Refuses a duration that would exceed the end of virtual time.
-Answer<void> check_time_left(Vm& vm, std::string_view what, double seconds, int parameter);
+Answer<void> check_time_left(Vm& vm, std::string_view what, double seconds, CallPart part);
 
 }  // namespace armlet::bind

@@ -49,15 +49,16 @@ Answer<Obj*> calibrate(Vm& vm, std::span<const Slot> matrices, std::span<const S
                        std::span<const Slot> size, std::int64_t terms) {
   if (!opencv_for(vm, "calibrateCamera")) return Failed{};
   if (size.size() != 2) {
-    return failure(vm, "R0613", fmt::format("a size has 2 values, not {}", size.size()), 2);
+    return failure(vm, "R0613", fmt::format("a size has 2 values, not {}", size.size()),
+                   at("size"));
   }
   std::vector<PlanePoints> views;
   for (const Slot& each : matrices) {
-    const auto view = pixels_of(vm, matrix_value(each), 0);
+    const auto view = pixels_of(vm, matrix_value(each), at("views"));
     if (!view) return Failed{};
     views.push_back(*view);
   }
-  const auto points = points_of(vm, rows, 1);
+  const auto points = points_of(vm, rows, at("points"));
   if (!points) return Failed{};
   const auto clamped = [](std::int64_t value) {
     return static_cast<int>(std::clamp<std::int64_t>(value, -1, 1'000'000));
@@ -78,8 +79,6 @@ std::vector<Eigen::Isometry3d> poses_of(const HostList<PosC>& list) {
   return poses;
 }
 
-constexpr int kHandEyeWord = 2;  // index of the parameter of calibrateHandEye
-
 Answer<Obj*> calibrate_hand_eye(Vm& vm, HostList<PosC> tools, HostList<PosC> targets,
                                 std::string_view method) {
   if (!opencv_for(vm, "calibrateHandEye")) return Failed{};
@@ -88,7 +87,7 @@ Answer<Obj*> calibrate_hand_eye(Vm& vm, HostList<PosC> tools, HostList<PosC> tar
     return fail_picture(
         vm,
         fmt::format("there is no method \"{}\"; expected {}", method, choice_of(kHandEyeMethods)),
-        kHandEyeWord);
+        at("method"));
   }
   const auto found = with_pictures(vm, 0, [&] {
     return hand_eye(poses_of(tools), poses_of(targets),
@@ -112,7 +111,7 @@ Answer<Image> undistort(Vm& vm, const CameraRef& c, const Image& image) {
     return fail_picture(vm,
                         fmt::format("it has {} pixels, and this camera takes pictures of {} x {}",
                                     size_of(image), lens.width, lens.height),
-                        1);
+                        at("img"));
   }
   const std::uint64_t pixels = std::uint64_t{1} * image.width() * image.height();
   return with_opencv(vm, "undistort", 60 * pixels, [&] {
@@ -146,14 +145,14 @@ constexpr NativeFunction kCalibrationFunctions[] = {
         "move from station to station. method: \"tsai\", \"park\", \"horaud\" or \"daniilidis\". "
         "Needs OpenCV.",
         ARMLET_SHOWN_STATIONS "print(near(calibrateHandEye(tools, seen).pose, mounted, tol: 1um))",
-        {.check = check_word<kHandEyeWord, kHandEyeMethods>}),
+        {.check = check_word<"method", kHandEyeMethods>}),
     def<undistort>("undistort(c: camera, img: image) -> image",
                    "What the camera would have seen without its distortion; black where the "
                    "picture shows nothing of that. Needs OpenCV.",
                    "camera eye { at: lookingAt(xyz(400mm, 0mm, 0mm), from: xyz(400mm, 0mm, "
                    "900mm)); size: [64, 48]; distortion: [-0.2, 0.0, 0.0, 0.0, 0.0] }; "
                    "print(undistort(eye, eye.capture()))",
-                   {.check = gives_same_kind<1>}),
+                   {.check = gives_same_kind<"img">}),
 };
 
 }  // namespace

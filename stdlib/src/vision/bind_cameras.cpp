@@ -91,7 +91,7 @@ Answer<Intrinsics> intrinsics_of(Vm& vm, const Rows& rows) {
   return made;
 }
 
-Answer<CameraRef> make_camera(Vm& vm, std::string_view name, const PosC* at,
+Answer<CameraRef> make_camera(Vm& vm, std::string_view name, const PosC* pose,
                               const Answer<Mount>& on, const Rows& rows) try {
   if (!on) return Failed{};
   const auto lens = intrinsics_of(vm, rows);
@@ -112,50 +112,44 @@ Answer<CameraRef> make_camera(Vm& vm, std::string_view name, const PosC* at,
                 .key_light = rows.light == kLightWords[0],
                 .ground = rows.ground,
                 .rate = rows.rate.value_or(0.0)};
-  if (at != nullptr) camera.T_on_camera = at->T;
+  if (pose != nullptr) camera.T_on_camera = pose->T;
   return CameraRef{Host::of(vm).cell().add_camera(std::move(camera))};
 } catch (const ArgumentError& error) {
   return fail_camera(vm, clause_of(error));
 }
 
-constexpr int kOn = 1;
-constexpr int kLight = 13;  // index of the parameter of a camera without a mount
-constexpr int kRate = 15;
-
-// kShift  number of additional parameters.
-template <int kShift>
 void check_camera(CheckCall& call) {
-  check_words(call, kLight + kShift, kLightWords, "light");
-  note_rate(call, kRate + kShift);
+  check_words(call, at("light"), kLightWords, "light");
+  note_rate(call, at("rate"));
 }
 
-Answer<CameraRef> camera_block(Vm& vm, std::string_view name, const PosC* at, Wholes size,
+Answer<CameraRef> camera_block(Vm& vm, std::string_view name, const PosC* pose, Wholes size,
                                Number fov, Number focal, Doubles centre, Doubles distortion,
                                double near, double far, std::int64_t samples, double noise,
                                double blur, std::int64_t seed, std::string_view light, bool ground,
                                Number rate) {
-  return make_camera(vm, name, at, Mount{},
+  return make_camera(vm, name, pose, Mount{},
                      {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed,
                       light, ground, rate});
 }
 Answer<CameraRef> camera_on_robot(Vm& vm, std::string_view name, const RobotRef& on,
-                                  std::optional<std::int64_t> link, const PosC* at, Wholes size,
+                                  std::optional<std::int64_t> link, const PosC* pose, Wholes size,
                                   Number fov, Number focal, Doubles centre, Doubles distortion,
                                   double near, double far, std::int64_t samples, double noise,
                                   double blur, std::int64_t seed, std::string_view light,
                                   bool ground, Number rate) {
-  return make_camera(vm, name, at, mount_on_robot(vm, on, link, kOn + 1),
+  return make_camera(vm, name, pose, mount_on_robot(vm, on, link, at("link")),
                      {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed,
                       light, ground, rate});
 }
 
 template <class On>
-Answer<CameraRef> camera_on(Vm& vm, std::string_view name, const On& on, const PosC* at,
+Answer<CameraRef> camera_on(Vm& vm, std::string_view name, const On& on, const PosC* pose,
                             Wholes size, Number fov, Number focal, Doubles centre,
                             Doubles distortion, double near, double far, std::int64_t samples,
                             double noise, double blur, std::int64_t seed, std::string_view light,
                             bool ground, Number rate) {
-  return make_camera(vm, name, at, mount_on(vm, on, kOn),
+  return make_camera(vm, name, pose, mount_on(vm, on, at("on")),
                      {size, fov, focal, centre, distortion, near, far, samples, noise, blur, seed,
                       light, ground, rate});
 }
@@ -171,7 +165,7 @@ Answer<PosC> camera_pose(Vm& vm, const CameraRef& camera, const PosC* from) try 
   Cell& cell = Host::of(vm).cell();
   return PosC{cell.cameras().T_world_camera_for(cell, camera.id, from->T), true};
 } catch (const ArgumentError& error) {
-  return fail_blind(vm, clause_of(error), 1);
+  return fail_blind(vm, clause_of(error), at("from"));
 }
 
 const Intrinsics& lens_of(Vm& vm, const CameraRef& camera) {
@@ -189,7 +183,7 @@ Eigen::Matrix3d camera_matrix(Vm& vm, const CameraRef& camera) {
 Answer<PosC> looking_from(Vm& vm, const PosC& p, const PosC& from) try {
   return PosC{looking_at(p.T.translation(), from.T.translation()), true};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, row("R0685"), error, 1);
+  return failure_of(vm, row("R0685"), error, at("from"));
 }
 
 #define ARMLET_CAMERA_ROWS                                                                     \
@@ -214,19 +208,19 @@ constexpr NativeFunction kCameraFunctions[] = {
     def<camera_block>("camera{}(name: string, " ARMLET_CAMERA_ROWS, kCameraHelp,
                       "camera eye { at: lookingAt(xyz(400mm, 0mm, 0mm), from: xyz(400mm, 0mm, "
                       "800mm)); size: [320, 240]; fov: 60deg }",
-                      {.check = check_camera<0>, .acts = true}),
+                      {.check = check_camera, .acts = true}),
     def<camera_on_robot>("camera{}(name: string, on: robot, link: int?, " ARMLET_CAMERA_ROWS,
                          kCameraHelp,
                          "robot arm = robots.ur5(); camera eye { on: arm; at: xyz(z: 60mm); size: "
                          "[640, 480]; fov: 55deg }",
-                         {.check = check_camera<2>, .acts = true}),
+                         {.check = check_camera, .acts = true}),
     def<camera_on<ObjectRef>>("camera{}(name: string, on: object, " ARMLET_CAMERA_ROWS, kCameraHelp,
                               "camera eye { on: object(\"cube\"); at: xyz(z: 100mm); focal: 600 }",
-                              {.check = check_camera<1>, .acts = true}),
+                              {.check = check_camera, .acts = true}),
     def<camera_on<FrameRef>>("camera{}(name: string, on: frame, " ARMLET_CAMERA_ROWS, kCameraHelp,
                              "frame post { at: xyz(0mm, 0mm, 900mm) } camera eye { on: post; at: "
                              "rotY(90deg); noise: 2.0; light: \"flat\" }",
-                             {.check = check_camera<1>, .acts = true}),
+                             {.check = check_camera, .acts = true}),
     def<looking_from>(
         "lookingAt(p: posC, from: posC) -> posC",
         "The frame of a camera at from whose axis runs through p: z forward, x to the "

@@ -33,15 +33,16 @@ Answer<void> searchable(Vm& vm, const Image& image) {
   if (pixels > kMost) {
     return fail_picture(
         vm,
-        fmt::format("it has {} pixels, and corners are looked for in {} at most", pixels, kMost), 0,
-        "cut the part out that matters: img[x0:x1, y0:y1]");
+        fmt::format("it has {} pixels, and corners are looked for in {} at most", pixels, kMost),
+        CallPart::first(), "cut the part out that matters: img[x0:x1, y0:y1]");
   }
   if (image.kind() != PixelKind::kGrey)
-    return fail_picture(vm, "corners are looked for in grey pictures", 0, "gray({arg}) is one");
+    return fail_picture(vm, "corners are looked for in grey pictures", CallPart::first(),
+                        "gray({arg}) is one");
   return {};
 }
 
-Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter) {
+Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, CallPart part) {
   if (word == kCornerMethods[0]) return CornerMethod::kSusan;
   if (word == kCornerMethods[1]) return CornerMethod::kHarris;
   if (word == kCornerMethods[2]) {
@@ -50,10 +51,10 @@ Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter)
   }
   return fail_picture(
       vm, fmt::format("there is no method \"{}\"; expected {}", word, choice_of(kCornerMethods)),
-      parameter);
+      part);
 }
 
-Failed fail_lost(Vm& vm, FoundCorners found, const std::vector<double>& distance, int parameter) {
+Failed fail_lost(Vm& vm, FoundCorners found, const std::vector<double>& distance, CallPart part) {
   std::string rows;
   std::string distances;
   for (const int i : found.lost) {
@@ -64,7 +65,7 @@ Failed fail_lost(Vm& vm, FoundCorners found, const std::vector<double>& distance
   }
   Failure f;
   f.headline = {row("R0682"), {rows, fmt::format("{:g} px", found.within)}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.why = fmt::format("the nearest corners are this far from them: {}", distances);
   f.fix = "look from nearer to them, lower `threshold`, or widen the distance that is allowed";
   f.detail = std::make_shared<const FoundCorners>(std::move(found));
@@ -76,7 +77,7 @@ Answer<PlanePoints> few_enough(Vm& vm, PlanePoints points) {
   return fail_picture(vm,
                       fmt::format("{} corners were found, and at most {} are told apart",
                                   points.rows(), kMostMatched),
-                      -1, "raise `threshold`, or cut out the part that matters");
+                      {}, "raise `threshold`, or cut out the part that matters");
 }
 
 Failed undetermined(Vm& vm, const Error& error) {
@@ -120,9 +121,6 @@ Answer<RecordObj*> flat_pose(Vm& vm, const CameraRef& c, const PlanePoints& pixe
 
 namespace {
 
-constexpr int kNearTo = 7;  // index of the parameter of corners
-constexpr int kMethod = 1;
-
 Answer<CornerOptions> corner_options(Vm& vm, std::string_view method, std::int64_t threshold,
                                      double quality, double distance, double sensitivity,
                                      std::int64_t max, bool refine) {
@@ -135,7 +133,7 @@ Answer<CornerOptions> corner_options(Vm& vm, std::string_view method, std::int64
     return true;
   });
   if (!checked) return Failed{};
-  const auto found_by = corner_method(vm, method, kMethod);
+  const auto found_by = corner_method(vm, method, at("method"));
   if (!found_by) return Failed{};
   return CornerOptions{.method = *found_by,
                        .threshold = static_cast<int>(threshold),
@@ -153,7 +151,7 @@ Failed fail_none(Vm& vm, const Image& image, const CornerOptions& options) {
   const int darkest = *low, brightest = *high;
   Failure f;
   f.headline = Headline(row("R0687"));
-  f.mark_parameter = 0;
+  f.mark = CallPart::first();
   f.why = fmt::format("its grey levels go from {} to {}, a difference of {}", darkest, brightest,
                       brightest - darkest);
   f.fix = options.method == CornerMethod::kSusan && brightest - darkest <= options.threshold
@@ -179,7 +177,8 @@ Answer<PlanePoints> corners_near(Vm& vm, const Image& image, const CornerOptions
     if (row >= 0) out.row(i) = points->row(row);
   }
   if (std::vector<int> lost = matches->lost(); !lost.empty())
-    return fail_lost(vm, {std::move(out), std::move(lost), within}, matches->distance, kNearTo);
+    return fail_lost(vm, {std::move(out), std::move(lost), within}, matches->distance,
+                     at("nearTo"));
   return out;
 }
 
@@ -191,7 +190,7 @@ Answer<PlanePoints> corners(Vm& vm, const Image& image, std::string_view method,
       corner_options(vm, method, threshold, quality, distance, sensitivity, max, refine);
   if (!options || !searchable(vm, image)) return Failed{};
   if (!near_to) return with_pictures(vm, 0, [&] { return find_corners(image, *options); });
-  const auto wanted = pixels_of(vm, matrix_value(*near_to), kNearTo);
+  const auto wanted = pixels_of(vm, matrix_value(*near_to), at("nearTo"));
   const auto in_range = with_pictures(vm, 0, [&] {
     check_picture_parameter("corners", "within", within);
     return true;
@@ -201,8 +200,6 @@ Answer<PlanePoints> corners(Vm& vm, const Image& image, std::string_view method,
 }
 
 // ---- regions
-
-constexpr int kColor = 2;  // index of the parameter of blobs
 
 Obj* new_color(Vm& vm, const std::array<double, 3>& rgb) {
   RecordObj* record = new_record(vm, vm.program().library_record("Color"));
@@ -233,7 +230,7 @@ Answer<Image> mask_of(Vm& vm, const Image& image, std::optional<std::string_view
   const auto code = color_code(*color);
   if (!code) {
     const auto meant = similar_color(*color);
-    return fail_picture(vm, fmt::format("there is no colour \"{}\"", *color), kColor,
+    return fail_picture(vm, fmt::format("there is no colour \"{}\"", *color), at("color"),
                         meant ? fmt::format("did you mean \"{}\"?", *meant) : "");
   }
   constexpr std::uint32_t kByte = 0xff;
@@ -267,34 +264,34 @@ Answer<Obj*> blobs(Vm& vm, const Image& image, std::int64_t min_area,
 // ---- planes
 
 // The rows of a matrix as points, with finite coordinates.
-Answer<PlanePoints> points_in_plane(Vm& vm, const MatrixObj& matrix, int parameter,
+Answer<PlanePoints> points_in_plane(Vm& vm, const MatrixObj& matrix, CallPart part,
                                     std::string_view name) {
   if (matrix.cols != 2) {
     return failure(vm, "R0613",
                    fmt::format("points are the rows of an N x 2 matrix, x first; `{}` is {} x {}",
                                name, matrix.rows, matrix.cols),
-                   parameter);
+                   part);
   }
   const PlanePoints points = Eigen::Map<const PlanePoints>(matrix.data(), matrix.rows, 2);
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     if (!std::isfinite(points.data()[i]))
       return not_finite(vm,
                         fmt::format("{} of point {} of `{}`", i % 2 == 0 ? "x" : "y", i / 2, name),
-                        points.data()[i], parameter);
+                        points.data()[i], part);
   }
   return points;
 }
 
 Answer<Eigen::Matrix3d> homography_of(Vm& vm, const MatrixObj& a, const MatrixObj& b) try {
-  const auto from = points_in_plane(vm, a, 0, "a");
-  const auto to = from ? points_in_plane(vm, b, 1, "b") : Failed{};
+  const auto from = points_in_plane(vm, a, at("a"), "a");
+  const auto to = from ? points_in_plane(vm, b, at("b"), "b") : Failed{};
   if (!to || !charge_work(vm, 1000 * from->rows())) return Failed{};
   if (from->rows() != to->rows()) {
     return failure(vm, "R0613",
                    fmt::format("`a` has {} points and `b` {}; row i of the one belongs to row i of "
                                "the other",
                                from->rows(), to->rows()),
-                   1);
+                   at("b"));
   }
   const auto H = homography(*from, *to);
   if (!H) return undetermined(vm, H.error());
@@ -305,15 +302,15 @@ Answer<Eigen::Matrix3d> homography_of(Vm& vm, const MatrixObj& a, const MatrixOb
 
 Answer<RecordObj*> pose_from_points(Vm& vm, const CameraRef& c, const MatrixObj& matrix,
                                     std::span<const Slot> rows) {
-  const auto pixels = pixels_of(vm, matrix, 1);
-  const auto points = pixels ? points_of(vm, rows, 2) : Failed{};
+  const auto pixels = pixels_of(vm, matrix, at("pixels"));
+  const auto points = pixels ? points_of(vm, rows, at("points")) : Failed{};
   if (!points) return Failed{};
   if (pixels->rows() != points->rows()) {
     return failure(vm, "R0613",
                    fmt::format("`pixels` has {} rows and `points` {}; row i of the one belongs to "
                                "row i of the other",
                                pixels->rows(), points->rows()),
-                   2);
+                   at("points"));
   }
   return flat_pose(vm, c, *pixels, *points);
 }
@@ -341,7 +338,7 @@ constexpr NativeFunction kFeatureFunctions[] = {
         "it, in the same order; FeatureLost if one is farther than within px. refine: to fractions "
         "of a pixel.",
         ARMLET_SHOWN_SPOT "print(corners(img, nearTo: [30, 20; 54, 39]))",
-        {.check = check_word<kMethod, kCornerMethods>}),
+        {.check = check_word<"method", kCornerMethods>}),
     def<blobs>(
         "blobs(img: image, minArea: int = 20, color: string?, tolerance: int = 40) -> Blob[]",
         "The connected regions of pixels that are not black, or of a colour from which none of "

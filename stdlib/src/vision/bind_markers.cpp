@@ -19,8 +19,6 @@
 namespace armlet::bind {
 namespace {
 
-constexpr int kDictionary = 1;  // index of the parameter of markers and of markerPicture
-
 Answer<int> dictionary_of(Vm& vm, std::string_view word) {
   const auto found = std::find(kMarkerDictionaries.begin(), kMarkerDictionaries.end(), word);
   if (found != kMarkerDictionaries.end())
@@ -28,7 +26,7 @@ Answer<int> dictionary_of(Vm& vm, std::string_view word) {
   return fail_picture(vm,
                       fmt::format("there is no dictionary \"{}\"; expected {}", word,
                                   choice_of(kMarkerDictionaries)),
-                      kDictionary);
+                      at("dictionary"));
 }
 
 RecordObj* new_marker(Vm& vm, const FoundMarker& marker) {
@@ -73,7 +71,7 @@ Answer<Image> picture_of_marker(Vm& vm, std::int64_t id, std::string_view dictio
 
 Answer<RecordObj*> pose_from_marker(Vm& vm, const CameraRef& c, const RecordObj& marker,
                                     double size) {
-  const auto pixels = pixels_of(vm, matrix_value(marker.fields()[1]), 1);
+  const auto pixels = pixels_of(vm, matrix_value(marker.fields()[1]), at("marker"));
   if (!pixels) return Failed{};
   const auto points = with_pictures(vm, 0, [&] { return marker_points(size); });
   if (!points) return Failed{};
@@ -83,8 +81,8 @@ Answer<RecordObj*> pose_from_marker(Vm& vm, const CameraRef& c, const RecordObj&
 Answer<RecordObj*> pose_from_solid(Vm& vm, const CameraRef& c, const MatrixObj& matrix,
                                    std::span<const Slot> rows) {
   if (!opencv_for(vm, "poseFromSolid")) return Failed{};
-  const auto pixels = pixels_of(vm, matrix, 1);
-  const auto points = pixels ? points_of(vm, rows, 2) : Failed{};
+  const auto pixels = pixels_of(vm, matrix, at("pixels"));
+  const auto points = pixels ? points_of(vm, rows, at("points")) : Failed{};
   const auto seen = points ? seen_by(vm, c, *pixels) : Failed{};
   if (!seen) return Failed{};
   const auto found = with_pictures(vm, 0, [&] { return solid_pose(*points, *seen); });
@@ -111,7 +109,7 @@ constexpr NativeFunction kMarkerFunctions[] = {
                  "and lower left one of the marker when it stands upright. dictionary: \"4x4_50\", "
                  "\"5x5_100\", \"6x6_250\", \"aruco\" or \"apriltag_36h11\". Needs OpenCV.",
                  ARMLET_SHOWN_MARKER "print(markers(img).map(fn(m) => m.id))",
-                 {.check = check_word<kDictionary, kMarkerDictionaries>}),
+                 {.check = check_word<"dictionary", kMarkerDictionaries>}),
     def<picture_of_marker>(
         "markerPicture(id: int, dictionary: string = \"4x4_50\", cell: int = 20) -> image",
         "The picture of a marker: its black square with cells of cell px, 1 to 200, and one cell "
@@ -120,7 +118,7 @@ constexpr NativeFunction kMarkerFunctions[] = {
         "print(markerPicture(3))",
         {.check =
              [](CheckCall& call) {
-               check_word<kDictionary, kMarkerDictionaries>(call);
+               check_word<"dictionary", kMarkerDictionaries>(call);
                gives_kind<PixelKind::kGrey>(call);
              }}),
     def<pose_from_marker>(

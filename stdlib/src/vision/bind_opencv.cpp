@@ -20,9 +20,9 @@ Answer<void> opencv_for(Vm& vm, std::string_view function) {
   return fail(vm, std::move(f));
 }
 
-Answer<void> grey_for_opencv(Vm& vm, const Image& image, int parameter) {
+Answer<void> grey_for_opencv(Vm& vm, const Image& image, CallPart part) {
   if (image.kind() == PixelKind::kGrey) return {};
-  return fail_picture(vm, "this function takes grey pictures", parameter, "gray({arg}) is one");
+  return fail_picture(vm, "this function takes grey pictures", part, "gray({arg}) is one");
 }
 
 namespace {

@@ -31,7 +31,7 @@ bool is_inside(const Image& image, std::int64_t x, std::int64_t y) {
 Answer<RecordObj*> color_at(Vm& vm, const Image& image, std::int64_t x, std::int64_t y) {
   if (!is_inside(image, x, y)) return fail_outside(vm, image, x, y);
   if (image.kind() == PixelKind::kDepth) {
-    return fail_picture(vm, "it holds depths and has no colours", 0,
+    return fail_picture(vm, "it holds depths and has no colours", at("img"),
                         "matrix({arg})[y, x] is the depth in metres");
   }
   RecordObj* record = new_record(vm, vm.program().library_record("Color"));
@@ -45,19 +45,17 @@ Answer<std::int64_t> grey_at(Vm& vm, const Image& image, std::int64_t x, std::in
   if (!is_inside(image, x, y)) return fail_outside(vm, image, x, y);
   if (image.kind() == PixelKind::kGrey) return image.row(static_cast<int>(y))[x];
   return fail_picture(vm, fmt::format("it was grey at first and is {} now", kind_of(image.kind())),
-                      0, "gray({arg})[x, y] is a number from 0 to 255");
+                      at("img"), "gray({arg})[x, y] is a number from 0 to 255");
 }
 
 Answer<double> depth_at(Vm& vm, const Image& image, std::int64_t x, std::int64_t y) {
   if (!is_inside(image, x, y)) return fail_outside(vm, image, x, y);
   if (image.kind() == PixelKind::kDepth) return image.depth_row(static_cast<int>(y))[x];
   return fail_picture(
-      vm, fmt::format("it held depths at first and is {} now", kind_of(image.kind())), 0);
+      vm, fmt::format("it held depths at first and is {} now", kind_of(image.kind())), at("img"));
 }
 
 // ---- storing
-
-constexpr int kStored = 3;  // index of the parameter with the stored value
 
 // The picture itself if it has no other owner, otherwise a copy of it.
 PictureValue* own_picture(Vm& vm, Slot& slot) {
@@ -89,7 +87,7 @@ Answer<Obj*> store_at(Vm& vm, Slot picture, PixelKind kind, std::int64_t x, std:
     f.headline = {row("R0681"),
                   {fmt::format("a pixel of a picture of {}, {}, takes {}", size_of(image),
                                kind_of(image.kind()), kStores[is])}};
-    f.mark_parameter = kStored;
+    f.mark = at("value");
     f.fix = kFixes[is];
     return fail(vm, std::move(f));
   }
@@ -101,7 +99,8 @@ Answer<Obj*> store_at(Vm& vm, Slot picture, PixelKind kind, std::int64_t x, std:
 
 Answer<Obj*> store_grey(Vm& vm, Slot picture, std::int64_t x, std::int64_t y, std::int64_t value) {
   if (value < 0 || value > kBrightest)
-    return fail_picture(vm, fmt::format("{} is no grey level; expected 0 to 255", value), kStored);
+    return fail_picture(vm, fmt::format("{} is no grey level; expected 0 to 255", value),
+                        at("value"));
   return store_at(vm, picture, PixelKind::kGrey, x, y, [&](Image& image) {
     image.row(static_cast<int>(y))[x] = static_cast<std::uint8_t>(value);
   });
@@ -113,8 +112,9 @@ Answer<Obj*> store_color(Vm& vm, Slot picture, std::int64_t x, std::int64_t y,
   for (int i = 0; i < 3; ++i) {
     const std::int64_t value = color.fields()[i].i;
     if (value < 0 || value > kBrightest) {
-      return fail_picture(
-          vm, fmt::format("`{}` of a colour is {}; expected 0 to 255", "rgb"[i], value), kStored);
+      return fail_picture(vm,
+                          fmt::format("`{}` of a colour is {}; expected 0 to 255", "rgb"[i], value),
+                          at("value"));
     }
     rgb[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(value);
   }
@@ -128,7 +128,7 @@ Answer<Obj*> store_depth(Vm& vm, Slot picture, std::int64_t x, std::int64_t y, d
     return fail_picture(vm,
                         fmt::format("{} is no depth; expected 0 m to 1000 km",
                                     std::isnan(value) ? "nan" : fmt::format("{} m", value)),
-                        kStored);
+                        at("value"));
   return store_at(vm, picture, PixelKind::kDepth, x, y, [&](Image& image) {
     image.depth_row(static_cast<int>(y))[x] = static_cast<float>(value);
   });
@@ -145,7 +145,7 @@ Answer<Image> part_of(Vm& vm, const Image& image, End left, End right, End top, 
     return failure(
         vm, "R0606",
         fmt::format("[{}:{}, {}:{}] is no part of a picture of {}", x0, x1, y0, y1, size_of(image)),
-        -1, "the end of a range is left out of it, and x comes before y");
+        {}, "the end of a range is left out of it, and x comes before y");
   }
   const PixelBox box{static_cast<int>(x0), static_cast<int>(y0), static_cast<int>(x1),
                      static_cast<int>(y1)};
@@ -162,7 +162,7 @@ Answer<void> check_alike(Vm& vm, const Image& a, const Image& b) {
   return fail_picture(vm,
                       fmt::format("the two are {}, {}, and {}, {}; expected one size and kind",
                                   size_of(a), kind_of(a.kind()), size_of(b), kind_of(b.kind())),
-                      1);
+                      at("b"));
 }
 Answer<Image> difference(Vm& vm, const Image& a, const Image& b) {
   if (!check_alike(vm, a, b)) return Failed{};
@@ -215,12 +215,12 @@ Answer<Image> noise(Vm& vm, const Image& image, double sigma, std::int64_t seed)
 Answer<MatrixObj*> to_matrix(Vm& vm, const Image& image, std::optional<std::int64_t> channel) {
   const std::int64_t chosen = channel.value_or(0);
   if (image.channels() == 3 && !channel) {
-    return fail_picture(vm, "it is RGB, and a matrix has one number for each pixel", 0,
+    return fail_picture(vm, "it is RGB, and a matrix has one number for each pixel", at("img"),
                         "take matrix(gray({arg})), or matrix({arg}, 0) for red, 1 green, 2 blue");
   }
   if (chosen < 0 || chosen >= image.channels()) {
     return fail_picture(vm, fmt::format("there is no channel {} of {}", chosen, image.channels()),
-                        1);
+                        at("channel"));
   }
   MatrixObj* A = new_matrix_unset(vm, static_cast<std::uint32_t>(image.height()),
                                   static_cast<std::uint32_t>(image.width()));
@@ -249,11 +249,11 @@ Answer<void> check_size(Vm& vm, const MatrixObj& A) {
                       fmt::format("it would have {} x {} pixels; sides go from 1 to {}, and there "
                                   "are at most {} pixels",
                                   A.cols, A.rows, Image::kMostSide, kMostPixels),
-                      0);
+                      CallPart::first());
 }
 
 // The elements of a matrix as one channel of a picture, rounded to grey levels.
-Answer<void> fill_channel(Vm& vm, const MatrixObj& A, int parameter, int channel, Image& image) {
+Answer<void> fill_channel(Vm& vm, const MatrixObj& A, CallPart part, int channel, Image& image) {
   std::size_t bad = count_of(A);
   const auto fill = [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) {
@@ -276,18 +276,19 @@ Answer<void> fill_channel(Vm& vm, const MatrixObj& A, int parameter, int channel
       vm,
       fmt::format("element [{}, {}] is {}; grey levels go from 0 to 255", bad / A.cols,
                   bad % A.cols, std::isnan(level) ? std::abs(level) : level),
-      parameter);
+      part);
 }
 
 Answer<Image> from_matrix(Vm& vm, const MatrixObj& A) {
   if (!check_size(vm, A)) return Failed{};
   Image image(static_cast<int>(A.cols), static_cast<int>(A.rows), PixelKind::kGrey);
-  if (!fill_channel(vm, A, 0, 0, image)) return Failed{};
+  if (!fill_channel(vm, A, at("m"), 0, image)) return Failed{};
   return image;
 }
 
 Answer<Image> from_channels(Vm& vm, const MatrixObj& red, const MatrixObj& green,
                             const MatrixObj& blue) {
+  static constexpr CallPart kNames[] = {at("red"), at("green"), at("blue")};
   const MatrixObj* const parts[] = {&red, &green, &blue};
   if (!check_size(vm, red)) return Failed{};
   Image image(static_cast<int>(red.cols), static_cast<int>(red.rows), PixelKind::kRgb);
@@ -295,19 +296,21 @@ Answer<Image> from_channels(Vm& vm, const MatrixObj& red, const MatrixObj& green
     if (parts[i]->rows != red.rows || parts[i]->cols != red.cols) {
       return sizes_differ(
           vm, size_text(red.rows, red.cols) + " and " + size_text(parts[i]->rows, parts[i]->cols),
-          i);
+          kNames[i]);
     }
-    if (!fill_channel(vm, *parts[i], i, i, image)) return Failed{};
+    if (!fill_channel(vm, *parts[i], kNames[i], i, image)) return Failed{};
   }
   return image;
 }
 
 Answer<RecordObj*> rgb(Vm& vm, std::int64_t r, std::int64_t g, std::int64_t b) {
+  static constexpr CallPart kNames[] = {at("r"), at("g"), at("b")};
   const std::int64_t parts[] = {r, g, b};
   for (int i = 0; i < 3; ++i) {
     if (parts[i] >= 0 && parts[i] <= kBrightest) continue;
     return fail_picture(
-        vm, fmt::format("`{}` of a colour is {}; expected 0 to 255", "rgb"[i], parts[i]), i);
+        vm, fmt::format("`{}` of a colour is {}; expected 0 to 255", "rgb"[i], parts[i]),
+        kNames[i]);
   }
   RecordObj* record = new_record(vm, vm.program().library_record("Color"));
   if (record == nullptr) return Failed{};
@@ -351,19 +354,19 @@ constexpr NativeFunction kPictureFunctions[] = {
     def<part_of>("image[:](img: image, left: int?, right: int?, top: int?, bottom: int?) -> image",
                  "Cuts out columns left to right and rows top to bottom, both without their ends: "
                  "img[10:20, :] has ten columns.",
-                 "image([0, 255; 255, 0])[0:1, :]", {.check = gives_same_kind<0>}),
+                 "image([0, 255; 255, 0])[0:1, :]", {.check = gives_same_kind<"img">}),
     def<difference>("operator-(a: image, b: image) -> image",
                     "The absolute difference, pixel by pixel.",
-                    "image([9, 5; 7, 1]) - image([5, 9; 1, 7])", {.check = gives_same_kind<0>}),
+                    "image([9, 5; 7, 1]) - image([5, 9; 1, 7])", {.check = gives_same_kind<"a">}),
     def<sum>("operator+(a: image, b: image) -> image",
              "The sum, pixel by pixel; brighter than 255 is 255.",
-             "image([9, 5; 7, 1]) + image([5, 9; 1, 7])", {.check = gives_same_kind<0>}),
+             "image([9, 5; 7, 1]) + image([5, 9; 1, 7])", {.check = gives_same_kind<"a">}),
     def<times>("operator*(img: image, k: double) -> image",
                "Every pixel times a factor from 0 to 1000000, to the nearest grey level; brighter "
                "than 255 is 255.",
-               "image([9, 5; 7, 1]) * 0.5", {.check = gives_same_kind<0>}),
+               "image([9, 5; 7, 1]) * 0.5", {.check = gives_same_kind<"img">}),
     def<of_times>("operator*(k: double, img: image) -> image", "Every pixel times a factor.",
-                  "0.5 * image([9, 5; 7, 1])", {.check = gives_same_kind<1>}),
+                  "0.5 * image([9, 5; 7, 1])", {.check = gives_same_kind<"img">}),
     def<gray>("gray(img: image) -> image",
               "The picture in shades of grey: 0.299 r + 0.587 g + 0.114 b, to the nearest level.",
               "gray(image([0, 1;], [0, 2;], [0, 3;]))", {.check = gives_kind<PixelKind::kGrey>}),
@@ -374,16 +377,16 @@ constexpr NativeFunction kPictureFunctions[] = {
                     {.check = gives_kind<PixelKind::kGrey>}),
     def<blur>("blur(img: image, sigma: double = 1.0) -> image",
               "Smooths by a Gaussian bell with the standard deviation sigma, 0 to 30 px.",
-              "blur(image([0, 0, 255; 0, 0, 255]), sigma: 0.7)", {.check = gives_same_kind<0>}),
+              "blur(image([0, 0, 255; 0, 0, 255]), sigma: 0.7)", {.check = gives_same_kind<"img">}),
     def<box_blur>(
         "boxBlur(img: image, radius: int = 1) -> image",
         "Each pixel becomes the mean of the square with 2 radius + 1 pixels on each side; "
         "radius: 0 to 100.",
-        "boxBlur(image([0, 0, 255; 0, 0, 255]), radius: 2)", {.check = gives_same_kind<0>}),
+        "boxBlur(image([0, 0, 255; 0, 0, 255]), radius: 2)", {.check = gives_same_kind<"img">}),
     def<noise>("noise(img: image, sigma: double = 5.0, seed: int = 1) -> image",
                "The picture with Gaussian noise of the standard deviation sigma, 0 to 255 grey "
                "levels. The same seed, from 0 on, gives the same noise.",
-               "noise(image([90, 90; 90, 90]), sigma: 2.0)", {.check = gives_same_kind<0>}),
+               "noise(image([90, 90; 90, 90]), sigma: 2.0)", {.check = gives_same_kind<"img">}),
     def<to_matrix>("matrix(img: image, channel: int?) -> matrix",
                    "A matrix with a number for each pixel, row by row: the grey levels, or the "
                    "depths in metres. Of an RGB picture, channel 0, 1 or 2: red, green or blue.",

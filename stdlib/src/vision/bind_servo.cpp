@@ -17,26 +17,6 @@
 namespace armlet::bind {
 namespace {
 
-// The indices of the parameters of visualServo.
-struct ServoAt {
-  enum : int {
-    kRobot,
-    kEye,
-    kFeatures,
-    kWanted,
-    kLaw,
-    kGain,
-    kDepth,
-    kPoints,
-    kStart,
-    kWithin,
-    kTimeout,
-    kPeriod,
-    kPatience,
-    kSmooth
-  };
-};
-
 // A gain in a program: a number, or a ServoGain.
 AdaptiveGain gain_of(double gain) {
   if (!(gain > 0.0)) {
@@ -63,7 +43,7 @@ Answer<ServoLaw> law_of(Vm& vm, std::string_view word) {
   if (found == kServoLaws.end()) {
     return fail_servo(
         vm, fmt::format("there is no law \"{}\"; expected {}", word, choice_of(kServoLaws)),
-        ServoAt::kLaw);
+        at("law"));
   }
   return static_cast<ServoLaw>(found - kServoLaws.begin());
 }
@@ -92,7 +72,7 @@ Answer<void> check_carrier(Vm& vm, const RobotRef& r, const CameraRef& camera) {
     return fail_servo(vm,
                       fmt::format("`{}` does not carry the camera `{}`, which {}", arm, eye,
                                   mount_text(cell, on, carrier)),
-                      ServoAt::kEye,
+                      at("c"),
                       carrier < 0 ? mount
                                   : fmt::format("move the robot that carries it, `{}`, or {}",
                                                 cell.robot(carrier).name, mount));
@@ -100,7 +80,7 @@ Answer<void> check_carrier(Vm& vm, const RobotRef& r, const CameraRef& camera) {
   try {
     (void)cell.cameras().T_world_camera_for(cell, camera.id, cell.T_world_tool(r.id));
   } catch (const ArgumentError& error) {
-    return fail_servo(vm, clause_of(error), ServoAt::kEye);
+    return fail_servo(vm, clause_of(error), at("c"));
   }
   if (cell.can_drive(r.id)) return {};
   return check_idle(vm, r.id);
@@ -110,12 +90,12 @@ Answer<void> check_carrier(Vm& vm, const RobotRef& r, const CameraRef& camera) {
 // next whole number of its pictures.
 Answer<std::int64_t> period_of(Vm& vm, double seconds, double rate) {
   constexpr double kLongest = 3600.0, kRounding = 1e-6;
-  if (!std::isfinite(seconds)) return not_finite(vm, "`period`", seconds, ServoAt::kPeriod);
+  if (!std::isfinite(seconds)) return not_finite(vm, "`period`", seconds, at("period"));
   const std::int64_t ns = seconds > 0.0 && seconds <= kLongest ? to_ns(seconds) : 0;
   if (ns == 0) {
     return fail_servo(
         vm, fmt::format("`period` is {:g} s; expected a time above 0 and up to an hour", seconds),
-        ServoAt::kPeriod);
+        at("period"));
   }
   if (rate == 0.0) return ns;
   const double pictures = std::max(1.0, std::ceil(seconds * rate - kRounding));
@@ -124,25 +104,25 @@ Answer<std::int64_t> period_of(Vm& vm, double seconds, double rate) {
                     fmt::format("the camera takes a picture every {:g} s; the loop needs one in an "
                                 "hour at least",
                                 1.0 / rate),
-                    ServoAt::kEye);
+                    at("c"));
 }
 
 Answer<void> check_numbers(Vm& vm, double within, double timeout, double smooth) {
-  if (!std::isfinite(within)) return not_finite(vm, "`within`", within, ServoAt::kWithin);
-  if (!std::isfinite(timeout)) return not_finite(vm, "`timeout`", timeout, ServoAt::kTimeout);
-  if (!std::isfinite(smooth)) return not_finite(vm, "`smooth`", smooth, ServoAt::kSmooth);
+  if (!std::isfinite(within)) return not_finite(vm, "`within`", within, at("within"));
+  if (!std::isfinite(timeout)) return not_finite(vm, "`timeout`", timeout, at("timeout"));
+  if (!std::isfinite(smooth)) return not_finite(vm, "`smooth`", smooth, at("smooth"));
   return {};
 }
 
 // The goal of a call, with its sizes checked.
 Answer<ServoGoal> goal_of(Vm& vm, const MatrixObj& wanted, Eigen::VectorXd depths,
                           std::optional<std::span<const Slot>> rows) {
-  const auto pixels = pixels_of(vm, wanted, ServoAt::kWanted, " of `wanted`");
+  const auto pixels = pixels_of(vm, wanted, at("wanted"), " of `wanted`");
   if (!pixels) return Failed{};
-  if (!depths.allFinite()) return not_finite(vm, "a depth", depths.sum(), ServoAt::kDepth);
+  if (!depths.allFinite()) return not_finite(vm, "a depth", depths.sum(), at("depth"));
   ServoGoal goal{.wanted = *pixels, .depths = std::move(depths)};
   if (rows) {
-    const auto points = points_of(vm, *rows, ServoAt::kPoints);
+    const auto points = points_of(vm, *rows, at("points"));
     if (!points) return Failed{};
     goal.points = *points;
   }
@@ -152,11 +132,11 @@ Answer<ServoGoal> goal_of(Vm& vm, const MatrixObj& wanted, Eigen::VectorXd depth
 // The expected points in the first picture.
 Answer<PlanePoints> start_of(Vm& vm, std::optional<Slot> start, const PlanePoints& wanted) {
   if (!start) return wanted;
-  auto points = pixels_of(vm, matrix_value(*start), ServoAt::kStart, " of `start`");
+  auto points = pixels_of(vm, matrix_value(*start), at("start"), " of `start`");
   if (points && points->rows() != wanted.rows()) {
     return fail_servo(
         vm, fmt::format("`start` has {} points and {} are wanted", points->rows(), wanted.rows()),
-        ServoAt::kStart);
+        at("start"));
   }
   return points;
 }
@@ -172,7 +152,7 @@ Started visual_servo(Vm& vm, const RobotRef& r, const CameraRef& camera, Functio
   const double rate = Host::of(vm).cell().cameras().at(camera.id).rate;
   const auto period_ns = period_of(vm, period, rate);
   if (!period_ns || !check_numbers(vm, within, timeout, smooth)) return Failed{};
-  if (!check_time_left(vm, "a motion", timeout, ServoAt::kTimeout)) return Failed{};
+  if (!check_time_left(vm, "a motion", timeout, at("timeout"))) return Failed{};
   auto goal = goal_of(vm, wanted, depths_of(depth), points);
   if (!goal) return Failed{};
   auto first = start_of(vm, start, goal->wanted);
@@ -204,12 +184,15 @@ Started visual_servo(Vm& vm, const RobotRef& r, const CameraRef& camera, Functio
 
 Answer<RecordObj*> adaptive(Vm& vm, double at_zero, double at_infinity, double slope) try {
   const double numbers[] = {at_zero, at_infinity, slope};
-  constexpr std::string_view kNames[] = {"`atZero`", "`atInfinity`", "`slope`"};
+  const CallPart parts[] = {at("atZero"), at("atInfinity"), at("slope")};
   for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(numbers[i])) return not_finite(vm, kNames[i], numbers[i], i);
+    if (!std::isfinite(numbers[i]))
+      return not_finite(vm, fmt::format("`{}`", parts[i].parameter()), numbers[i], parts[i]);
     if (numbers[i] > 0.0) continue;
     return fail_servo(
-        vm, fmt::format("{} is {:g}; it must be greater than zero", kNames[i], numbers[i]), i);
+        vm,
+        fmt::format("`{}` is {:g}; it must be greater than zero", parts[i].parameter(), numbers[i]),
+        parts[i]);
   }
   (void)AdaptiveGain{at_zero, at_infinity, slope}.at(0.0);
   RecordObj* record = new_record(vm, vm.program().library_record("ServoGain"));
@@ -265,7 +248,7 @@ constexpr std::string_view kServoHelp =
 #define ARMLET_SERVO_ROW(kExpected, Gain, Depth, fn, gain, depth, shown)                          \
   def<visual_servo<kExpected, Gain, Depth>>(                                                      \
       ARMLET_SERVO_HEAD fn ARMLET_SERVO_LAW gain ", depth: " depth ARMLET_SERVO_REST, kServoHelp, \
-      shown, {.check = check_word<ServoAt::kLaw, kServoLaws>, .pauses = true})
+      shown, {.check = check_word<"law", kServoLaws>, .pauses = true})
 
 using OneDepth = std::optional<double>;
 using Depths = std::span<const double>;

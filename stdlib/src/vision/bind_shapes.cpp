@@ -50,15 +50,15 @@ Answer<Obj*> contours(Vm& vm, const Image& image, bool holes, double min_area) {
 }
 
 Answer<PlanePoints> polygon(Vm& vm, const MatrixObj& matrix, double tolerance) {
-  const auto contour = pixels_of(vm, matrix, 0);
+  const auto contour = pixels_of(vm, matrix, at("contour"));
   if (!contour) return Failed{};
   return with_opencv(vm, "polygon", 0, [&] { return polygon_of(*contour, tolerance); });
 }
 
 Answer<RecordObj*> flow(Vm& vm, const Image& from, const Image& to, const MatrixObj& matrix,
                         std::int64_t window, std::int64_t levels, double within) {
-  if (!grey_for_opencv(vm, from, 0) || !grey_for_opencv(vm, to, 1)) return Failed{};
-  const auto points = pixels_of(vm, matrix, 2);
+  if (!grey_for_opencv(vm, from, at("from")) || !grey_for_opencv(vm, to, at("to"))) return Failed{};
+  const auto points = pixels_of(vm, matrix, at("points"));
   if (!points) return Failed{};
   const std::uint64_t pixels = std::uint64_t{1} * from.width() * from.height();
   const auto found = with_opencv(vm, "flow", 40 * pixels, [&] {
@@ -104,21 +104,21 @@ constexpr NativeFunction kShapeFunctions[] = {
         "erode(img: image, radius: int = 1, disc: bool = false) -> image",
         "Every pixel becomes the darkest one of the square with 2 radius + 1 pixels around it, or "
         "of a disc; radius: 1 to 50 px. Bright regions get smaller. Needs OpenCV.",
-        ARMLET_SHOWN_PATCH "print(erode(img)[30, 20])", {.check = gives_same_kind<0>}),
+        ARMLET_SHOWN_PATCH "print(erode(img)[30, 20])", {.check = gives_same_kind<"img">}),
     def<morphology<Morphology::kDilate>>(
         "dilate(img: image, radius: int = 1, disc: bool = false) -> image",
         "The same with the brightest pixel. Bright regions get larger. Needs OpenCV.",
-        ARMLET_SHOWN_PATCH "print(dilate(img)[29, 19])", {.check = gives_same_kind<0>}),
+        ARMLET_SHOWN_PATCH "print(dilate(img)[29, 19])", {.check = gives_same_kind<"img">}),
     def<morphology<Morphology::kOpen>>(
         "opening(img: image, radius: int = 1, disc: bool = false) -> image",
         "erode and then dilate: bright spots and bridges that are narrower than 2 radius + 1 "
         "pixels are gone. Needs OpenCV.",
-        ARMLET_SHOWN_PATCH "print(opening(img) == img)", {.check = gives_same_kind<0>}),
+        ARMLET_SHOWN_PATCH "print(opening(img) == img)", {.check = gives_same_kind<"img">}),
     def<morphology<Morphology::kClose>>(
         "closing(img: image, radius: int = 1, disc: bool = false) -> image",
         "dilate and then erode: dark spots and gaps that are narrower than 2 radius + 1 pixels are "
         "gone. Needs OpenCV.",
-        ARMLET_SHOWN_PATCH "print(closing(img) == img)", {.check = gives_same_kind<0>}),
+        ARMLET_SHOWN_PATCH "print(closing(img) == img)", {.check = gives_same_kind<"img">}),
     def<contours>("contours(img: image, holes: bool = false, minArea: double = 0.0) -> matrix[]",
                   "The outlines of the regions of a grey picture that are not black, from the top: "
                   "of each the pixels on its border, a row x, y for each. holes: those of holes, "

@@ -59,7 +59,7 @@ std::vector<std::string> bodies(Vm& vm, const CameraRef& c) {
 
 Answer<Eigen::MatrixXd> project(Vm& vm, const CameraRef& c, std::span<const Slot> rows,
                                 const PosC* from) try {
-  const auto points = points_of(vm, rows, 1);
+  const auto points = points_of(vm, rows, at("points"));
   if (!points || !charge_work(vm, 64 * points->rows())) return Failed{};
   Cell& cell = Host::of(vm).cell();
   const Cameras& cameras = cell.cameras();
@@ -71,7 +71,7 @@ Answer<Eigen::MatrixXd> project(Vm& vm, const CameraRef& c, std::span<const Slot
   for (Eigen::Index i = 0; i < points->rows(); ++i) {
     const auto pixel = cameras.at(c.id).lens.project(T_camera_world * points->row(i).transpose());
     if (!pixel) {
-      return fail_blind(vm, fmt::format("point {}: {}", i, clause_of(pixel.error())), 1);
+      return fail_blind(vm, fmt::format("point {}: {}", i, clause_of(pixel.error())), at("points"));
     }
     pixels.row(i) = pixel->transpose();
   }
@@ -82,16 +82,15 @@ Answer<Eigen::MatrixXd> project(Vm& vm, const CameraRef& c, std::span<const Slot
 
 // The directions of the rays through pixels, in the camera's frame with z = 1.
 Answer<std::vector<Eigen::Vector3d>> rays_of(Vm& vm, const CameraRef& c, const PlanePoints& pixels,
-                                             int parameter) {
+                                             CallPart part) {
   const Pinhole& lens = Host::of(vm).cell().cameras().at(c.id).lens;
   std::vector<Eigen::Vector3d> rays;
   for (Eigen::Index i = 0; i < pixels.rows(); ++i) {
     const Eigen::Vector2d pixel = pixels.row(i).transpose();
-    if (!pixel.allFinite())
-      return not_finite(vm, fmt::format("pixel {}", i), pixel.sum(), parameter);
+    if (!pixel.allFinite()) return not_finite(vm, fmt::format("pixel {}", i), pixel.sum(), part);
     const auto ray = lens.ray(pixel);
     if (!ray) {
-      return fail_blind(vm, fmt::format("row {}: {}", i, clause_of(ray.error())), parameter);
+      return fail_blind(vm, fmt::format("row {}: {}", i, clause_of(ray.error())), part);
     }
     rays.push_back(*ray);
   }
@@ -100,11 +99,12 @@ Answer<std::vector<Eigen::Vector3d>> rays_of(Vm& vm, const CameraRef& c, const P
 
 Answer<std::vector<double>> ray(Vm& vm, const CameraRef& c, std::span<const double> pixel) {
   if (pixel.size() != 2) {
-    return failure(vm, "R0613", fmt::format("a pixel has 2 values, not {}", pixel.size()), 1);
+    return failure(vm, "R0613", fmt::format("a pixel has 2 values, not {}", pixel.size()),
+                   at("pixel"));
   }
   PlanePoints one(1, 2);
   one << pixel[0], pixel[1];
-  const auto rays = rays_of(vm, c, one, 1);
+  const auto rays = rays_of(vm, c, one, at("pixel"));
   const auto now = pose_now(vm, c);
   if (!rays || !now) return Failed{};
   const Eigen::Vector3d d = (now->linear() * rays->front()).normalized();
@@ -113,20 +113,20 @@ Answer<std::vector<double>> ray(Vm& vm, const CameraRef& c, std::span<const doub
 
 // One depth for each of `count` points; a single depth applies to all.
 Answer<Eigen::VectorXd> depths_of(Vm& vm, std::span<const double> depths, Eigen::Index count,
-                                  int parameter) {
+                                  CallPart part) {
   if (depths.size() != 1 && static_cast<Eigen::Index>(depths.size()) != count) {
     return failure(
         vm, "R0613",
         fmt::format("{} depths for {} points; expected one or as many", depths.size(), count),
-        parameter);
+        part);
   }
   Eigen::VectorXd out(count);
   for (Eigen::Index i = 0; i < count; ++i)
     out[i] = depths[depths.size() == 1 ? 0 : static_cast<std::size_t>(i)];
   for (const double z : out) {
-    if (!std::isfinite(z)) return not_finite(vm, "a depth", z, parameter);
+    if (!std::isfinite(z)) return not_finite(vm, "a depth", z, part);
     if (!(z > 0.0))
-      return fail_blind(vm, fmt::format("a depth of {} m; expected more than 0", z), parameter);
+      return fail_blind(vm, fmt::format("a depth of {} m; expected more than 0", z), part);
   }
   return out;
 }
@@ -143,10 +143,10 @@ std::span<const double> as_list(const Depth& depth) {
 template <class Depth>
 Answer<std::vector<std::vector<double>>> unproject(Vm& vm, const CameraRef& c,
                                                    const MatrixObj& matrix, Depth depth) {
-  const auto pixels = pixels_of(vm, matrix, 1);
+  const auto pixels = pixels_of(vm, matrix, at("pixels"));
   if (!pixels || !charge_work(vm, 256 * pixels->rows())) return Failed{};
-  const auto depths = depths_of(vm, as_list(depth), pixels->rows(), 2);
-  const auto rays = depths ? rays_of(vm, c, *pixels, 1) : Failed{};
+  const auto depths = depths_of(vm, as_list(depth), pixels->rows(), at("depth"));
+  const auto rays = depths ? rays_of(vm, c, *pixels, at("pixels")) : Failed{};
   const auto now = rays ? pose_now(vm, c) : Failed{};
   if (!now) return Failed{};
   std::vector<std::vector<double>> points;
@@ -160,13 +160,13 @@ Answer<std::vector<std::vector<double>>> unproject(Vm& vm, const CameraRef& c,
 template <class Depth>
 Answer<Eigen::MatrixXd> interaction(Vm& vm, const CameraRef& c, const MatrixObj& matrix,
                                     Depth depth) try {
-  const auto pixels = pixels_of(vm, matrix, 1);
+  const auto pixels = pixels_of(vm, matrix, at("s"));
   if (!pixels || !charge_work(vm, 512 * pixels->rows())) return Failed{};
-  const auto depths = depths_of(vm, as_list(depth), pixels->rows(), 2);
+  const auto depths = depths_of(vm, as_list(depth), pixels->rows(), at("depth"));
   if (!depths) return Failed{};
   auto L = interaction_matrix(Host::of(vm).cell().cameras().at(c.id).lens, *pixels, *depths);
   if (!L) {
-    return fail_blind(vm, clause_of(L.error()), 1);
+    return fail_blind(vm, clause_of(L.error()), at("s"));
   }
   return std::move(L).value();
 } catch (const ArgumentError& error) {
@@ -192,8 +192,8 @@ std::optional<double> nearest_depth(const Scene& scene, const Pinhole& lens,
 }
 
 Answer<std::vector<double>> depth(Vm& vm, const CameraRef& c, const MatrixObj& matrix) try {
-  const auto pixels = pixels_of(vm, matrix, 1);
-  const auto rays = pixels ? rays_of(vm, c, *pixels, 1) : Failed{};  // only for its checks
+  const auto pixels = pixels_of(vm, matrix, at("s"));
+  const auto rays = pixels ? rays_of(vm, c, *pixels, at("s")) : Failed{};  // only for its checks
   const auto now = rays ? pose_now(vm, c) : Failed{};
   if (!now) return Failed{};
   Cell& cell = Host::of(vm).cell();
@@ -202,7 +202,7 @@ Answer<std::vector<double>> depth(Vm& vm, const CameraRef& c, const MatrixObj& m
   std::vector<double> depths;
   for (Eigen::Index i = 0; i < pixels->rows(); ++i) {
     const auto z = nearest_depth(scene, lens, *now, pixels->row(i).transpose());
-    if (!z) return fail_blind(vm, fmt::format("row {}: nothing is seen at this pixel", i), 1);
+    if (!z) return fail_blind(vm, fmt::format("row {}: nothing is seen at this pixel", i), at("s"));
     depths.push_back(*z);
   }
   return depths;
@@ -211,14 +211,14 @@ Answer<std::vector<double>> depth(Vm& vm, const CameraRef& c, const MatrixObj& m
 }
 
 Answer<double> sees(Vm& vm, const CameraRef& c, const ObjectRef& o) {
-  if (find_object(vm, o.name) == nullptr) return fail_unknown_object(vm, o.name, 1);
+  if (find_object(vm, o.name) == nullptr) return fail_unknown_object(vm, o.name, at("o"));
   return looking(vm, c, nullptr, [&](Cell& cell, const Eigen::Isometry3d&) {
     return cell.cameras().visible_share(cell, c.id, o.name);
   });
 }
 
 Answer<MatrixObj*> seen_corners_of(Vm& vm, const CameraRef& c, const ObjectRef& o) {
-  if (find_object(vm, o.name) == nullptr) return fail_unknown_object(vm, o.name, 1);
+  if (find_object(vm, o.name) == nullptr) return fail_unknown_object(vm, o.name, at("o"));
   const auto corners = looking(vm, c, nullptr, [&](Cell& cell, const Eigen::Isometry3d&) {
     return cell.cameras().corners(cell, c.id, o.name);
   });
@@ -240,7 +240,7 @@ Eigen::Vector3d half_size(const Shape& shape) {
 
 Answer<std::vector<std::vector<double>>> corners_of(Vm& vm, const ObjectRef& o) {
   const Object* object = find_object(vm, o.name);
-  if (object == nullptr) return fail_unknown_object(vm, o.name, 0);
+  if (object == nullptr) return fail_unknown_object(vm, o.name, at("o"));
   const Eigen::Vector3d half = half_size(object->shape);
   constexpr double kAround[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   std::vector<std::vector<double>> points;
@@ -266,7 +266,7 @@ constexpr std::string_view kCaptureExample = ARMLET_SHOWN_EYE "print(eye.capture
 
 void check_capture(CheckCall& call) {
   note_kind(call, PixelKind::kRgb);
-  check_rate(call, 0);
+  check_rate(call, at("c"));
 }
 
 constexpr NativeFunction kCaptureNext =

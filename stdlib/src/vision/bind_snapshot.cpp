@@ -23,27 +23,27 @@ std::string with_ending(std::string_view file) {
 }
 
 void check_snapshot_file(CheckCall& call) {
-  const auto file = call.given(0) ? call.constant(0) : std::nullopt;
+  const auto file = call.given(at("file")) ? call.constant(at("file")) : std::nullopt;
   if (file && file->kind == Constant::Kind::kText && with_ending(file->text) == file->text)
-    check_endings(call, 0, kSnapshotEndings);
+    check_endings(call, at("file"), kSnapshotEndings);
 }
 
 Answer<void> save(Vm& vm, std::string_view file, const Viewpoint& from, const Scene& scene) {
   const auto image = with_pictures(vm, 0, [&] { return picture_from(from, scene); });
   if (!image) return Failed{};
-  return save_picture(vm, *image, with_ending(file), 0);
+  return save_picture(vm, *image, with_ending(file), at("file"));
 }
 
 Answer<void> snapshot(Vm& vm, std::string_view file, std::int64_t width, std::int64_t height) {
   Cell& cell = Host::of(vm).cell();
   const Scene scene = cell.cameras().scene(cell);
-  for (const auto& [side, parameter] : {std::pair(width, 1), std::pair(height, 2)}) {
+  for (const auto& [side, part] :
+       {std::pair(width, at("width")), std::pair(height, at("height"))}) {
     if (side < kLeastSide || side > kMostSide) {
-      return fail_picture(
-          vm,
-          fmt::format("its {} would be {} pixels; expected {} to {}",
-                      parameter == 1 ? "width" : "height", side, kLeastSide, kMostSide),
-          parameter);
+      return fail_picture(vm,
+                          fmt::format("its {} would be {} pixels; expected {} to {}",
+                                      part.parameter(), side, kLeastSide, kMostSide),
+                          part);
     }
   }
   const auto from = with_pictures(vm, 0, [&] {

@@ -56,12 +56,10 @@ inline constexpr const HostType* kHostType<bind::TrackerValue> = &bind::kTracker
 namespace armlet::bind {
 namespace {
 
-constexpr int kTrackMethod = 3;
-
 Answer<TrackerValue> track(Vm& vm, const MatrixObj& start, double gate, std::int64_t patience,
                            std::string_view method, std::int64_t threshold) try {
-  const auto points = pixels_of(vm, start, 0);
-  const auto found_by = points ? corner_method(vm, method, kTrackMethod) : Failed{};
+  const auto points = pixels_of(vm, start, at("start"));
+  const auto found_by = points ? corner_method(vm, method, at("method")) : Failed{};
   if (!found_by) return Failed{};
   const auto check = [](std::string_view name, std::string_view of_corners, double value) {
     check_picture_parameter_as("track", name, picture_parameter("corners", of_corners), value);
@@ -69,8 +67,9 @@ Answer<TrackerValue> track(Vm& vm, const MatrixObj& start, double gate, std::int
   check("gate", "within", gate);
   check("threshold", "threshold", static_cast<double>(threshold));
   if (patience < 0 || patience > 1'000'000)
-    return fail_picture(
-        vm, fmt::format("`patience` of `track` is {}; expected 0 to 1000000", patience), 2);
+    return fail_picture(vm,
+                        fmt::format("`patience` of `track` is {}; expected 0 to 1000000", patience),
+                        at("patience"));
   return TrackerValue{std::make_shared<TrackerValue::State>(TrackerValue::State{
       PointTracker(*points, gate, static_cast<int>(patience)), gate,
       CornerOptions{.method = *found_by, .threshold = static_cast<int>(threshold)}})};
@@ -82,7 +81,7 @@ Answer<PlanePoints> update(Vm& vm, const TrackerValue& tracker, const Image& ima
                            std::optional<Slot> predicted) try {
   TrackerValue::State& state = *tracker.state;
   if (!searchable(vm, image)) return Failed{};
-  const auto expected = predicted ? pixels_of(vm, matrix_value(*predicted), 2)
+  const auto expected = predicted ? pixels_of(vm, matrix_value(*predicted), at("predicted"))
                                   : Answer<PlanePoints>(state.points.expected());
   if (!expected) return Failed{};
   const auto found =
@@ -92,7 +91,7 @@ Answer<PlanePoints> update(Vm& vm, const TrackerValue& tracker, const Image& ima
   std::vector<int> lost = state.points.lost();
   if (lost.empty()) return now;
   return fail_lost(vm, {now, std::move(lost), state.gate},
-                   match_points(*found, now, state.gate).distance, 0);
+                   match_points(*found, now, state.gate).distance, CallPart::first());
 } catch (const ArgumentError& error) {
   return fail_picture(vm, clause_of(error));
 }
@@ -130,7 +129,7 @@ constexpr NativeFunction kTrackerFunctions[] = {
         "A tracker remembers: update changes it, by whichever name; track(tr.points) starts "
         "another from where the points are now.",
         ARMLET_SHOWN_TRACK "print(tr)",
-        {.check = check_word<kTrackMethod, kCornerMethods>, .acts = true}),
+        {.check = check_word<"method", kCornerMethods>, .acts = true}),
     def<update>("update(tr: tracker, img: image, predicted: matrix?) -> matrix",
                 "The points in the next grey picture, in the order of the start. predicted: where "
                 "they are expected; otherwise where they were, plus what they moved by before. "

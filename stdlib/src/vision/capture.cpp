@@ -82,11 +82,11 @@ class FrameWaiting : public Waiting {
 
 }  // namespace
 
-void note_rate(CheckCall& call, int rate) {
+void note_rate(CheckCall& call, CallPart rate) {
   call.set_result_fact(std::make_shared<RateFact>(call.given(rate)));
 }
 
-void check_rate(CheckCall& call, int camera) {
+void check_rate(CheckCall& call, CallPart camera) {
   const auto known = std::dynamic_pointer_cast<const RateFact>(call.fact(camera));
   if (known ? known->has_rate : !call.declared_names("camera.rate").empty()) call.take_time();
 }

@@ -11,9 +11,9 @@
 namespace armlet::bind {
 
 // Notes what is known of a camera from the text: whether it takes pictures at a rate.
-void note_rate(CheckCall& call, int rate);
+void note_rate(CheckCall& call, CallPart rate);
 // A call on a camera that has a rate, or may have one, takes time.
-void check_rate(CheckCall& call, int camera);
+void check_rate(CheckCall& call, CallPart camera);
 
 // The RGB picture at this instant, counted and reported to listeners. from: pose of the tool point
 // (for cameras on robots) or of the camera.

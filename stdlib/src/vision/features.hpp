@@ -18,7 +18,7 @@ namespace armlet::bind {
 Answer<void> searchable(Vm& vm, const Image& image);
 
 // The detector of that name; R0681 if there is none.
-Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, int parameter);
+Answer<CornerMethod> corner_method(Vm& vm, std::string_view word, CallPart part);
 
 // The positions found for wanted points: one row for each; the rows of lost points have no meaning.
 struct FoundCorners : FailureDetail {
@@ -33,7 +33,7 @@ struct FoundCorners : FailureDetail {
 // R0682: these wanted points have no corner within the search radius. The failure carries `found`.
 //
 // distance  of each wanted point from the nearest corner, px.
-Failed fail_lost(Vm& vm, FoundCorners found, const std::vector<double>& distance, int parameter);
+Failed fail_lost(Vm& vm, FoundCorners found, const std::vector<double>& distance, CallPart part);
 
 // Fails if there are more points than match_points accepts.
 Answer<PlanePoints> few_enough(Vm& vm, PlanePoints points);

@@ -12,7 +12,7 @@ namespace armlet::bind {
 Answer<void> opencv_for(Vm& vm, std::string_view function);
 
 // R0681 unless the picture is grey, and small enough for a function of OpenCV to end soon.
-Answer<void> grey_for_opencv(Vm& vm, const Image& image, int parameter = 0);
+Answer<void> grey_for_opencv(Vm& vm, const Image& image, CallPart part = CallPart::first());
 
 // Runs f() for `function` after charging this number of operations; its refusals are R0681.
 template <class F>

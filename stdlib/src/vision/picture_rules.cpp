@@ -22,8 +22,8 @@ void note_kind(CheckCall& call, PixelKind kind) {
   call.set_result_fact(std::make_shared<KindFact>(kind));
 }
 
-void note_same_kind(CheckCall& call, int parameter) {
-  if (const auto fact = std::dynamic_pointer_cast<const KindFact>(call.fact(parameter)))
+void note_same_kind(CheckCall& call, CallPart part) {
+  if (const auto fact = std::dynamic_pointer_cast<const KindFact>(call.fact(part)))
     call.set_result_fact(fact);
 }
 

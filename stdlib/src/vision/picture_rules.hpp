@@ -13,11 +13,11 @@ template <PixelKind kKind>
 void gives_kind(CheckCall& call) {
   note_kind(call, kKind);
 }
-// The result has the kind of argument kParameter, if that is known.
-void note_same_kind(CheckCall& call, int parameter);
-template <int kParameter>
+// The result has the kind of argument kName, if that is known.
+void note_same_kind(CheckCall& call, CallPart part);
+template <ParameterName kName>
 void gives_same_kind(CheckCall& call) {
-  note_same_kind(call, kParameter);
+  note_same_kind(call, kPart<kName>);
 }
 
 }  // namespace armlet::bind

@@ -95,7 +95,7 @@ class ServoWaiting : public Waiting {
     try {
       qd = servo_.look(*sight);
     } catch (const ArgumentError& error) {
-      return fail_servo(vm, clause_of(error), kFeatures);
+      return fail_servo(vm, clause_of(error), at("features"));
     }
     is_done_ = servo_.end() != ServoEnd::kNone;
     if (is_done_) return {};
@@ -145,8 +145,6 @@ class ServoWaiting : public Waiting {
   [[nodiscard]] Resource resource() const override { return robot_called(state().name); }
 
  private:
-  static constexpr int kFeatures = 2;  // index of the parameter
-
   [[nodiscard]] const CellRobot& state() const { return host_.cell().robot(call_.robot); }
   [[nodiscard]] const MotionReport& report() const { return host_.cell().report(motion_); }
   [[nodiscard]] bool moves() const {
@@ -215,7 +213,7 @@ class ServoWaiting : public Waiting {
       take_found(taken->detail.get(), expected, sight);
       return {};
     }
-    auto points = pixels_of(vm, matrix_value(found), kFeatures, " that `features` gives");
+    auto points = pixels_of(vm, matrix_value(found), at("features"), " that `features` gives");
     release(vm, found.o);
     if (!points) return Failed{};
     sight.pixels = *std::move(points);
@@ -297,10 +295,10 @@ class ServoWaiting : public Waiting {
 
 }  // namespace
 
-Failed fail_servo(Vm& vm, std::string_view clause, int parameter, std::string fix) {
+Failed fail_servo(Vm& vm, std::string_view clause, CallPart part, std::string fix) {
   Failure f;
   f.headline = {row("R0690"), {std::string(clause)}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));
 }

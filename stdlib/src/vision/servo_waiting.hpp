@@ -25,7 +25,7 @@ struct ServoCall {
 };
 
 // R0690: "this cannot be servoed: ...".
-Failed fail_servo(Vm& vm, std::string_view clause, int parameter = -1, std::string fix = {});
+Failed fail_servo(Vm& vm, std::string_view clause, CallPart part = {}, std::string fix = {});
 
 // The joints of an arm in the form of the control loop.
 [[nodiscard]] ServoArm servo_arm(const Robot& robot, const Eigen::Isometry3d& T_tool_camera);

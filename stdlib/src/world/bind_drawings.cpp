@@ -13,29 +13,26 @@
 namespace armlet::bind {
 namespace {
 
-// The mount of a shape; `parameter` is the index of `on`.
-Answer<Mount> shown_on(Vm&, int) { return Mount{}; }
+// The mount of a shape.
+Answer<Mount> shown_on(Vm&) { return Mount{}; }
 template <class On>
-Answer<Mount> shown_on(Vm& vm, int parameter, const On& on) {
-  return mount_on(vm, on, parameter);
+Answer<Mount> shown_on(Vm& vm, const On& on) {
+  return mount_on(vm, on, at("on"));
 }
 // Without a link the shape is mounted on the tool point.
-Answer<Mount> shown_on(Vm& vm, int parameter, const RobotRef& on,
-                       std::optional<std::int64_t> link) {
-  if (link) return mount_on_robot(vm, on, link, parameter + 1);
+Answer<Mount> shown_on(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link) {
+  if (link) return mount_on_robot(vm, on, link, at("link"));
   return Mount{.base = FrameBase::kCarrier,
                .on = Host::of(vm).cell().robot(on.id).name,
                .carrier = on.id,
                .frame = kTipFrame};
 }
 
-// `color_at` is the index of the parameter with the colour.
-Answer<void> show(Vm& vm, Drawing drawing, const Answer<Mount>& on, std::string_view color,
-                  int color_at) try {
+Answer<void> show(Vm& vm, Drawing drawing, const Answer<Mount>& on, std::string_view color) try {
   if (!on) return Failed{};
   drawing.on = *on;
   drawing.color = color;
-  if (!is_color(color)) report_color(vm, color, color_at);
+  if (!is_color(color)) report_color(vm, color, at("color"));
   Host::of(vm).cell().draw(std::move(drawing));
   return {};
 } catch (const ArgumentError& error) {
@@ -55,50 +52,49 @@ Drawing between(DrawingKind kind, std::string_view name, const PosC& from, const
 // The functions for each kind of mount, whose parameters precede the colour.
 template <class... On>
 struct Shows {
-  static constexpr int kOn = sizeof...(On);
-
   template <DrawingKind kKind>
   static Answer<void> stroke(Vm& vm, std::string_view name, const PosC& from, const PosC& to,
                              On... on, std::string_view color, double width) {
-    return show(vm, between(kKind, name, from, to, width), shown_on(vm, 3, on...), color, 3 + kOn);
+    return show(vm, between(kKind, name, from, to, width), shown_on(vm, on...), color);
   }
   static Answer<void> capsule(Vm& vm, std::string_view name, const PosC& from, const PosC& to,
                               double radius, On... on, std::string_view color) {
     Drawing drawing = between(DrawingKind::kCapsule, name, from, to, 0.0);
     // A capsule of length zero is a sphere.
     drawing.size = {radius, std::max(drawing.size[0], kSmallest), 0.0};
-    return show(vm, std::move(drawing), shown_on(vm, 4, on...), color, 4 + kOn);
+    return show(vm, std::move(drawing), shown_on(vm, on...), color);
   }
-  static Answer<void> text(Vm& vm, std::string_view name, std::string_view said, const PosC& at,
+  static Answer<void> text(Vm& vm, std::string_view name, std::string_view said, const PosC& pose,
                            On... on, std::string_view color, double height) {
     return show(vm,
                 {.name = std::string(name),
                  .kind = DrawingKind::kText,
                  .size = {height, 0.0, 0.0},
                  .text = std::string(said),
-                 .T_on_drawing = at.T},
-                shown_on(vm, 3, on...), color, 3 + kOn);
+                 .T_on_drawing = pose.T},
+                shown_on(vm, on...), color);
   }
-  static Answer<void> disk(Vm& vm, std::string_view name, const PosC& at, double radius, On... on,
+  static Answer<void> disk(Vm& vm, std::string_view name, const PosC& pose, double radius, On... on,
                            std::string_view color) {
     return show(vm,
                 {.name = std::string(name),
                  .kind = DrawingKind::kDisk,
                  .size = {radius, 0.0, 0.0},
-                 .T_on_drawing = at.T},
-                shown_on(vm, 3, on...), color, 3 + kOn);
+                 .T_on_drawing = pose.T},
+                shown_on(vm, on...), color);
   }
-  static Answer<void> ellipsoid(Vm& vm, std::string_view name, const PosC& at,
+  static Answer<void> ellipsoid(Vm& vm, std::string_view name, const PosC& pose,
                                 std::span<const double> radii, On... on, std::string_view color) {
     if (radii.size() != 3) {
-      return failure(vm, "R0613", fmt::format("an ellipsoid has 3 radii, not {}", radii.size()), 2);
+      return failure(vm, "R0613", fmt::format("an ellipsoid has 3 radii, not {}", radii.size()),
+                     at("radii"));
     }
     return show(vm,
                 {.name = std::string(name),
                  .kind = DrawingKind::kEllipsoid,
                  .size = {radii[0], radii[1], radii[2]},
-                 .T_on_drawing = at.T},
-                shown_on(vm, 3, on...), color, 3 + kOn);
+                 .T_on_drawing = pose.T},
+                shown_on(vm, on...), color);
   }
 };
 
@@ -113,18 +109,18 @@ Answer<void> remove_drawing(Vm& vm, std::string_view name) {
   const std::vector<std::string> names = cell.drawings().names();
   const std::vector<std::string_view> known(names.begin(), names.end());
   const auto meant = most_similar(name, known);
-  return failure(vm, row("R0672"), fmt::format("there is no shape \"{}\"", name), 0,
+  return failure(vm, row("R0672"), fmt::format("there is no shape \"{}\"", name), at("name"),
                  known.empty() ? "no shapes are drawn" : std::string(),
                  meant ? fmt::format("did you mean \"{}\"?", *meant) : std::string());
 }
 
 Answer<void> trail(Vm& vm, const RobotRef& r, std::string_view color, double width) try {
-  if (!is_color(color)) report_color(vm, color, 1);
+  if (!is_color(color)) report_color(vm, color, at("color"));
   Cell& cell = Host::of(vm).cell();
   cell.trails().begin(cell, r.id, std::string(color), width);
   return {};
 } catch (const ArgumentError& error) {
-  return failure_of(vm, row("R0672"), error, 2);
+  return failure_of(vm, row("R0672"), error, at("width"));
 }
 
 Answer<void> clear_drawings(Vm& vm) {

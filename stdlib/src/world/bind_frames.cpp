@@ -21,37 +21,39 @@ Answer<FrameRef> insert(Vm& vm, NamedFrame frame) try {
   return failure_of(vm, row("R0631"), error);
 }
 
-Answer<FrameRef> frame_block(Vm& vm, std::string_view name, const PosC& at) {
-  return insert(vm, {.name = std::string(name), .T_on_frame = at.T, .turned = at.has_orientation});
+Answer<FrameRef> frame_block(Vm& vm, std::string_view name, const PosC& pose) {
+  return insert(vm,
+                {.name = std::string(name), .T_on_frame = pose.T, .turned = pose.has_orientation});
 }
-Answer<FrameRef> frame_on_object(Vm& vm, std::string_view name, const PosC& at,
+Answer<FrameRef> frame_on_object(Vm& vm, std::string_view name, const PosC& pose,
                                  const ObjectRef& on) {
   const Object* object = find_object(vm, on.name);
-  if (object == nullptr) return fail_unknown_object(vm, on.name, 2);
+  if (object == nullptr) return fail_unknown_object(vm, on.name, at("on"));
   return insert(vm, {.name = std::string(name),
                      .base = FrameBase::kObject,
                      .on = on.name,
-                     .T_on_frame = at.T,
-                     .turned = at.has_orientation || has_orientation(*object)});
+                     .T_on_frame = pose.T,
+                     .turned = pose.has_orientation || has_orientation(*object)});
 }
-Answer<FrameRef> frame_on_frame(Vm& vm, std::string_view name, const PosC& at, const FrameRef& on) {
+Answer<FrameRef> frame_on_frame(Vm& vm, std::string_view name, const PosC& pose,
+                                const FrameRef& on) {
   const NamedFrame* lower = Host::of(vm).cell().world().find_frame(on.name);
-  if (lower == nullptr) return fail_unknown_frame(vm, on.name, 2);
+  if (lower == nullptr) return fail_unknown_frame(vm, on.name, at("on"));
   return insert(vm, {.name = std::string(name),
                      .base = FrameBase::kFrame,
                      .on = on.name,
-                     .T_on_frame = at.T,
-                     .turned = at.has_orientation || lower->turned});
+                     .T_on_frame = pose.T,
+                     .turned = pose.has_orientation || lower->turned});
 }
 
-Answer<FrameRef> frame_on_robot(Vm& vm, std::string_view name, const PosC& at, const RobotRef& on,
+Answer<FrameRef> frame_on_robot(Vm& vm, std::string_view name, const PosC& pose, const RobotRef& on,
                                 std::optional<std::int64_t> link) {
-  const auto mount = mount_on_robot(vm, on, link, 3);
+  const auto mount = mount_on_robot(vm, on, link, at("link"));
   if (!mount) return Failed{};
   return insert(vm, {.name = std::string(name),
                      .base = FrameBase::kCarrier,
                      .on = mount->on,
-                     .T_on_frame = at.T,
+                     .T_on_frame = pose.T,
                      .turned = true,
                      .carrier = mount->carrier,
                      .frame = mount->frame});
@@ -59,14 +61,14 @@ Answer<FrameRef> frame_on_robot(Vm& vm, std::string_view name, const PosC& at, c
 
 Answer<FrameRef> frame_named(Vm& vm, std::string_view name) {
   if (Host::of(vm).cell().world().find_frame(name) == nullptr)
-    return fail_unknown_frame(vm, name, 0);
+    return fail_unknown_frame(vm, name, at("name"));
   return FrameRef{std::string(name)};
 }
 std::string frame_name(const FrameRef& f) { return f.name; }
-Answer<PosC> pose_of_frame(Vm& vm, const FrameRef& f) { return frame_now(vm, f, 0); }
+Answer<PosC> pose_of_frame(Vm& vm, const FrameRef& f) { return frame_now(vm, f, at("f")); }
 
 Answer<void> set_frame_pose(Vm& vm, const FrameRef& f, const PosC& p) try {
-  const auto before = frame_now(vm, f, 0);
+  const auto before = frame_now(vm, f, at("f"));
   if (!before) return Failed{};
   Eigen::Isometry3d T = p.T;
   if (!p.has_orientation) T.linear() = before->T.linear();
@@ -77,7 +79,7 @@ Answer<void> set_frame_pose(Vm& vm, const FrameRef& f, const PosC& p) try {
 }
 
 Answer<PosC> seen_from(Vm& vm, const FrameRef& f, const PosC& p) {
-  const auto frame = frame_now(vm, f, 0);
+  const auto frame = frame_now(vm, f, at("f"));
   if (!frame) return Failed{};
   return PosC{frame->T * p.T, frame->has_orientation || p.has_orientation};
 }

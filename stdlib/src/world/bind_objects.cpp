@@ -29,7 +29,6 @@ struct Fields {
   std::string_view color = "gray";
   std::optional<std::string_view> texture{};
   bool fixed = false;
-  int first = 0;  // index of the parameter `mass`; the others follow in this order
 };
 
 // Sets the mass, given directly or by the density.
@@ -41,14 +40,14 @@ Answer<void> weigh(Vm& vm, const Fields& fields, Object& object) {
     return failure(vm, row("R0631"),
                    fmt::format("the density of \"{}\" is {} kg/m^3; expected more than 0",
                                object.name, *density),
-                   fields.first + 1);
+                   at("density"));
   }
   const double volume = volume_of(object.shape);
   if (volume == 0.0) {
     return failure(
         vm, row("R0631"),
         fmt::format("a plane has no volume, so the density of \"{}\" gives no mass", object.name),
-        fields.first + 1, {}, "give it a mass");
+        at("density"), {}, "give it a mass");
   }
   if (!mass) {
     object.mass = *density * volume;
@@ -56,7 +55,7 @@ Answer<void> weigh(Vm& vm, const Fields& fields, Object& object) {
   }
   Failure advice;
   advice.headline = {row("W0745"), {object.name}};
-  advice.mark_parameter = fields.first + 1;
+  advice.mark = at("density");
   advice.why = fmt::format("the density alone would give {:.4g} kg", *density * volume);
   advice.fix = "leave one of them out";
   vm.advise(advice);
@@ -65,14 +64,14 @@ Answer<void> weigh(Vm& vm, const Fields& fields, Object& object) {
 
 Answer<void> dress(Vm& vm, const Fields& fields, Object& object) {
   object.color = fields.color;
-  if (!is_color(fields.color)) report_color(vm, fields.color, fields.first + 6);
+  if (!is_color(fields.color)) report_color(vm, fields.color, at("color"));
   if (!fields.texture) return {};
   constexpr std::size_t kMostBytes = 16 << 20;
   const std::string file(*fields.texture);
   const auto refuse = [&](const std::string& why) -> Answer<void> {
     Failure f;
     f.headline = {row("R0671"), {file, why}};
-    f.mark_parameter = fields.first + 7;
+    f.mark = at("texture");
     return fail(vm, std::move(f));
   };
   Result<std::string> bytes = Host::of(vm).load_file(file, kMostBytes);
@@ -83,16 +82,16 @@ Answer<void> dress(Vm& vm, const Fields& fields, Object& object) {
 }
 
 Answer<Object> object_of_fields(Vm& vm, std::string_view name, const ShapeValue& shape,
-                                const PosC& at, const Fields& fields) {
+                                const PosC& pose, const Fields& fields) {
   Object object;
   object.name = name;
   object.shape = shape.shape;
-  object.T_world_obj = at.T;
+  object.T_world_obj = pose.T;
   object.friction = fields.friction;
   object.stiffness = fields.stiffness;
   object.fixed = fields.fixed;
   Link link;
-  if (!read_com(vm, fields.com, fields.first + 2, link)) return Failed{};
+  if (!read_com(vm, fields.com, at("com"), link)) return Failed{};
   if (fields.com) object.p_obj_com = link.com;
   object.inertia_com = fields.inertia;
   if (!weigh(vm, fields, object) || !dress(vm, fields, object)) return Failed{};
@@ -115,62 +114,54 @@ Answer<ObjectRef> insert_object(Vm& vm, Object object, const Mount& on) try {
 }
 
 Answer<ObjectRef> make_object(Vm& vm, std::string_view name, const ShapeValue& shape,
-                              const PosC& at, const Fields& fields, const Mount& on = {}) {
-  auto object = object_of_fields(vm, name, shape, at, fields);
+                              const PosC& pose, const Fields& fields, const Mount& on = {}) {
+  auto object = object_of_fields(vm, name, shape, pose, fields);
   if (!object) return Failed{};
   return insert_object(vm, *std::move(object), on);
 }
 
-constexpr int kOn = 3;
-
-constexpr int kFirst = 3;  // the parameter `mass` of an object without a mount
-
 template <class InertiaGiven>
 Answer<ObjectRef> object_block(Vm& vm, std::string_view name, const ShapeValue& shape,
-                               const PosC& at, std::optional<double> mass,
+                               const PosC& pose, std::optional<double> mass,
                                std::optional<double> density, Numbers com, InertiaGiven inertia,
                                double friction, double stiffness, std::string_view color,
                                std::optional<std::string_view> texture, bool fixed) {
-  const auto about_com = inertia_argument(vm, inertia, kFirst + 3);
+  const auto about_com = inertia_argument(vm, inertia, at("inertia"));
   if (!about_com) return Failed{};
-  return make_object(
-      vm, name, shape, at,
-      {mass, density, com, *about_com, friction, stiffness, color, texture, fixed, kFirst});
+  return make_object(vm, name, shape, pose,
+                     {mass, density, com, *about_com, friction, stiffness, color, texture, fixed});
 }
 template <class On, class InertiaGiven>
-Answer<ObjectRef> object_on(Vm& vm, std::string_view name, const ShapeValue& shape, const PosC& at,
-                            const On& on, std::optional<double> mass, std::optional<double> density,
-                            Numbers com, InertiaGiven inertia, double friction, double stiffness,
-                            std::string_view color, std::optional<std::string_view> texture,
-                            bool fixed) {
-  const auto about_com = inertia_argument(vm, inertia, kFirst + 4);
-  const auto mount = about_com ? mount_on(vm, on, kOn) : Failed{};
+Answer<ObjectRef> object_on(Vm& vm, std::string_view name, const ShapeValue& shape,
+                            const PosC& pose, const On& on, std::optional<double> mass,
+                            std::optional<double> density, Numbers com, InertiaGiven inertia,
+                            double friction, double stiffness, std::string_view color,
+                            std::optional<std::string_view> texture, bool fixed) {
+  const auto about_com = inertia_argument(vm, inertia, at("inertia"));
+  const auto mount = about_com ? mount_on(vm, on, at("on")) : Failed{};
   if (!mount) return Failed{};
-  return make_object(
-      vm, name, shape, at,
-      {mass, density, com, *about_com, friction, stiffness, color, texture, fixed, kFirst + 1},
-      *mount);
+  return make_object(vm, name, shape, pose,
+                     {mass, density, com, *about_com, friction, stiffness, color, texture, fixed},
+                     *mount);
 }
 template <class InertiaGiven>
 Answer<ObjectRef> object_on_robot(Vm& vm, std::string_view name, const ShapeValue& shape,
-                                  const PosC& at, const RobotRef& on,
+                                  const PosC& pose, const RobotRef& on,
                                   std::optional<std::int64_t> link, std::optional<double> mass,
                                   std::optional<double> density, Numbers com, InertiaGiven inertia,
                                   double friction, double stiffness, std::string_view color,
                                   std::optional<std::string_view> texture, bool fixed) {
-  const auto about_com = inertia_argument(vm, inertia, kFirst + 5);
-  const auto mount = about_com ? mount_on_robot(vm, on, link, 4) : Failed{};
+  const auto about_com = inertia_argument(vm, inertia, at("inertia"));
+  const auto mount = about_com ? mount_on_robot(vm, on, link, at("link")) : Failed{};
   if (!mount) return Failed{};
-  return make_object(
-      vm, name, shape, at,
-      {mass, density, com, *about_com, friction, stiffness, color, texture, fixed, kFirst + 2},
-      *mount);
+  return make_object(vm, name, shape, pose,
+                     {mass, density, com, *about_com, friction, stiffness, color, texture, fixed},
+                     *mount);
 }
 
-Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, const PosC& at,
+Answer<ObjectRef> spawn(Vm& vm, const ShapeValue& s, std::string_view name, const PosC& pose,
                         std::optional<double> mass, std::string_view color) {
-  // Here the colour is parameter 4.
-  return make_object(vm, name, s, at, {.mass = mass, .color = color, .first = -2});
+  return make_object(vm, name, s, pose, {.mass = mass, .color = color});
 }
 
 #define ARMLET_OBJECT_FIELDS(INERTIA)                                                      \
@@ -190,13 +181,13 @@ template <class InertiaGiven>
 constexpr std::array<NativeFunction, 4> object_forms(const std::array<std::string_view, 4>& forms,
                                                      const std::array<std::string_view, 4>& shown) {
   return {def<object_block<InertiaGiven>>(forms[0], kObjectHelp, shown[0],
-                                          {.check = check_inertia<kFirst + 3>, .acts = true}),
+                                          {.check = check_inertia<"inertia">, .acts = true}),
           def<object_on_robot<InertiaGiven>>(forms[1], kObjectHelp, shown[1],
-                                             {.check = check_inertia<kFirst + 5>, .acts = true}),
+                                             {.check = check_inertia<"inertia">, .acts = true}),
           def<object_on<ObjectRef, InertiaGiven>>(
-              forms[2], kObjectHelp, shown[2], {.check = check_inertia<kFirst + 4>, .acts = true}),
+              forms[2], kObjectHelp, shown[2], {.check = check_inertia<"inertia">, .acts = true}),
           def<object_on<FrameRef, InertiaGiven>>(
-              forms[3], kObjectHelp, shown[3], {.check = check_inertia<kFirst + 4>, .acts = true})};
+              forms[3], kObjectHelp, shown[3], {.check = check_inertia<"inertia">, .acts = true})};
 }
 
 #define ARMLET_OBJECT_FORMS(INERTIA)                                                               \

@@ -27,7 +27,7 @@ using Eigen::Vector3d;
 // The object of a handle, the first argument; fails if it was removed.
 Answer<const Object*> object_of(Vm& vm, const ObjectRef& o) {
   const Object* object = Host::of(vm).cell().world().find(o.name);
-  if (object == nullptr) return fail_unknown_object(vm, o.name, 0);
+  if (object == nullptr) return fail_unknown_object(vm, o.name, CallPart::first());
   return object;
 }
 
@@ -38,7 +38,7 @@ ShapeValue cone(double radius, double height) { return {Cone{radius, height}}; }
 ShapeValue plane(double x, double y) { return {Plane{{x, y}}}; }
 
 Answer<ObjectRef> object_named(Vm& vm, std::string_view name) {
-  if (find_object(vm, name) == nullptr) return fail_unknown_object(vm, name, 0);
+  if (find_object(vm, name) == nullptr) return fail_unknown_object(vm, name, at("name"));
   return ObjectRef{std::string(name)};
 }
 std::string object_name(const ObjectRef& o) { return o.name; }
@@ -59,8 +59,8 @@ Answer<const Object*> free_object(Vm& vm, const ObjectRef& o, std::string_view w
   if (!holder) return object;
   const std::string& name = cell.robot(*holder).name;
   return failure(vm, row("R0631"),
-                 fmt::format("\"{}\" is held by `{}`, so it cannot be {}", o.name, name, what), 0,
-                 {}, fmt::format("write {}.release() first", name));
+                 fmt::format("\"{}\" is held by `{}`, so it cannot be {}", o.name, name, what),
+                 CallPart::first(), {}, fmt::format("write {}.release() first", name));
 }
 
 // W0714, once in a program.
@@ -72,7 +72,7 @@ void report_falls(Vm& vm, const std::vector<Fall>& falls) {
                      {first.name, format_mm(first.drop.distance),
                       first.drop.support == "floor" ? std::string("the floor")
                                                     : fmt::format("\"{}\"", first.drop.support)}};
-  advice.mark_parameter = 0;
+  advice.mark = CallPart::first();
   for (std::size_t i = 1; i < falls.size(); ++i)
     advice.why += fmt::format("{}\"{}\"", i == 1 ? "so did " : ", ", falls[i].name);
   vm.advise(advice);
@@ -128,20 +128,22 @@ constexpr double kTouching = 1e-6;  // m
 
 CellBody thing(const ObjectRef& o) { return {.object = o.name}; }
 CellBody thing(const RobotRef& r) { return {.robot = r.id}; }
-Answer<void> check_there(Vm&, const RobotRef&, int) { return {}; }
-Answer<void> check_there(Vm& vm, const ObjectRef& o, int parameter) {
+Answer<void> check_there(Vm&, const RobotRef&, CallPart) { return {}; }
+Answer<void> check_there(Vm& vm, const ObjectRef& o, CallPart part) {
   if (Host::of(vm).cell().world().find(o.name) != nullptr) return {};
-  return fail_unknown_object(vm, o.name, parameter);
+  return fail_unknown_object(vm, o.name, part);
 }
 
 template <class A, class B>
 Answer<double> distance_of(Vm& vm, const A& a, const B& b) {
-  if (!check_there(vm, a, 0) || !check_there(vm, b, 1)) return Failed{};
+  if (!check_there(vm, a, CallPart::first()) || !check_there(vm, b, CallPart::operand(1)))
+    return Failed{};
   return distance_between(Host::of(vm).cell(), thing(a), thing(b));
 }
 template <class A, class B>
 Answer<RecordObj*> closest_points(Vm& vm, const A& a, const B& b) {
-  if (!check_there(vm, a, 0) || !check_there(vm, b, 1)) return Failed{};
+  if (!check_there(vm, a, CallPart::first()) || !check_there(vm, b, CallPart::operand(1)))
+    return Failed{};
   const Cell& cell = Host::of(vm).cell();
   const Clearance found = nearest_between(cell, thing(a), thing(b));
   const auto point = [](const Vector3d& p) {
@@ -178,7 +180,7 @@ Answer<bool> are_touching(Vm& vm, const A& a, const B& b) {
 Answer<PosC> top_grasp(Vm& vm, const ObjectRef& o, double yaw) {
   const auto object = object_of(vm, o);
   if (!object) return Failed{};
-  if (!std::isfinite(yaw)) return not_finite(vm, "yaw", yaw, 1);
+  if (!std::isfinite(yaw)) return not_finite(vm, "yaw", yaw, at("yaw"));
   const Eigen::Matrix3d& R = (*object)->T_world_obj.linear();
   // The heading of a tilted object is that of its x axis, or of its y axis if its x axis is
   // vertical.

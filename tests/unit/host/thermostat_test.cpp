@@ -139,9 +139,9 @@ Answer<std::unique_ptr<Waiting>> warm(Vm& vm, const Heater& heater, double secon
 }
 
 void check_room(CheckCall& call) {
-  const auto name = call.constant(0);
+  const auto name = call.constant(at("room"));
   if (!name || call.world() == nullptr || call.world()->has(name->text)) return;
-  Diagnostic d = make_diagnostic(kMessages[0], call.span(0), {name->text});
+  Diagnostic d = make_diagnostic(kMessages[0], call.span(at("room")), {name->text});
   d.why = "the rooms of " + call.world()->world + " are";
   for (const std::string& thing : call.world()->things) d.why += ' ' + thing;
   call.report(std::move(d));

@@ -30,13 +30,13 @@ inline constexpr CatalogEntry kJointCount{
 // Every joint of the robot gets one value.
 inline void check_move(CheckCall& call) {
   const auto fact = std::static_pointer_cast<const RobotFact>(
-      call.given(0) ? call.fact(0) : call.ambient_fact("robot"));
+      call.given(at("r")) ? call.fact(at("r")) : call.ambient_fact("robot"));
   if (fact == nullptr) return;
   int values = 0;
-  while (!call.origin(1, values).empty()) ++values;
+  while (!call.origin(at("target"), values).empty()) ++values;
   if (values == 0 || values == fact->joints) return;
   call.report(make_diagnostic(
-      kJointCount, call.span(1),
+      kJointCount, call.span(at("target")),
       {std::to_string(values) + " joint values", std::to_string(fact->joints) + " joints"}));
 }
 

@@ -40,7 +40,7 @@ inline Signal sqrt_of(Vm& vm, Slot* args) {
   if (args[0].d >= 0.0) return give(args, square_root(args[0].d));
   return fail(
       vm, {.headline = {"R0609", {"sqrt", "a negative number", "the value must not be negative"}},
-           .mark_parameter = 0,
+           .mark = at("x"),
            .fix = "use sqrt(abs({arg}))"});
 }
 
@@ -71,7 +71,7 @@ inline constexpr HostType kArm = {.name = "robot"};
 inline Signal refuse(Vm& vm, Slot*) {
   return fail(vm, {.headline = Headline::own(
                        "R0606", "joint 3 would turn to 152 deg; its range is -145 deg to 145 deg"),
-                   .mark_parameter = 0,
+                   .mark = at("xs"),
                    .mark_element = 2,
                    .fix = "the value was given on line {line}",
                    .resource = {&kArm, "arm"}});
@@ -83,7 +83,7 @@ inline Signal cancel_now(Vm& vm, Slot*) {
 }
 
 inline Signal note(Vm& vm, Slot*) {
-  vm.advise({.headline = Headline::own("W0701", "a note"), .mark_parameter = kMarkCallee});
+  vm.advise({.headline = Headline::own("W0701", "a note"), .mark = CallPart::callee()});
   return give_nothing();
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "armlet/interpreter/call_part.hpp"
 #include "armlet/interpreter/messages/message_code.hpp"
 
 namespace armlet {
@@ -47,8 +48,7 @@ struct FailureDetail {
 struct Failure {
   Headline headline;  // {"R0606", {index, range}}; its code gives the kind
   std::string kind;   // replaces the kind of the code, if not empty
-  int mark_parameter =
-      -1;  // which argument to mark; -1: the call; kMarkCallee: the function's name
+  CallPart mark;
   // The element of a list argument (or of the position made from it) that is wrong.
   int mark_element = -1;
   std::string element_label;  // label at the position of that element in the text
@@ -62,6 +62,5 @@ struct Failure {
   CallPlace place;            // the marks are in this call and not in the running one
   std::shared_ptr<const FailureDetail> detail;  // null: none; shared with errors that were caught
 };
-inline constexpr int kMarkCallee = -2;
 
 }  // namespace armlet

@@ -241,31 +241,31 @@ class SizeFact : public Fact {
   bool is_list = false;
 };
 
-// One call, as a rule sees it. Parameters are numbered as in the signature, with the ambient first
-// one.
+// One call, as a rule sees it. Arguments are named by their parameters: call.given(at("speed")).
+// throws  ArgumentError if the function has no such parameter.
 class CheckCall {
  public:
   virtual ~CheckCall() = default;
 
   [[nodiscard]] virtual std::string_view function_name() const = 0;  // as written: "run"
   // Whether the argument is in the text; absent, default and ambient values are not.
-  [[nodiscard]] virtual bool given(int parameter) const = 0;
-  [[nodiscard]] virtual const Type* type(int parameter) const = 0;  // before conversion
-  [[nodiscard]] virtual Span span(int parameter) const = 0;
+  [[nodiscard]] virtual bool given(CallPart part) const = 0;
+  [[nodiscard]] virtual const Type* type(CallPart part) const = 0;  // before conversion
+  [[nodiscard]] virtual Span span(CallPart part) const = 0;
   // The span of a named argument with its name, `time: 2s`; without a name that of the value.
-  [[nodiscard]] virtual Span setting_span(int parameter) const = 0;
+  [[nodiscard]] virtual Span setting_span(CallPart part) const = 0;
   [[nodiscard]] virtual Span callee_span() const = 0;
   [[nodiscard]] virtual Span call_span() const = 0;
   [[nodiscard]] virtual std::string text_of(Span span) const = 0;  // as written
   [[nodiscard]] virtual int line_of(Span span) const = 0;
-  [[nodiscard]] virtual std::optional<Constant> constant(int parameter) const = 0;
-  [[nodiscard]] virtual std::shared_ptr<const Fact> fact(int parameter) const = 0;
+  [[nodiscard]] virtual std::optional<Constant> constant(CallPart part) const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const Fact> fact(CallPart part) const = 0;
   // The single values of variadic parameters and of rows.
-  [[nodiscard]] virtual int item_count(int parameter) const = 0;
-  [[nodiscard]] virtual const Type* item_type(int parameter, int item) const = 0;
-  [[nodiscard]] virtual Span item_span(int parameter, int item) const = 0;
-  [[nodiscard]] virtual std::optional<Constant> item_constant(int parameter, int item) const = 0;
-  [[nodiscard]] virtual std::shared_ptr<const Fact> item_fact(int parameter, int item) const = 0;
+  [[nodiscard]] virtual int item_count(CallPart part) const = 0;
+  [[nodiscard]] virtual const Type* item_type(CallPart part, int item) const = 0;
+  [[nodiscard]] virtual Span item_span(CallPart part, int item) const = 0;
+  [[nodiscard]] virtual std::optional<Constant> item_constant(CallPart part, int item) const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const Fact> item_fact(CallPart part, int item) const = 0;
   // The fact of the ambient value of a host type ("motor") for a call without a first argument at
   // this position; null if there is no such value, or several.
   [[nodiscard]] virtual std::shared_ptr<const Fact> ambient_fact(
@@ -276,7 +276,7 @@ class CheckCall {
   [[nodiscard]] virtual bool declares(std::string_view type, std::string_view name) const = 0;
   // The position in the text of the literal element `item` of a list argument, found through
   // constant and classic variables and `new T(list)`; an empty span if it is not known.
-  [[nodiscard]] virtual Span origin(int parameter, int item) const = 0;
+  [[nodiscard]] virtual Span origin(CallPart part, int item) const = 0;
   // Whether the program's text uses this library function.
   [[nodiscard]] virtual bool mentions(std::string_view function) const = 0;
   // Whether the call is in a `path`; kPerhaps in a function, which a path may call.

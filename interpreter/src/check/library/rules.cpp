@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 
+#include "armlet/core/error.hpp"
 #include "check/library/native_calls.hpp"
 #include "check/library/overloads.hpp"
 #include "check/state/checker.hpp"
@@ -18,41 +20,45 @@ class Call final : public CheckCall {
       : checker_(checker), name_(name), arguments_(arguments), fit_(fit), call_(call) {}
 
   std::string_view function_name() const override { return name_; }
-  bool given(int parameter) const override {
-    return written(parameter) != nullptr || !items(parameter).empty();
+  bool given(CallPart part) const override {
+    return written(index_of(part)) != nullptr || !items(index_of(part)).empty();
   }
 
-  const Type* type(int parameter) const override {
-    const hir::Expr* value = written(parameter);
-    return value != nullptr ? value->type : call_.arguments[parameter]->type;
+  const Type* type(CallPart part) const override {
+    const hir::Expr* value = written(index_of(part));
+    return value != nullptr ? value->type : call_.arguments[index_of(part)]->type;
   }
-  Span span(int parameter) const override {
-    const hir::Expr* value = written(parameter);
-    return value != nullptr ? value->span : call_.site.arguments[parameter];
+  Span span(CallPart part) const override {
+    const hir::Expr* value = written(index_of(part));
+    return value != nullptr ? value->span : call_.site.arguments[index_of(part)];
   }
-  Span setting_span(int parameter) const override { return call_.site.arguments[parameter]; }
+  Span setting_span(CallPart part) const override { return call_.site.arguments[index_of(part)]; }
   Span callee_span() const override { return call_.site.callee; }
   Span call_span() const override { return call_.site.call; }
   std::string text_of(Span span) const override { return checker_.text_of(span); }
   int line_of(Span span) const override { return checker_.line_of(span); }
 
-  std::optional<Constant> constant(int parameter) const override {
-    return checker_.shared.constants.of(*call_.arguments[parameter]);
+  std::optional<Constant> constant(CallPart part) const override {
+    return checker_.shared.constants.of(*call_.arguments[index_of(part)]);
   }
-  std::shared_ptr<const Fact> fact(int parameter) const override {
-    return shared(fact_of(*call_.arguments[parameter]));
+  std::shared_ptr<const Fact> fact(CallPart part) const override {
+    return shared(fact_of(*call_.arguments[index_of(part)]));
   }
 
-  int item_count(int parameter) const override { return static_cast<int>(items(parameter).size()); }
-  const Type* item_type(int parameter, int item) const override {
-    return items(parameter)[item]->type;
+  int item_count(CallPart part) const override {
+    return static_cast<int>(items(index_of(part)).size());
   }
-  Span item_span(int parameter, int item) const override { return items(parameter)[item]->span; }
-  std::optional<Constant> item_constant(int parameter, int item) const override {
-    return checker_.shared.constants.of(*items(parameter)[item]);
+  const Type* item_type(CallPart part, int item) const override {
+    return items(index_of(part))[item]->type;
   }
-  std::shared_ptr<const Fact> item_fact(int parameter, int item) const override {
-    return shared(fact_of(*items(parameter)[item]));
+  Span item_span(CallPart part, int item) const override {
+    return items(index_of(part))[item]->span;
+  }
+  std::optional<Constant> item_constant(CallPart part, int item) const override {
+    return checker_.shared.constants.of(*items(index_of(part))[item]);
+  }
+  std::shared_ptr<const Fact> item_fact(CallPart part, int item) const override {
+    return shared(fact_of(*items(index_of(part))[item]));
   }
 
   std::shared_ptr<const Fact> ambient_fact(std::string_view host_type) const override {
@@ -65,8 +71,8 @@ class Call final : public CheckCall {
     return checker_.shared.blocks.has(type, name);
   }
 
-  Span origin(int parameter, int item) const override {
-    const hir::Expr* at = &origin_of(*call_.arguments[parameter]);
+  Span origin(CallPart part, int item) const override {
+    const hir::Expr* at = &origin_of(*call_.arguments[index_of(part)]);
     // new T(list): the rule sees the list that the value is made from.
     while (at->kind == hir::ExprKind::kCallNative &&
            at->as<hir::CallNativeExpr>().arguments.size() == 1) {
@@ -107,6 +113,18 @@ class Call final : public CheckCall {
   void report(Diagnostic diagnostic) override { checker_.report(std::move(diagnostic)); }
 
  private:
+  int index_of(CallPart part) const {
+    if (part.parameter().empty()) return part.operand();
+    const Signature& signature = checker_.shared.signatures.of(*call_.function);
+    const int index = signature.index_of(part.parameter());
+    if (index < 0) {
+      refuse_argument('`' + std::string(call_.function->name) +
+                      std::string(call_.function->signature) + "` has no parameter `" +
+                      std::string(part.parameter()) + "`.");
+    }
+    return index;
+  }
+
   // The argument in the text, before its conversion; null if it is not in the text.
   const hir::Expr* written(int parameter) const {
     if (parameter < 0 || parameter >= static_cast<int>(fit_.from.size())) return nullptr;

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "armlet/interpreter/messages/catalog.hpp"
 #include "armlet/interpreter/resource.hpp"
 #include "vm/failures/failures.hpp"
+#include "vocabulary/parameter_index.hpp"
 
 namespace armlet::lang {
 
@@ -49,6 +51,7 @@ Span origin_of(const Expr* expr, int item) {
 struct NativeCall {
   const hir::CallSite* site = nullptr;
   hir::Seq<Expr*> arguments;
+  const NativeFunction* function = nullptr;  // null: an operation of the virtual machine
 };
 
 NativeCall call_at(const CodeSpan* at) {
@@ -57,20 +60,40 @@ NativeCall call_at(const CodeSpan* at) {
     expr = expr->as<hir::GuardedExpr>().motion;
   if (expr != nullptr && expr->kind == ExprKind::kOverList) {
     const auto& loop = expr->as<hir::OverListExpr>();
-    return {&loop.site, loop.operands};
+    return {&loop.site, loop.operands, nullptr};
   }
   if (expr == nullptr || expr->kind != ExprKind::kCallNative) return {};
   const auto& call = expr->as<hir::CallNativeExpr>();
-  return {&call.site, call.arguments};
+  return {&call.site, call.arguments, call.function};
+}
+
+// The index of the argument that is at fault; nothing if it is the call, or if this call does not
+// have the argument.
+std::optional<std::size_t> index_of(const NativeCall& call, const CallPart& part) {
+  int index = part.operand();
+  // A loop such as map(list, parseInt) passes elements of its first operand.
+  if (!part.parameter().empty()) {
+    index =
+        call.function != nullptr ? parameter_index(call.function->signature, part.parameter()) : 0;
+  }
+  if (index < 0 || static_cast<std::size_t>(index) >= call.arguments.size()) return std::nullopt;
+  return static_cast<std::size_t>(index);
+}
+
+// A mistake of the library: it names a parameter that its function does not have.
+std::string unknown_parameter(const NativeCall& call, const CallPart& part) {
+  if (part.parameter().empty() || call.function == nullptr || index_of(call, part)) return {};
+  return "the library names the parameter `" + std::string(part.parameter()) + "`, but `" +
+         std::string(call.function->name) + std::string(call.function->signature) +
+         "` has no such parameter";
 }
 
 Span mark_of(const NativeCall& call, const Failure& failure, Span otherwise) {
   if (call.site == nullptr) return otherwise;
-  if (failure.mark_parameter == kMarkCallee) return call.site->callee;
-  const auto index = static_cast<std::size_t>(failure.mark_parameter);
-  const bool written = failure.mark_parameter >= 0 && index < call.site->arguments.size() &&
-                       !call.site->arguments[index].empty();
-  return written ? call.site->arguments[index] : call.site->call;
+  if (failure.mark.is_callee()) return call.site->callee;
+  const auto index = index_of(call, failure.mark);
+  const bool written = index && !call.site->arguments[*index].empty();
+  return written ? call.site->arguments[*index] : call.site->call;
 }
 
 void replace_all(std::string& text, std::string_view what, const std::string& by) {
@@ -90,9 +113,9 @@ std::optional<std::string> fix_of(const VmState& state, const Failure& failure,
     replace_all(fix, "line {line}", line_name(state, element));
   }
   if (fix.find("{arg}") != std::string::npos) {
-    const auto index = static_cast<std::size_t>(failure.mark_parameter);
-    if (failure.mark_parameter < 0 || index >= call.arguments.size()) return std::nullopt;
-    replace_all(fix, "{arg}", source_text(state, call.arguments[index]->span));
+    const auto index = index_of(call, failure.mark);
+    if (!index) return std::nullopt;
+    replace_all(fix, "{arg}", source_text(state, call.arguments[*index]->span));
   }
   return fix.empty() ? std::nullopt : std::optional(std::move(fix));
 }
@@ -106,13 +129,12 @@ Diagnostic diagnostic_of(const VmState& state, const Failure& failure) {
   const NativeCall call = call_at(at);
   out.mark = {mark_of(call, failure, at == nullptr ? Span{} : at->span), failure.label};
   out.why = failure.why;
+  if (const std::string unknown = unknown_parameter(call, failure.mark); !unknown.empty())
+    out.why = unknown;
 
   Span element;
-  const auto parameter = static_cast<std::size_t>(failure.mark_parameter);
-  if (failure.mark_element >= 0 && failure.mark_parameter >= 0 &&
-      parameter < call.arguments.size()) {
-    element = origin_of(call.arguments[parameter], failure.mark_element);
-  }
+  if (const auto index = index_of(call, failure.mark); index && failure.mark_element >= 0)
+    element = origin_of(call.arguments[*index], failure.mark_element);
   bool inside = false;
   if (!element.empty()) {
     inside = element.begin >= out.mark.span.begin && element.end <= out.mark.span.end &&

@@ -29,7 +29,7 @@ Signal last_element(Vm& vm, Slot* args) {
   if (list->size == 0) {
     Failure failure;
     failure.headline = Headline::own("R0606", "an empty list has no last value");
-    failure.mark_parameter = 0;
+    failure.mark = CallPart::first();
     return fail(vm, std::move(failure));
   }
   const Slot last = list->data[list->size - 1];
@@ -37,7 +37,7 @@ Signal last_element(Vm& vm, Slot* args) {
     Failure failure;
     failure.headline =
         Headline::own("R0623", "the last element of this list is read before it has a value");
-    failure.mark_parameter = 0;
+    failure.mark = CallPart::first();
     return fail(vm, std::move(failure));
   }
   if (list->holds_references()) retain(last.o);

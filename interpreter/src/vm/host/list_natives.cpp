@@ -74,7 +74,7 @@ Signal sort_by_real(Vm& vm, Slot* args) {
   if (bad != keys.size()) {
     Failure failure;
     failure.headline = {"R0612", {"the key of element " + std::to_string(bad), "nan"}};
-    failure.mark_parameter = 1;
+    failure.mark = CallPart::operand(1);
     return fail(vm, std::move(failure));
   }
   return sorted(vm, args, [](Slot a, Slot b) { return a.d < b.d; });

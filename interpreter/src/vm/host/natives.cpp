@@ -81,7 +81,7 @@ Answer<void> require_free(Vm& vm, const Resource& resource) {
   if (!is_commanded) return {};
   return fail(vm,
               {.headline = {"R0617", {resource.name, std::string(resource.type->resource->busy)}},
-               .mark_parameter = kMarkCallee,
+               .mark = CallPart::callee(),
                .resource = resource});
 }
 

@@ -48,15 +48,15 @@ Signal start_recording(Vm& vm, Slot* args) {
   std::int64_t period_ns = 1;
   const bool is_time = period * 1e9 >= 0.5;
   if (!(period <= 0.0 || (std::isfinite(period) && !is_time)) &&
-      !check_time(state, {.what = "a period", .time = "the period", .parameter = 1}, period,
-                  period_ns))
+      !check_time(state, {.what = "a period", .time = "the period", .part = CallPart::operand(1)},
+                  period, period_ns))
     return Signal::kFail;
   if (!is_time) {
     Failure failure;
     failure.headline = Headline::own("R0609", "samples cannot be taken every " +
                                                   quantity_text(period, dims::kTime) +
                                                   ": the period must be at least 1 ns");
-    failure.mark_parameter = 1;
+    failure.mark = CallPart::operand(1);
     raise(state, failure);
     return Signal::kFail;
   }

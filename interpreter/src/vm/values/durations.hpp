@@ -12,13 +12,13 @@ namespace armlet::lang {
 //
 // what, time   the operation, such as "a wait", and its duration: "the time to wait".
 // requirement  the text of R0609 for durations that are too short.
-// parameter    index of the parameter that the message marks; -1: it marks the statement.
+// part         the part of the call that the message marks; the whole call: the statement.
 struct TimeUse {
   std::string_view what;
   std::string_view time;
   std::int64_t least_ns = 0;
   std::string_view requirement = "time only runs forwards";
-  int parameter = -1;
+  CallPart part{};
 };
 
 // Converts `seconds` to nanoseconds, if they are finite, long enough, and end before the end of

@@ -11,27 +11,25 @@
 
 namespace armlet::bind {
 
-Answer<void> read_vector3(Vm& vm, Numbers values, int parameter, std::string_view what,
+Answer<void> read_vector3(Vm& vm, Numbers values, CallPart part, std::string_view what,
                           Eigen::Vector3d& out) {
   if (!values) return {};
   if (values->size() != 3) {
-    return failure(vm, "R0613", fmt::format("{} has 3 values, not {}", what, values->size()),
-                   parameter);
+    return failure(vm, "R0613", fmt::format("{} has 3 values, not {}", what, values->size()), part);
   }
   out = Eigen::Map<const Eigen::Vector3d>(values->data());
   return {};
 }
 
-Answer<void> read_com(Vm& vm, Numbers values, int parameter, Link& link) {
-  return read_vector3(vm, values, parameter, "the centre of mass", link.com);
+Answer<void> read_com(Vm& vm, Numbers values, CallPart part, Link& link) {
+  return read_vector3(vm, values, part, "the centre of mass", link.com);
 }
 
-Answer<Inertia> inertia_argument(Vm& vm, NumberRows rows, int parameter) {
+Answer<Inertia> inertia_argument(Vm& vm, NumberRows rows, CallPart part) {
   if (!rows) return Inertia{};
   if (rows->size() != 3) {
     return failure(vm, "R0613",
-                   fmt::format("an inertia has 3 rows of 3 values, not {}", rows->size()),
-                   parameter);
+                   fmt::format("an inertia has 3 rows of 3 values, not {}", rows->size()), part);
   }
   Eigen::Matrix3d I;
   for (int i = 0; i < 3; ++i) {
@@ -40,25 +38,25 @@ Answer<Inertia> inertia_argument(Vm& vm, NumberRows rows, int parameter) {
       return failure(
           vm, "R0613",
           fmt::format("an inertia has 3 rows of 3 values, but row {} has {}", i + 1, values.size()),
-          parameter);
+          part);
     }
     for (int j = 0; j < 3; ++j) I(i, j) = values[static_cast<std::size_t>(j)];
   }
   return Inertia{I};
 }
 
-Answer<Inertia> inertia_argument(Vm& vm, const MatrixObj& matrix, int parameter) {
+Answer<Inertia> inertia_argument(Vm& vm, const MatrixObj& matrix, CallPart part) {
   if (matrix.rows != 3 || matrix.cols != 3) {
     return failure(
         vm, "R0613",
         fmt::format("an inertia is a 3 x 3 matrix, not a {} x {} one", matrix.rows, matrix.cols),
-        parameter);
+        part);
   }
   using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   return Inertia{Eigen::Matrix3d(Eigen::Map<const Rows>(elements(matrix).data()))};
 }
 
-Answer<void> read_friction(Vm& vm, Numbers given, int parameter, Link& link) {
+Answer<void> read_friction(Vm& vm, Numbers given, CallPart part, Link& link) {
   if (!given) return {};
   const auto f = *given;
   if (f.size() != 1 && f.size() != 3 && f.size() != 5) {
@@ -66,7 +64,7 @@ Answer<void> read_friction(Vm& vm, Numbers given, int parameter, Link& link) {
         vm, "R0613",
         fmt::format("friction is [B], [B, Tc+, Tc-] or [B, Tc+, Tc-, Ts, vs], not {} values",
                     f.size()),
-        parameter);
+        part);
   }
   link.friction = {.viscous = f[0]};
   if (f.size() >= 3) {

@@ -17,7 +17,7 @@ Answer<void> check_arm(Vm& vm, int id) {
   Failure f;
   f.resource = robot_called(robot.name);
   f.headline = {row("R0651"), {robot.name}};
-  f.mark_parameter = kMarkCallee;
+  f.mark = CallPart::callee();
   f.fix = fmt::format("ask `{}`, which carries it", Host::of(vm).cell().robot(robot.on).name);
   return fail(vm, std::move(f));
 }
@@ -27,7 +27,7 @@ Failed fail_busy(Vm& vm, int part) {
   Failure f;
   f.resource = robot_called(robot.name);
   f.headline = {"R0617", {robot.name, std::string(kRobot.resource->busy)}};
-  f.mark_parameter = kMarkCallee;
+  f.mark = CallPart::callee();
   const MotionReport& report = Host::of(vm).cell().report(robot.motion_id);
   const bool rolls_out = report.held_ns && *report.held_ns <= Host::of(vm).now_ns();
   f.fix = rolls_out ? "it is slowing down after a velocity command: call halt() first"

@@ -24,16 +24,16 @@ struct CameraRef {
 }
 
 // R0684: "this camera cannot see that: ...".
-Failed fail_blind(Vm& vm, std::string_view clause, int parameter = -1, std::string fix = {});
+Failed fail_blind(Vm& vm, std::string_view clause, CallPart part = {}, std::string fix = {});
 
 // An N x 2 matrix of pixels, x first; R0613 for another number of columns or no rows, R0612 for a
 // coordinate that is not finite: "pixel 3" and `origin`.
-Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, int parameter,
+Answer<PlanePoints> pixels_of(Vm& vm, const MatrixObj& matrix, CallPart part,
                               std::string_view origin = {});
 
 // Rows of [x, y, z], m; R0613 for another number of values or no rows.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-Answer<Points> points_of(Vm& vm, std::span<const Slot> rows, int parameter);
+Answer<Points> points_of(Vm& vm, std::span<const Slot> rows, CallPart part);
 
 // The present pose of the camera.
 Answer<Eigen::Isometry3d> pose_now(Vm& vm, const CameraRef& camera);

@@ -11,10 +11,10 @@
 namespace armlet::bind {
 
 Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::string fix,
-                 int parameter) {
+                 CallPart part) {
   Failure f;
   f.headline = {row("R0656"), {std::string(path), std::string(why)}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));
 }
@@ -25,7 +25,7 @@ namespace {
 void advise_doubt(Vm& vm, const std::string& path, const std::string& why, std::string fix) {
   Failure advice;
   advice.headline = {row("W0742"), {path, why}};
-  advice.mark_parameter = kMarkCallee;
+  advice.mark = CallPart::callee();
   advice.fix = std::move(fix);
   vm.advise(advice);
 }
@@ -40,7 +40,7 @@ void advise_notes(Vm& vm, const std::string& path, const std::string& bytes) {
     }
     Failure advice;
     advice.headline = {row("W0740"), {path, note}};
-    advice.mark_parameter = kMarkCallee;
+    advice.mark = CallPart::callee();
     advice.fix = "put it beside the mesh, or take its name out of the file";
     vm.advise(advice);
   }
@@ -50,7 +50,7 @@ Failed fail_unread(Vm& vm, const std::string& path, const Error& error) {
   if (error.code != "converter") return fail_mesh(vm, path, error.message);
   Failure f;
   f.headline = {row("R0660"), {path}};
-  f.mark_parameter = 0;
+  f.mark = CallPart::first();
   f.why = error.message;
   return fail(vm, std::move(f));
 }
@@ -65,7 +65,7 @@ Result<std::shared_ptr<const std::string>> load_link_glb(Vm& vm, const std::stri
   if (!bytes.ok() && bytes.error().code == "converter") {
     Failure advice;
     advice.headline = {row("W0741"), {mesh}};
-    advice.mark_parameter = kMarkCallee;
+    advice.mark = CallPart::callee();
     advice.why = bytes.error().message;
     vm.advise(advice);
     return loaded;
@@ -118,20 +118,24 @@ Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<doubl
                               double scale) try {
   const std::string file(path);
   if (density && !(std::isfinite(*density) && *density > 0.0)) {
-    return fail_mesh(
-        vm, file, fmt::format("its density is {} kg/m^3; expected more than 0", *density), {}, 1);
+    return fail_mesh(vm, file,
+                     fmt::format("its density is {} kg/m^3; expected more than 0", *density), {},
+                     at("density"));
   }
   if (unit && !(std::isfinite(*unit) && *unit > 0.0)) {
-    return fail_mesh(vm, file, fmt::format("its unit is {} m; expected more than 0", *unit), {}, 2);
+    return fail_mesh(vm, file, fmt::format("its unit is {} m; expected more than 0", *unit), {},
+                     at("unit"));
   }
   if (!(std::isfinite(scale) && scale > 0.0)) {
-    return fail_mesh(vm, file, fmt::format("its scale is {}; expected more than 0", scale), {}, 4);
+    return fail_mesh(vm, file, fmt::format("its scale is {}; expected more than 0", scale), {},
+                     at("scale"));
   }
   const Result<std::string> bytes = Host::of(vm).load_shape(file, unit.value_or(0.0));
   if (!bytes.ok()) return fail_unread(vm, file, bytes.error());
   advise_notes(vm, file, *bytes);
   Result<TriangleMesh> triangles = triangles_in(*bytes, part);
-  if (!triangles.ok()) return fail_mesh(vm, file, triangles.error().message, {}, part ? 3 : 0);
+  if (!triangles.ok())
+    return fail_mesh(vm, file, triangles.error().message, {}, part ? at("part") : at("path"));
   if (scale != 1.0) triangles = triangles->scaled(Eigen::Vector3d::Constant(scale));
   if (!triangles->is_closed()) {
     return fail_mesh(vm, file, triangles->open_because(),

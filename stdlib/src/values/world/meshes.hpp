@@ -12,9 +12,9 @@
 
 namespace armlet::bind {
 
-// R0656: the reason why the mesh of a file cannot be used. Marks argument `parameter`.
+// R0656: the reason why the mesh of a file cannot be used. Marks `part`.
 Failed fail_mesh(Vm& vm, std::string_view path, std::string_view why, std::string fix = {},
-                 int parameter = 0);
+                 CallPart part = CallPart::first());
 
 // mesh(path, density, unit, part, scale): a body.
 Answer<ShapeValue> mesh_shape(Vm& vm, std::string_view path, std::optional<double> density,

@@ -16,12 +16,12 @@
 
 namespace armlet::bind {
 
-Failed fail_unknown_object(Vm& vm, std::string_view name, int parameter) {
+Failed fail_unknown_object(Vm& vm, std::string_view name, CallPart part) {
   Host& host = Host::of(vm);
   const World& world = host.cell().world();
   Failure f;
   f.headline = {row("R0625"), {std::string(name)}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   std::string list;
   for (const std::string& known : world.names())
     list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", known);
@@ -63,17 +63,16 @@ void report_overlap(Vm& vm, const std::string& name) {
   vm.advise(advice);
 }
 
-Answer<PosC> frame_now(Vm& vm, const FrameRef& f, int parameter) {
+Answer<PosC> frame_now(Vm& vm, const FrameRef& f, CallPart part) {
   const World& world = Host::of(vm).cell().world();
   const NamedFrame* frame = world.find_frame(f.name);
-  if (frame == nullptr) return fail_unknown_frame(vm, f.name, parameter);
+  if (frame == nullptr) return fail_unknown_frame(vm, f.name, part);
   if (const auto T = world.T_world_frame(f.name)) return PosC{*T, frame->turned};
   return failure(vm, row("R0645"),
-                 fmt::format("what the frame `{}` is on was removed from the world", f.name),
-                 parameter);
+                 fmt::format("what the frame `{}` is on was removed from the world", f.name), part);
 }
 
-Failed fail_unknown_frame(Vm& vm, std::string_view name, int parameter) {
+Failed fail_unknown_frame(Vm& vm, std::string_view name, CallPart part) {
   const World& world = Host::of(vm).cell().world();
   const std::vector<std::string> known = world.frame_names();
   std::string list;
@@ -81,21 +80,21 @@ Failed fail_unknown_frame(Vm& vm, std::string_view name, int parameter) {
     list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", each);
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   const auto meant = most_similar(name, candidates);
-  return failure(vm, row("R0645"), fmt::format("there is no frame called \"{}\"", name), parameter,
+  return failure(vm, row("R0645"), fmt::format("there is no frame called \"{}\"", name), part,
                  list.empty() ? "this world has no frames" : fmt::format("there are {}", list),
                  meant ? fmt::format("did you mean \"{}\"?", *meant) : std::string());
 }
 
-Answer<Mount> mount_on(Vm& vm, const ObjectRef& on, int parameter) {
-  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, parameter);
+Answer<Mount> mount_on(Vm& vm, const ObjectRef& on, CallPart part) {
+  if (find_object(vm, on.name) == nullptr) return fail_unknown_object(vm, on.name, part);
   return Mount{.base = FrameBase::kObject, .on = on.name};
 }
-Answer<Mount> mount_on(Vm& vm, const FrameRef& on, int parameter) {
-  if (!frame_now(vm, on, parameter)) return Failed{};
+Answer<Mount> mount_on(Vm& vm, const FrameRef& on, CallPart part) {
+  if (!frame_now(vm, on, part)) return Failed{};
   return Mount{.base = FrameBase::kFrame, .on = on.name};
 }
 Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int64_t> link,
-                             int parameter) {
+                             CallPart part) {
   const Cell& cell = Host::of(vm).cell();
   const CellRobot& arm = cell.robot(on.id);
   if (arm.on >= 0) {
@@ -104,7 +103,7 @@ Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int6
       return failure(
           vm, row("R0631"),
           fmt::format("things are mounted on the palm of `{}`, which is its link 0", arm.name),
-          parameter);
+          part);
     }
     return Mount{.base = FrameBase::kCarrier, .on = cell.robot(arm.on).name, .carrier = arm.on};
   }
@@ -113,7 +112,7 @@ Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int6
     return failure(
         vm, row("R0631"),
         fmt::format("`{}` has the links 0, its base, to {}, but no link {}", arm.name, n, *link),
-        parameter);
+        part);
   }
   return Mount{.base = FrameBase::kCarrier,
                .on = arm.name,
@@ -121,10 +120,10 @@ Answer<Mount> mount_on_robot(Vm& vm, const RobotRef& on, std::optional<std::int6
                .frame = link ? static_cast<int>(*link) : kFlange};
 }
 
-void report_color(Vm& vm, std::string_view color, int parameter) {
+void report_color(Vm& vm, std::string_view color, CallPart part) {
   Failure advice;
   advice.headline = {row("W0744"), {std::string(color)}};
-  advice.mark_parameter = parameter;
+  advice.mark = part;
   if (const auto meant = similar_color(color))
     advice.fix = fmt::format("did you mean \"{}\"?", *meant);
   vm.advise(advice);

@@ -56,10 +56,10 @@ std::string_view kind_of(PixelKind kind) {
   return kind == PixelKind::kGrey ? "grey" : kind == PixelKind::kRgb ? "RGB" : "depths";
 }
 
-Failed fail_picture(Vm& vm, std::string_view clause, int parameter, std::string fix) {
+Failed fail_picture(Vm& vm, std::string_view clause, CallPart part, std::string fix) {
   Failure f;
   f.headline = {row("R0681"), {std::string(clause)}};
-  f.mark_parameter = parameter;
+  f.mark = part;
   f.fix = std::move(fix);
   return fail(vm, std::move(f));
 }
@@ -69,7 +69,7 @@ Failed fail_outside(Vm& vm, const Image& image, std::int64_t x, std::int64_t y) 
   const bool swapped_fits = y >= 0 && y < image.width() && x >= 0 && x < image.height();
   return failure(vm, "R0606",
                  fmt::format("pixel [{}, {}] is outside of a picture of {}", x, y, size_of(image)),
-                 x_fits ? 2 : 1,
+                 x_fits ? at("y") : at("x"),
                  fmt::format("x goes from 0 to {} and y, downwards, from 0 to {}",
                              image.width() - 1, image.height() - 1),
                  swapped_fits ? "x comes first, then y" : "");

@@ -38,7 +38,7 @@ struct PictureValue {
 [[nodiscard]] std::string_view kind_of(PixelKind kind);
 
 // R0681: "this cannot be done with a picture: ...".
-Failed fail_picture(Vm& vm, std::string_view clause, int parameter = -1, std::string fix = {});
+Failed fail_picture(Vm& vm, std::string_view clause, CallPart part = {}, std::string fix = {});
 // R0606 with the size of the picture.
 Failed fail_outside(Vm& vm, const Image& image, std::int64_t x, std::int64_t y);
 

@@ -44,8 +44,7 @@ double mixed(double x, std::int64_t n, bool minus) {
   return minus ? x - static_cast<double>(n) : x + static_cast<double>(n);
 }
 Answer<double> root(Vm& vm, double x) {
-  if (x < 0.0)
-    return fail(vm, {.headline = Headline::own("R0609", "no root"), .mark_parameter = 0});
+  if (x < 0.0) return fail(vm, {.headline = Headline::own("R0609", "no root"), .mark = at("x")});
   return x / 2.0;
 }
 std::string twice(std::string_view text) { return std::string(text) + std::string(text); }

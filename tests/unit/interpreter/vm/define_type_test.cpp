@@ -39,7 +39,7 @@ struct Grip : Maker {
 };
 Answer<Grip> make_grip(Vm& vm, double width) {
   if (width < 0.0)
-    return fail(vm, {.headline = Headline::own("R0609", "too narrow"), .mark_parameter = 0});
+    return fail(vm, {.headline = Headline::own("R0609", "too narrow"), .mark = at("width")});
   Grip out;
   out.width = width;
   return out;
