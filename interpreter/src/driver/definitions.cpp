@@ -101,12 +101,17 @@ std::vector<std::string> check_signatures(const Registry& registry) {
   for (const auto& [name, fields] : registry.records()) {
     if (!parse_fields(fields, types, names, error)) problems.push_back(name + ": " + error);
   }
-  for (const auto& [name, overloads] : registry.functions()) {
+  const auto look = [&](std::span<const NativeFunction* const> overloads) {
     for (const NativeFunction* function : overloads) {
-      for (const std::string& fault : faults(*function, types, names))
-        problems.push_back(std::string(name) + std::string(function->signature) + ": " + fault);
+      for (const std::string& fault : faults(*function, types, names)) {
+        problems.push_back(std::string(function->name) + std::string(function->signature) + ": " +
+                           fault);
+      }
     }
-  }
+  };
+  for (const auto& [name, overloads] : registry.functions()) look(overloads);
+  for (std::size_t event = 0; event < kBlockEvents; ++event)
+    look(registry.functions(static_cast<BlockEvent>(event)));
   return problems;
 }
 

@@ -87,7 +87,7 @@ Compilation compile_text(const Registry& registry, std::string text, std::string
   DiagnosticSink sink(options.limits.errors);
   CheckedProgram checked = new_program(options);
   result.sources = checked.sources;
-  checked.what_takes_time = registry.what_takes_time();
+  checked.what_takes_time = what_takes_time(registry);
   checked.sources->add(std::move(name), std::move(text));
   try {
     CompileOptions once = options;

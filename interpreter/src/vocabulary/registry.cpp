@@ -48,9 +48,14 @@ void Registry::describe_errors() {
 }
 
 const NativeFunction* Registry::add_functions(std::span<const NativeFunction> functions) {
+  const auto overloads_of = [this](const NativeFunction& function) -> auto& {
+    return function.event == BlockEvent::kNone
+               ? functions_[function.name]
+               : at_events_[static_cast<std::size_t>(function.event)];
+  };
   for (std::size_t i = 0; i < functions.size(); ++i) {
     const NativeFunction& function = functions[i];
-    std::vector<const NativeFunction*>& overloads = functions_[function.name];
+    std::vector<const NativeFunction*>& overloads = overloads_of(function);
     const bool is_there = std::ranges::any_of(overloads, [&](const NativeFunction* other) {
       return other->signature == function.signature;
     });
@@ -59,9 +64,10 @@ const NativeFunction* Registry::add_functions(std::span<const NativeFunction> fu
       continue;
     }
     while (i-- > 0) {
-      const auto added = functions_.find(functions[i].name);
-      added->second.pop_back();
-      if (added->second.empty()) functions_.erase(added);
+      std::vector<const NativeFunction*>& added = overloads_of(functions[i]);
+      added.pop_back();
+      if (added.empty() && functions[i].event == BlockEvent::kNone)
+        functions_.erase(functions[i].name);
     }
     return &function;
   }
@@ -115,9 +121,9 @@ const NativeConstant* Registry::constant(std::string_view name) const {
   return find_or(constants_, name, nullptr);
 }
 
-std::string Registry::what_takes_time() const {
+std::string what_takes_time(const Registry& registry) {
   std::vector<std::string_view> acts;
-  for (const auto& [name, type] : types_) {
+  for (const auto& [name, type] : registry.types()) {
     if (type->resource != nullptr) acts.push_back(type->resource->act);
   }
   std::string out = "wait";

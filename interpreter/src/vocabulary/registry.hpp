@@ -5,6 +5,7 @@
 // The registry contains only names and texts. A program parses the signatures that it uses, with
 // its own types, so several threads may share an engine.
 
+#include <array>
 #include <deque>
 #include <map>
 #include <memory>
@@ -73,6 +74,10 @@ class Registry {
 
   // All functions with one name, in the order in which they were added.
   [[nodiscard]] std::span<const NativeFunction* const> functions(std::string_view name) const;
+  // The functions that run at an event of a block.
+  [[nodiscard]] std::span<const NativeFunction* const> functions(BlockEvent event) const {
+    return at_events_[static_cast<std::size_t>(event)];
+  }
   [[nodiscard]] const NativeConstant* constant(std::string_view name) const;
   [[nodiscard]] const HostType* type(std::string_view name) const;
   // Whether names such as "Math.sin" exist for the name "Math".
@@ -80,8 +85,6 @@ class Registry {
   [[nodiscard]] const std::map<std::string, const HostType*, std::less<>>& types() const {
     return types_;
   }
-  // The actions that take time, as part of a sentence in the words of the host: "wait or move".
-  [[nodiscard]] std::string what_takes_time() const;
   [[nodiscard]] const std::map<std::string, std::string, std::less<>>& records() const {
     return records_;
   }
@@ -110,6 +113,7 @@ class Registry {
   const LanguageFunctions& language_;
   // The keys refer to the names of functions and constants, which outlive the engine.
   std::map<std::string_view, std::vector<const NativeFunction*>> functions_;
+  std::array<std::vector<const NativeFunction*>, kBlockEvents> at_events_;
   std::map<std::string_view, const NativeConstant*> constants_;
   std::map<std::string, const HostType*, std::less<>> types_;
   std::map<std::string, std::string, std::less<>> records_;
@@ -122,5 +126,8 @@ class Registry {
   mutable std::mutex making_types_;
   mutable std::shared_ptr<const TypePool> library_types_;  // null: to be made after the last change
 };
+
+// The actions that take time, as part of a sentence in the words of the host: "wait or move".
+[[nodiscard]] std::string what_takes_time(const Registry& registry);
 
 }  // namespace armlet::lang

@@ -31,6 +31,11 @@ class SignatureReader {
     if (accept("->")) out.result = type();
     skip();
     if (ok() && at_ < text_.size()) fail("more text than a signature has");
+    for (const Parameter& parameter : out.parameters) {
+      if (!parameter.unit_of.empty() && out.index_of(parameter.unit_of) < 0)
+        fail("`" + parameter.name + "` is the unit of `" + parameter.unit_of +
+             "`, which is no parameter,");
+    }
     if (!ok()) return std::nullopt;
     return out;
   }
@@ -103,7 +108,7 @@ class SignatureReader {
       out.type = list_of({.type = types_.real()});
       return out;
     }
-    out.type = type();
+    out.type = accept_unit(out) ? TypePattern{.type = types_.text()} : type();
     if (accept("...")) {
       out.variadic = true;
       out.type = list_of(std::move(out.type));
@@ -113,6 +118,15 @@ class SignatureReader {
       out.default_value = fitting_literal(out);
     }
     return out;
+  }
+
+  // unit(x), units(x)
+  bool accept_unit(Parameter& parameter) {
+    parameter.each_number = accept("units(");
+    if (!parameter.each_number && !accept("unit(")) return false;
+    parameter.unit_of = word();
+    expect(")");
+    return true;
   }
 
   static TypePattern list_of(TypePattern element) {

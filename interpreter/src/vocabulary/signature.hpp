@@ -46,6 +46,8 @@ struct Parameter {
   bool variadic = false;    // `number...`: the remaining arguments, as one list
   bool any_number = false;  // `number`: a double or any quantity, taken as SI
   std::optional<Constant> default_value{};
+  std::string unit_of{};     // `unit(x)`: a text; if it is absent, the unit of x in SI
+  bool each_number = false;  // `units(x)`: the units of the numbers in x, where its type has none
 
   [[nodiscard]] bool may_be_left_out() const { return optional || variadic || default_value; }
 };

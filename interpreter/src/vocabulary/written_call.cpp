@@ -80,7 +80,7 @@ std::string operator_call(std::string_view sign, std::string_view signature) {
 std::string written_call(const Registry& registry, const NativeFunction& function) {
   const std::string_view name = function.name;
   const std::string_view signature = function.signature;
-  if (name.ends_with("()")) return {};
+  if (name.ends_with("()") || function.event != BlockEvent::kNone) return {};
   if (name.starts_with("operator")) return operator_call(name.substr(8), signature);
   if (name.ends_with('=')) {  // p.x = length, q[i] = angle
     std::string place(name.substr(0, name.size() - 1));

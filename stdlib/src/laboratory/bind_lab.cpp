@@ -163,7 +163,8 @@ constexpr NativeFunction kLabFunctions[] = {
         "z, with the tilt of the hand as it is.",
         "sliders hand(of: arm, as: \"x y z roll\")", {.check = check_sliders}),
     def<quantity_field>(
-        "lab.field.NAME(value: D, range: D[]?, label: string?, valueUnit: string?, name: string) "
+        "lab.field.NAME(value: D, range: D[]?, label: string?, valueUnit: unit(value)?, name: "
+        "string) "
         "-> labRow",
         "A number that people set at the page, read as lab.NAME with its unit; range: the smallest "
         "and the largest one.",
@@ -181,13 +182,13 @@ constexpr NativeFunction kLabFunctions[] = {
     def<button>("lab.button.NAME(label: string, value: fn() -> void, name: string) -> labRow",
                 "A button; pressing it starts the function as a task of its own, which may move.",
                 "button away(\"Away\", fn() { arm.moveJ(home()) })", {.starts = true}),
-    def<plot>(
-        "lab.plot.NAME(value: fn() -> T, label: string?, valueUnits: string?, name: string) -> "
-        "labRow",
-        "What the function gives over time: a number, numbers in a list, joint values.",
-        "plot angles(fn() => arm.joints())", {.check = check_plot}),
+    def<plot>("lab.plot.NAME(value: fn() -> T, label: string?, valueUnits: units(value)?, name: "
+              "string) -> "
+              "labRow",
+              "What the function gives over time: a number, numbers in a list, joint values.",
+              "plot angles(fn() => arm.joints())", {.check = check_plot}),
     def<table>("lab.table.NAME(value: fn() -> T, header: string[]?, label: string?, valueUnits: "
-               "string?, name: string) -> labRow",
+               "units(value)?, name: string) -> labRow",
                "What the function gives now, as a table: a matrix, a list of rows, a table.",
                "table dh(fn() => arm.dhTable(), header: [\"theta\", \"d\", \"a\", \"alpha\"])",
                {.check = check_table}),

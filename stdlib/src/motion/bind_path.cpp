@@ -1,5 +1,6 @@
-// path (blend: 30mm) { ... } (language reference, 13.3). The checker calls "path{" before the
-// block, one function for each setting, "path{move}" at its end, and "path}" at every exit.
+// path (blend: 30mm) { ... } (language reference, 13.3). The checker calls the function of
+// BlockEvent::kPathBegins before the block, one for each setting, kPathMoves at its end, and
+// kPathEnds at every exit.
 
 #include <utility>
 
@@ -50,9 +51,9 @@ void check_blend_setting(CheckCall& call) { check_blend(call, at("blend")); }
 void check_time_setting(CheckCall& call) { check_duration(call, at("time")); }
 
 constexpr NativeFunction kPathFunctions[] = {
-    def<enter>("path{()", "", ""),
-    def<close_settings>("path}()", "", ""),
-    def<make_moves>("path{move}() -> Move", "", "", {.pauses = true}),
+    def<enter>("path()", "", "", {.event = BlockEvent::kPathBegins}),
+    def<close_settings>("path()", "", "", {.event = BlockEvent::kPathEnds}),
+    def<make_moves>("path() -> Move", "", "", {.pauses = true, .event = BlockEvent::kPathMoves}),
     def<set_blend>(
         "path.blend(blend: length)",
         "Moves inside the block are planned and made as one motion, and its corners are "

@@ -1,5 +1,5 @@
-// Settings of `with` (language reference, section 9). The checker calls "with{" before the block,
-// one function for each setting, and "with}" at every exit.
+// Settings of `with` (language reference, section 9). The checker calls the function of
+// BlockEvent::kWithBegins before the block, one for each setting, and kWithEnds at every exit.
 
 #include <fmt/format.h>
 
@@ -149,8 +149,8 @@ void check_speed_setting(CheckCall& call) { check_share(call, "the speed"); }
 void check_accel_setting(CheckCall& call) { check_share(call, "the acceleration"); }
 
 constexpr NativeFunction kSettingsFunctions[] = {
-    def<open_settings>("with{()", "", "", {.in_path = true}),
-    def<close_settings>("with}()", "", "", {.in_path = true}),
+    def<open_settings>("with()", "", "", {.in_path = true, .event = BlockEvent::kWithBegins}),
+    def<close_settings>("with()", "", "", {.in_path = true, .event = BlockEvent::kWithEnds}),
     def<set_fraction<&BlockSettings::speed>>(
         "with.speed(speed: double)",
         "Moves of the joints inside the block that give neither time nor speed keep to this "

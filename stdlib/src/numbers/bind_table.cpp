@@ -274,7 +274,7 @@ constexpr NativeFunction kTableFunctions[] = {
         "let m = loadTable(\"points.csv\", columns: \"t [s], q1 [deg], part: string\")",
         {.check = check_ending<"file", kTableEndings>}),
     def<save>(
-        "save(t: table, file: string, tUnits: string?)",
+        "save(t: table, file: string, tUnits: units(t)?)",
         "Writes a table into a file of comma-separated values (.csv), in SI units: a line with the "
         "names of "
         "the columns and their units, as `q1 [rad]`, then one line for each row. A list, a posJ "

@@ -243,8 +243,8 @@ constexpr NativeFunction kPlotFunctions[] = {
                 "zero only.",
                 "figure(\"speeds\")", {.check = check_word<"log", kLogarithmicAxes>}),
     def<plot_values<SeriesKind::kLine>>(
-        "plot(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?, "
-        "yUnits: string?)",
+        "plot(x: D[], y: E[], label: string?, axis: string?, xUnit: unit(x)?, yUnit: unit(y)?, "
+        "yUnits: units(y)?)",
         "Draws a line through the points (x, y); label: its name in the legend, axis: \"left\" or "
         "\"right\", with a unit of its own. Units come from the types; those of numbers for "
         "joints, "
@@ -253,23 +253,23 @@ constexpr NativeFunction kPlotFunctions[] = {
         "unit than the axis is drawn on the other side.",
         "plot([0s, 1s, 2s], [0deg, 30deg, 90deg], label: \"joint 1\")", kWithAxis),
     def<plot_values<SeriesKind::kPoints>>(
-        "scatter(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?, "
-        "yUnits: string?)",
+        "scatter(x: D[], y: E[], label: string?, axis: string?, xUnit: unit(x)?, yUnit: unit(y)?, "
+        "yUnits: units(y)?)",
         "Draws points; lengths over lengths are drawn to one scale.",
         "scatter([100mm, 200mm], [0mm, 50mm])", kWithAxis),
     def<plot_values<SeriesKind::kBars>>(
-        "bars(x: D[], y: E[], label: string?, axis: string?, xUnit: string?, yUnit: string?, "
-        "yUnits: string?)",
+        "bars(x: D[], y: E[], label: string?, axis: string?, xUnit: unit(x)?, yUnit: unit(y)?, "
+        "yUnits: units(y)?)",
         "Draws a bar from zero to y at each x.", "bars([1.0, 2.0, 3.0], [4.0, 2.0, 5.0])",
         kWithAxis),
     def<named_bars>(
-        "bars(names: string[], y: E[], label: string?, axis: string?, yUnit: string?, yUnits: "
-        "string?)",
+        "bars(names: string[], y: E[], label: string?, axis: string?, yUnit: unit(y)?, yUnits: "
+        "units(y)?)",
         "Draws a bar for each name, which stands below it. Further bars of the figure stand beside "
         "those of the same name.",
         "bars([\"base\", \"shoulder\", \"elbow\"], [12Nm, 31Nm, 8Nm], label: \"no load\")",
         kWithAxis),
-    def<scatter_lists>("scatter3(points: D[][], title: string?, pointsUnit: string?)",
+    def<scatter_lists>("scatter3(points: D[][], title: string?, pointsUnit: unit(points)?)",
                        "A figure of points [x, y, z] in space; the colour shows the height.",
                        "scatter3([[100mm, 0mm, 50mm], [0mm, 100mm, 80mm]], title: \"reach\")"),
     def<scatter_matrix>("scatter3(points: matrix, title: string?, unit: string?)",

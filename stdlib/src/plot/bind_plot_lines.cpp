@@ -89,12 +89,13 @@ Answer<void> plot_lists(Vm& vm, std::span<const double> x, std::span<const Slot>
 
 constexpr NativeFunction kPlotLinesFunctions[] = {
     def<plot_numbered>(
-        "plot(y: D[], label: string?, axis: string?, yUnit: string?, yUnits: string?)",
+        "plot(y: D[], label: string?, axis: string?, yUnit: unit(y)?, yUnits: units(y)?)",
         "Draws the values of a list over their numbers 0, 1, 2, ...", "plot([2mm, 3mm, 5mm])",
         {.check = check_word<"axis", kAxisSides>}),
     def<plot_matrix>(
-        "plot(x: D[], y: matrix, label: string[]?, axis: string?, xUnit: string?, yUnit: string?, "
-        "yUnits: string?)",
+        "plot(x: D[], y: matrix, label: string[]?, axis: string?, xUnit: unit(x)?, yUnit: "
+        "unit(y)?, "
+        "yUnits: units(y)?)",
         "Draws a line for each column of a matrix, whose rows belong to x; label: their names; "
         "yUnit: "
         "what the numbers are in SI, such as \"rad\". A column run.qd of a record has the units of "
@@ -103,8 +104,8 @@ constexpr NativeFunction kPlotLinesFunctions[] = {
         "plot([0s, 1s, 2s], [0, 0; 0.5, 1; 1, 4], label: [\"a\", \"b\"], yUnit: \"rad\")",
         {.check = check_word<"axis", kAxisSides>}),
     def<plot_lists>(
-        "plot(x: D[], y: E[][], label: string[]?, axis: string?, xUnit: string?, yUnit: string?, "
-        "yUnits: string?)",
+        "plot(x: D[], y: E[][], label: string[]?, axis: string?, xUnit: unit(x)?, yUnit: unit(y)?, "
+        "yUnits: units(y)?)",
         "Draws a line for each list of a list; label: their names.",
         "plot([0s, 1s, 2s], [[0deg, 30deg, 90deg], [0deg, 60deg, 180deg]], label: [\"a\", \"b\"])",
         {.check = check_word<"axis", kAxisSides>}),

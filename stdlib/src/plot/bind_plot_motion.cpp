@@ -312,10 +312,10 @@ constexpr NativeFunction kPlotMotionFunctions[] = {
         "plot(trajectory(\"Syn\", [home(), posJ(60deg, 30deg, 0mm, 0deg)]), label: [\"base\", "
         "\"elbow\", \"stroke\", \"wrist\"])"),
     def<plot_positions>(
-        "plot(x: D[], y: posJ[], label: string[]?, xUnit: string?)",
+        "plot(x: D[], y: posJ[], label: string[]?, xUnit: unit(x)?)",
         "Draws a line for each joint of positions, angles on the left and lengths on the right.",
         "plot([0s, 1s], [home(), posJ(60deg, 30deg, 0mm, 0deg)])"),
-    def<plot_table>("plot(run: table, label: string?, runUnits: string?)",
+    def<plot_table>("plot(run: table, label: string?, runUnits: units(run)?)",
                     "Draws every column of a record over its time, in a panel each. A list, a posJ "
                     "and a posC are "
                     "several lines, those of different units on axes of their own; texts and other "

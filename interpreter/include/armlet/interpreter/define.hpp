@@ -137,6 +137,7 @@ struct CallOptions {
   bool acts = false;
   bool in_path = false;
   bool starts = false;
+  BlockEvent event = BlockEvent::kNone;
   const NativeFunction* timed = nullptr;
 };
 
@@ -162,6 +163,7 @@ constexpr NativeFunction row(std::string_view signature, std::string_view help,
           .acts = options.acts,
           .starts = options.starts,
           .in_path = options.in_path,
+          .event = options.event,
           .timed = options.timed,
           .takes = SplitOf<F>::Calls::takes(),
           .gives = &SplitOf<F>::Calls::kGives};

@@ -7,7 +7,7 @@
 //   name: type            required;  name: type = literal  default;  name: type?  optional
 //   values: number...     any number of trailing numbers, passed as one double[]
 //   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
-//   table                 any table, whatever its columns
+//   table; unit(x)        any table; a text, if absent the unit of x, units(x) of its numbers
 //   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U}
 //   point or double[]     is declared as two overloads, "to: point" and "to: double[]"
 //
@@ -23,9 +23,8 @@
 //                         `name`; its `value`, or else its function, is the variable `m.u` that the
 //                         host may set. "motor{}" gets all of them in order as `rows`.
 //   "motor()", "Math.sqrt"  the ambient motor of the host; a function in a namespace
-//   "with.speed"          applies the setting of `with (speed: x)`; "with{" begins the
-//                         settings of a block, "with}" restores the former ones at every exit.
-//   "path.blend"          likewise for `path`: "path{", "path}"; "path{move}" makes its motions
+//   "with.speed"          applies the setting of `with (speed: x)`, "path.blend" one of `path`;
+//                         functions with a BlockEvent run where such a block begins and ends.
 
 #include <cstdint>
 #include <functional>
@@ -75,6 +74,7 @@ struct NativeFunction {
   // Allowed in a `path`, which otherwise contains no functions that act or take time: a motion that
   // the path collects, or a setting of its moves.
   bool in_path = false;
+  BlockEvent event = BlockEvent::kNone;  // it runs at this event, and no program can call it
   // The function, which pauses, for calls that take time by its rule (CheckCall::take_time).
   const NativeFunction* timed = nullptr;
   // For functions made by `def`: the parameters in the order of the signature, and the result.

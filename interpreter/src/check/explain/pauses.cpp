@@ -7,7 +7,7 @@ namespace armlet::lang {
 bool is_sample(const hir::Function& function) { return function.name.starts_with(kSampleName); }
 
 void report_pause(Checker& checker, const hir::Function& condition, Span span) {
-  const std::string takes_time = checker.registry.what_takes_time();
+  const std::string takes_time = what_takes_time(checker.registry);
   Diagnostic diagnostic = make_diagnostic("E0505", span, {takes_time});
   if (is_sample(condition)) diagnostic.message = "what `record` samples cannot " + takes_time;
   checker.report(std::move(diagnostic));

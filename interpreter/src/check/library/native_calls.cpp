@@ -37,29 +37,24 @@ bool names_result(const Parameter& parameter, const Type* type, const Type* resu
          result->host->is_handle;
 }
 
-// `plot(x, y)`: an absent text parameter xUnit gets the SI unit of x, from its type.
+// `plot(x, y)`: an absent text parameter `xUnit: unit(x)?` gets the SI unit of x, from its type.
 std::optional<std::string> unit_for(const Signature& signature, const Parameter& parameter,
-                                    const Type* type, const Bindings& bindings, TypePool& types) {
-  constexpr std::string_view kSuffix = "Unit";
-  const std::string_view name = parameter.name;
-  if (!type->is(Kind::kText) || !name.ends_with(kSuffix)) return std::nullopt;
-  const int of = signature.index_of(name.substr(0, name.size() - kSuffix.size()));
-  if (of < 0) return std::nullopt;
+                                    const Bindings& bindings, TypePool& types) {
+  if (parameter.unit_of.empty() || parameter.each_number) return std::nullopt;
+  const int of = signature.index_of(parameter.unit_of);
   const Type* measured = instantiate(signature.parameters[of].type, bindings, types);
   while (measured != nullptr && measured->is(Kind::kList)) measured = measured->element;
   if (measured == nullptr || !measured->is_quantity()) return std::string();
   return si_unit(measured->dim);
 }
 
-// The expression for an absent text parameter valueUnits, whose text follows when all functions are
+// The expression for an absent text parameter `yUnits: units(y)?`, whose text follows when all functions are
 // known (number_dims.hpp); null if it is no such parameter.
 hir::Expr* units_text(Checker& checker, const Signature& signature, const Parameter& parameter,
                       const Type* type, Span callee, std::span<hir::Expr* const> values) {
-  constexpr std::string_view kSuffix = "Units";
-  const std::string_view name = parameter.name;
-  if (!type->is(Kind::kText) || !name.ends_with(kSuffix)) return nullptr;
-  const int of = signature.index_of(name.substr(0, name.size() - kSuffix.size()));
-  const hir::Expr* value = of < 0 ? nullptr : values[static_cast<std::size_t>(of)];
+  if (!parameter.each_number) return nullptr;
+  const int of = signature.index_of(parameter.unit_of);
+  const hir::Expr* value = values[static_cast<std::size_t>(of)];
   if (value == nullptr) return nullptr;
   auto* text = checker.make<hir::TextExpr>(hir::ExprKind::kText, type, callee, std::string_view());
   checker.shared.postponed.add(Postponed::Units{text, value});
@@ -156,7 +151,7 @@ std::vector<hir::Expr*> rest_of(Checker& checker, const Parameter& parameter,
 // For editors: notes the selected function, and its named parameters.
 void note_native_names(Checker& checker, const NativeFunction& function, Span callee,
                        const std::vector<Argument>& arguments, const Fit& fit) {
-  if (checker.shared.learnt == nullptr) return;
+  if (checker.shared.learnt == nullptr || function.event != BlockEvent::kNone) return;
   checker.shared.learnt->native({callee, &function});
   for (std::size_t p = 0; p < fit.from.size(); ++p) {
     if (fit.from[p] < 0) continue;
@@ -198,7 +193,7 @@ std::optional<std::string> text_for(Checker& checker, const Signature& signature
                                     const Type* result, Span span) {
   if (names_result(parameter, type, result) && checker.surroundings.is_named(span))
     return std::string(checker.surroundings.name_for(span));
-  return unit_for(signature, parameter, type, fit.bindings, checker.types);
+  return unit_for(signature, parameter, fit.bindings, checker.types);
 }
 
 // The type of the result; null after a message. `columns` are those of a table that is read from a

@@ -125,7 +125,7 @@ void check_callbacks(Checker& checker) {
     checker.messages.begin_statement();
     checker.report(
         make_diagnostic("E0520", callback.span,
-                        {std::string(callback.called_by), checker.registry.what_takes_time()}));
+                        {std::string(callback.called_by), what_takes_time(checker.registry)}));
   }
 }
 

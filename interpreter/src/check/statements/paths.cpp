@@ -15,9 +15,6 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::string_view kWord = "path";
-constexpr std::string_view kOpen = "path{";
-constexpr std::string_view kMove = "path{move}";
-constexpr std::string_view kClose = "path}";
 
 using hir::ExprKind;
 using hir::StmtKind;
@@ -172,11 +169,12 @@ class PathRules {
   void native(const hir::CallNativeExpr& call) {
     const NativeFunction& function = *call.function;
     if (function.in_path) return call.type->is(Kind::kVoid) ? void() : same_resource(call);
-    if (function.name == kMove) {
+    if (function.event == BlockEvent::kPathMoves) {
       return refuse(call.span, {"a `path` cannot contain another one", "a path is one motion",
                                 "write the moves of both in one path"});
     }
-    if (function.name == kOpen || function.name == kClose) return;
+    if (function.event == BlockEvent::kPathBegins || function.event == BlockEvent::kPathEnds)
+      return;
     if (function.name.starts_with("with.")) {
       return refuse(call.span,
                     {"this setting cannot change inside a `path`", "it holds for the whole motion",
@@ -249,7 +247,7 @@ Diagnostic leaves_path(const std::string& word, Span span) {
 hir::Stmt* check_path(Checker& checker, const ast::PathStmt& stmt) {
   const std::uint32_t begin = stmt.span.begin;
   const Span word{begin, begin + static_cast<std::uint32_t>(kWord.size()), stmt.span.source};
-  if (checker.registry.functions(kMove).empty()) {
+  if (checker.registry.functions(BlockEvent::kPathMoves).empty()) {
     checker.report(make_diagnostic("E0201", word, {std::string(kWord)}));
     return checker.check_block(stmt.body->body, stmt.body->span);
   }
@@ -263,14 +261,15 @@ hir::Stmt* check_path(Checker& checker, const ast::PathStmt& stmt) {
   const auto block = [&](const std::vector<hir::Stmt*>& parts) {
     return checker.make<hir::Block>(StmtKind::kBlock, stmt.span, checker.seq(parts));
   };
-  const auto call = [&](std::string_view name) {
-    return host_call(checker, name, word, stmt.span);
+  const auto call = [&](BlockEvent event) {
+    return event_call(checker, event, kWord, word, stmt.span);
   };
   settings.inside.push_back(body);
-  settings.inside.push_back(call(kMove));
-  settings.before.push_back(call(kOpen));
-  settings.before.push_back(checker.make<hir::TryStmt>(
-      StmtKind::kTry, stmt.span, block(settings.inside), nullptr, nullptr, block({call(kClose)})));
+  settings.inside.push_back(call(BlockEvent::kPathMoves));
+  settings.before.push_back(call(BlockEvent::kPathBegins));
+  settings.before.push_back(checker.make<hir::TryStmt>(StmtKind::kTry, stmt.span,
+                                                       block(settings.inside), nullptr, nullptr,
+                                                       block({call(BlockEvent::kPathEnds)})));
   return block(settings.before);
 }
 

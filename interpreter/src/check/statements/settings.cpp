@@ -17,8 +17,6 @@ namespace armlet::lang {
 namespace {
 
 constexpr std::string_view kWith = "with";
-constexpr std::string_view kOpen = "with{";
-constexpr std::string_view kClose = "with}";
 
 void unknown_setting(Checker& checker, std::string_view word, const ast::Arg& setting) {
   const std::string prefix = std::string(word) + '.';
@@ -102,8 +100,9 @@ CheckedSettings check_settings(Checker& checker, std::string_view word,
   return out;
 }
 
-hir::Stmt* host_call(Checker& checker, std::string_view name, Span mark, Span span) {
-  hir::Expr* made = call_native(checker, name, checker.registry.functions(name), mark, mark, {});
+hir::Stmt* event_call(Checker& checker, BlockEvent event, std::string_view word, Span mark,
+                      Span span) {
+  hir::Expr* made = call_native(checker, word, checker.registry.functions(event), mark, mark, {});
   return checker.make<hir::ExprStmt>(hir::StmtKind::kExpr, span, made);
 }
 
@@ -122,12 +121,13 @@ hir::Stmt* check_with(Checker& checker, const ast::WithStmt& stmt) {
     return block(before);
   }
   const Span keyword{stmt.span.begin, stmt.span.begin, stmt.span.source};
-  const auto call = [&](std::string_view name) {
-    return host_call(checker, name, keyword, stmt.span);
+  const auto call = [&](BlockEvent event) {
+    return event_call(checker, event, kWith, keyword, stmt.span);
   };
-  before.push_back(call(kOpen));
+  before.push_back(call(BlockEvent::kWithBegins));
   before.push_back(checker.make<hir::TryStmt>(hir::StmtKind::kTry, stmt.span, block(inside),
-                                              nullptr, nullptr, block({call(kClose)})));
+                                              nullptr, nullptr,
+                                              block({call(BlockEvent::kWithEnds)})));
   return block(before);
 }
 

@@ -19,9 +19,10 @@ struct CheckedSettings {
 [[nodiscard]] CheckedSettings check_settings(Checker& checker, std::string_view word,
                                              ast::Seq<ast::Arg> settings);
 
-// A call of a host function without arguments, as a statement with the span `span`; messages of its
-// failures mark `mark`.
-[[nodiscard]] hir::Stmt* host_call(Checker& checker, std::string_view name, Span mark, Span span);
+// A call of the host function for an event of the block `word`, as a statement with the span `span`;
+// messages of its failures mark `mark`.
+[[nodiscard]] hir::Stmt* event_call(Checker& checker, BlockEvent event, std::string_view word,
+                                    Span mark, Span span);
 
 hir::Stmt* check_with(Checker& checker, const ast::WithStmt& stmt);
 

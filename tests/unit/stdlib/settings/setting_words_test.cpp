@@ -21,12 +21,11 @@ namespace {
 // Parameters that take any text, or one that is looked up: names of planners (E0202), of objects
 // (E0203), of layouts and coordinates (E0530), of units and of settings of `with` (E0513).
 const std::set<std::string> kOtherTexts = {
-    "a",         "allow",      "as",      "b",          "collisions", "color",   "file",  "figure",
-    "header",    "kind",       "label",   "layout",     "mesh",       "name",    "names", "note",
-    "overlay",   "part",       "path",    "pointsUnit", "s",          "t",       "text",  "texture",
-    "tip",       "title",      "torques", "track",      "traj",       "types",   "unit",  "value",
-    "valueUnit", "valueUnits", "watch",   "xUnit",      "xs",         "yUnit",   "of",    "group",
-    "limits",    "style",      "columns", "tUnits",     "yUnits",     "runUnits"};
+    "a",       "allow",   "as",    "b",      "collisions", "color",  "file",    "figure",
+    "header",  "kind",    "label", "layout", "mesh",       "name",   "names",   "note",
+    "overlay", "part",    "path",  "s",      "t",          "text",   "texture", "tip",
+    "title",   "torques", "track", "traj",   "types",      "unit",   "value",   "watch",
+    "xs",      "of",      "group", "limits", "style",      "columns"};
 
 struct TextParameter {
   const NativeFunction* function;

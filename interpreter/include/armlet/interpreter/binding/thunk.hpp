@@ -57,6 +57,17 @@ class Thunk {
   const void* closure_ = nullptr;
 };
 
+// What happens at a block of a program. A function of the host runs at each of these events.
+enum class BlockEvent : std::uint8_t {
+  kNone,
+  kWithBegins,  // `with`: its settings follow
+  kWithEnds,    // at every exit of `with`: restores the former settings
+  kPathBegins,  // `path`: its settings follow
+  kPathMoves,   // at the end of `path` without an error: makes the moves that it has collected
+  kPathEnds,    // at every exit of `path`
+};
+inline constexpr std::size_t kBlockEvents = 6;
+
 // The kind of a parameter or result of a C++ function, for the comparison with its signature
 // (define.hpp).
 struct ValueKind {
