@@ -79,7 +79,8 @@ TEST_CASE("a mesh that is only drawn has no triangles until a picture needs them
   CHECK(triangles->source().T_mesh_file.matrix() == meshes[1].source().T_mesh_file.matrix());
   // The scene of the robot has both pictures, and nothing else in the link.
   std::size_t corners = 0;
-  for (const GlbPart& part : robot_scene(robot).nodes.at(1).parts) corners += part.corners.size();
+  const GlbScene scene = robot_scene(robot);
+  for (const GlbPart& part : scene.nodes.at(1).parts) corners += part.corners.size();
   CHECK(corners == 2 * 3 * expected.triangles().size());
 }
 
