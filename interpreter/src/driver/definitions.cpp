@@ -33,7 +33,8 @@ std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
   const auto signature = parse_signature(function.signature, types, names, error);
   if (!signature) return {error};
   std::vector<std::string> all = typed_faults(function, *signature);
-  if (is_written(function.name) && !is_path_of_names(function.name))
+  const bool is_called = function.event == BlockEvent::kNone && is_written(function.name);
+  if (is_called && !is_path_of_names(function.name))
     all.push_back(no_name(function.name));
   for (const Parameter& parameter : signature->parameters) {
     if (!is_argument_name(parameter.name)) all.push_back(no_name(parameter.name));

@@ -51,6 +51,7 @@ struct AssignStmt : Stmt {
   bool compound;  // target = target op value, the target evaluated once
   Op op;  // for numbers; the checker writes text and list operations as kConcat or native calls
   Span op_span;
+  bool changes_part = false;  // the value is the old one with a changed part: img[x, y] = 3
 };
 struct StorePartStmt : Stmt {  // xs[a:b] = value, A[a:b, j] = value
   Place place;                 // the list or matrix

@@ -185,6 +185,9 @@ static void assign_inside(Lowering& in, const AssignStmt& s) {
   check_set(in, *s.place.variable);
   const Indices indices = index_values(in, s.place);
   if (s.place.type->is_reference()) {
+    // A function may change its argument in place if nothing else holds it. Lists that share their
+    // elements are separated first, so that each of them holds the element.
+    if (s.changes_part) (void)address(in, s.place, indices);
     const Reg from = borrow(in, *s.value, hold_for(s.place, *s.value));
     const Reg to = address(in, s.place, indices, Missing::kIsMade);
     in.code.emit(OpCode::PUTREF, to, from);

@@ -75,7 +75,7 @@ TEST_CASE("a checked move runs the motion of its planner and ends at the target"
       Cell cell;
       cell.add_robot(robot, "arm");
       const VectorXd q0 = cell.robot(0).q, q1 = joints_between(random, *robot, 0.2);
-      const std::string planner = k % 2 == 0 ? "Syn" : "Poly5";
+      const std::string planner = k % 2 == 0 ? "Syn" : "Trap";
       const double speed = 0.2 + 0.8 * random.uniform();
       const MoveReport report =
           make_move(cell, {}, {.target = JointTarget{q1}, .planner = planner, .speed = speed});

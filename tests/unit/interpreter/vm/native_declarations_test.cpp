@@ -26,7 +26,7 @@ void note() {
 }
 void set_level(std::int64_t level) { happened.push_back("level " + std::to_string(level)); }
 
-constexpr NativeFunction kFunctions[] = {
+constexpr NativeFunction kDeclaredFunctions[] = {
     def<shown>("shown(x: D[], xUnit: unit(x)?) -> string", "", ""),
     def<shown>("named(values: D[], si: unit(values)?) -> string", "", ""),
     def<shown>("plain(x: D[], xUnit: string?) -> string", "", ""),
@@ -37,8 +37,8 @@ constexpr NativeFunction kFunctions[] = {
 
 std::string printed(const std::string& text) {
   Engine engine;
-  engine.add_functions(kFunctions);
-  CHECK(engine.check_signatures().empty());
+  engine.add_functions(kDeclaredFunctions);
+  for (const std::string& fault : engine.check_signatures()) FAIL_CHECK(fault);
   const Compilation compilation = engine.compile(text, "test.rbt");
   for (const Diagnostic& d : compilation.diagnostics) CAPTURE(d.message);
   REQUIRE(compilation.program != nullptr);
@@ -82,9 +82,9 @@ TEST_CASE("functions with an event run where the block begins and ends, and have
   (void)printed("with (level: 3) { let xs = [1]; print(xs[3]) }");
   CHECK(happened == std::vector<std::string>{"1", "level 3", "2"});
   Engine engine;
-  engine.add_functions(kFunctions);
+  engine.add_functions(kDeclaredFunctions);
   CHECK(engine.compile("print(1); with()", "test.rbt").program == nullptr);
-  CHECK_THROWS_AS(engine.add_functions(kFunctions), ArgumentError);
+  CHECK_THROWS_AS(engine.add_functions(kDeclaredFunctions), ArgumentError);
 }
 
 }  // namespace
