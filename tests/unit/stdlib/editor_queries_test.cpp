@@ -48,7 +48,8 @@ class TypedNames {
     }
     if (expr.kind == ExprKind::kCallNative) {
       const auto& call = expr.as<lang::hir::CallNativeExpr>();
-      if (call.site.callee.source == 0 &&
+      // What happens at the begin and the end of a block is called by no name.
+      if (call.function->event == BlockEvent::kNone && call.site.callee.source == 0 &&
           program_.sources().slice(call.site.callee) == call.function->name)
         natives.emplace_back(call.site.callee, call.function);
     }
