@@ -34,8 +34,7 @@ std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
   if (!signature) return {error};
   std::vector<std::string> all = typed_faults(function, *signature);
   const bool is_called = function.event == BlockEvent::kNone && is_written(function.name);
-  if (is_called && !is_path_of_names(function.name))
-    all.push_back(no_name(function.name));
+  if (is_called && !is_path_of_names(function.name)) all.push_back(no_name(function.name));
   for (const Parameter& parameter : signature->parameters) {
     if (!is_argument_name(parameter.name)) all.push_back(no_name(parameter.name));
   }

@@ -140,9 +140,9 @@ hir::Stmt* store(Checker& checker, Part& part, const ast::Expr& target, hir::Exp
   hir::Expr* changed = call_native(checker, setter, setters, target.span, target.span,
                                    arguments(checker, part, value));
   if (changed->type->is(Kind::kAny)) return nullptr;
-  hir::Stmt* stored = checker.make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, part.place,
-                                                    changed, false, hir::Op::kAddI, assign.op_span,
-                                                    true);
+  hir::Stmt* stored =
+      checker.make<hir::AssignStmt>(hir::StmtKind::kAssign, assign.span, part.place, changed, false,
+                                    hir::Op::kAddI, assign.op_span, true);
   if (part.before.empty()) return stored;
   part.before.push_back(stored);
   return checker.make<hir::Block>(hir::StmtKind::kBlock, assign.span, checker.seq(part.before));
