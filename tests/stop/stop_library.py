@@ -57,8 +57,24 @@ def reference():
         example = page.split("\nExample:\n", 1)
         lines = example[1].strip("\n").split("\n") if len(example) > 1 else []
         body = "\n".join(line[4:] for line in lines if line.startswith("    ") or not line)
-        rows += [(signature, body.strip()) for signature in signatures]
+        rows += [(each, body.strip()) for signature in signatures for each in choices(signature)]
     return rows
+
+
+def choices(signature):
+    """The signatures of a row with unions, "f(q: posJ | double[]) -> double": one for each choice of types."""
+    stored = re.fullmatch(r"(.*\] = )([^()]*)", signature)  # image[x, y] = int | Color
+    if stored:
+        return [stored[1] + each for each in stored[2].split(" | ")]
+    begin = signature.find("(")
+    if " | " not in signature or begin < 0:
+        return [signature]
+    end = closing(signature, begin)
+    all_ = [""]
+    for parameter in split_parameters(signature[begin + 1:end]):
+        name, _, types = parameter.partition(": ")
+        all_ = [f"{one}{', ' if one else ''}{name}: {each}" for one in all_ for each in types.split(" | ")]
+    return [signature[:begin + 1] + one + signature[end:] for one in all_]
 
 
 def sections(path):

@@ -1,11 +1,14 @@
 #include "driver/definitions.hpp"
 
+#include <fmt/format.h>
+
 #include <string_view>
 
 #include "armlet/interpreter/define_type.hpp"
 #include "ast/marks.hpp"
 #include "syntax/tokens/lex.hpp"
 #include "vocabulary/typed_signature.hpp"
+#include "vocabulary/union_rows.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -27,8 +30,28 @@ bool is_path_of_names(std::string_view text) {
 }
 
 std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
+                                const TypeNames& names);
+
+// The mistakes of a row with unions.
+std::vector<std::string> faults_of_choices(const NativeFunction& row, TypePool& types,
+                                           const TypeNames& names) {
+  const std::vector<std::string> signatures = signatures_of(row.signature);
+  if (!row.alternatives.empty() && row.alternatives.size() != signatures.size()) {
+    return {fmt::format("the signature has {} choices of types, but there are {} functions in C++",
+                        signatures.size(), row.alternatives.size())};
+  }
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    for (const std::string& fault : faults(choice_of(row, i, signatures[i]), types, names))
+      all.push_back(signatures[i] + ": " + fault);
+  }
+  return all;
+}
+
+std::vector<std::string> faults(const NativeFunction& function, TypePool& types,
                                 const TypeNames& names) {
   if (function.name.empty()) return {"it has no name"};
+  if (has_union(function.signature)) return faults_of_choices(function, types, names);
   std::string error;
   const auto signature = parse_signature(function.signature, types, names, error);
   if (!signature) return {error};

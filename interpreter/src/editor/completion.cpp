@@ -170,7 +170,7 @@ class Completer {
       if (!name.starts_with(prefix)) continue;
       const auto functions = facts_.registry->functions(name);
       setting(name.substr(prefix.size()),
-              functions.empty() ? std::string() : std::string(functions[0]->signature));
+              functions.empty() ? std::string() : std::string(row_of(*functions[0]).signature));
     }
     if (call.kind == OpenCall::Kind::kPath) return;
     for (const auto& [name, type] : facts_.registry->types()) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "armlet/interpreter/unit.hpp"
 #include "base/quotes.hpp"
@@ -49,7 +50,8 @@ std::string shown(const Constant& value, const Type* type) {
 
 template <class Functions>
 void add_functions(const Facts& facts, Hover& out, const Functions& functions) {
-  for (const NativeFunction* function : functions) {
+  for (const NativeFunction* each : functions) {
+    const NativeFunction* function = &row_of(*each);
     const std::string call = written_call(*facts.registry, *function);
     if (call.empty() || function->help.empty()) continue;
     if (out.text.find(call) == std::string::npos) out.text += (out.text.empty() ? "" : "\n") + call;
@@ -182,9 +184,12 @@ std::optional<Hover> key_hover(const Facts& facts, const Token& token, std::size
 std::optional<Hover> native_hover(const Facts& facts, const Learnt::NativeUse& use) {
   Hover out{.span = use.name};
   if (use.parameter < 0) {
-    const NativeFunction* chosen[] = {use.function};
+    const NativeFunction* chosen[] = {&row_of(*use.function)};
     add_functions(facts, out, chosen);
-    const std::size_t overloads = facts.registry->functions(use.function->name).size();
+    std::set<const NativeFunction*> rows;
+    for (const NativeFunction* function : facts.registry->functions(use.function->name))
+      rows.insert(&row_of(*function));
+    const std::size_t overloads = rows.size();
     if (!out.text.empty() && overloads > 1)
       out.help += fmt::format("\nThis is one of {} forms.", overloads);
   } else {

@@ -68,24 +68,32 @@ std::optional<SignatureHelp> signature_help(const Facts& facts, std::uint32_t at
   SignatureHelp out;
   const Learnt::NativeUse* chosen = facts.native_at(call.callee.begin);
   const std::vector<const NativeFunction*> all = candidates(facts, call);
+  // Of each overload the function of its row that was chosen, or else the first.
+  std::vector<const NativeFunction*> shown;
   for (const NativeFunction* function : all) {
-    Overload one{.text = std::string(function->name.substr(function->name.rfind('.') + 1)) +
-                         std::string(function->signature),
-                 .help = std::string(function->help)};
-    find_parameters(one);
-    if (chosen != nullptr && chosen->function == function) out.active = out.overloads.size();
-    out.overloads.push_back(std::move(one));
+    const NativeFunction& row = row_of(*function);
+    if (shown.empty() || &row_of(*shown.back()) != &row) {
+      Overload one{.text = std::string(row.name.substr(row.name.rfind('.') + 1)) +
+                           std::string(row.signature),
+                   .help = std::string(row.help)};
+      find_parameters(one);
+      out.overloads.push_back(std::move(one));
+      shown.push_back(function);
+    }
+    if (chosen == nullptr || chosen->function != function) continue;
+    out.active = out.overloads.size() - 1;
+    shown.back() = function;
   }
   if (out.overloads.empty()) return std::nullopt;
   // The function that fits an incomplete call may have no parameter at the position.
-  if (parameter_of(facts, call, *all[out.active]) < 0) {
+  if (parameter_of(facts, call, *shown[out.active]) < 0) {
     const auto takes = [&](const NativeFunction* one) {
       return parameter_of(facts, call, *one) >= 0;
     };
-    const auto first = std::ranges::find_if(all, takes);
-    if (first != all.end()) out.active = static_cast<std::size_t>(first - all.begin());
+    const auto first = std::ranges::find_if(shown, takes);
+    if (first != shown.end()) out.active = static_cast<std::size_t>(first - shown.begin());
   }
-  out.parameter = parameter_of(facts, call, *all[out.active]);
+  out.parameter = parameter_of(facts, call, *shown[out.active]);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "armlet/interpreter/resource.hpp"
 #include "base/foreign_words.hpp"
 #include "vocabulary/foreign_names.hpp"
+#include "vocabulary/union_rows.hpp"
 
 namespace armlet::lang {
 namespace {
@@ -47,29 +48,47 @@ void Registry::describe_errors() {
   add_record("error", fields + "time: time");
 }
 
+// A row whose C++ functions are fewer or more than its choices stays as it is: a signature with a
+// union is reported as a mistake.
+std::vector<const NativeFunction*> Registry::functions_of(const NativeFunction& row) {
+  if (!has_union(row.signature)) return {&row};
+  std::vector<std::string> signatures = signatures_of(row.signature);
+  if (!row.alternatives.empty() && row.alternatives.size() != signatures.size()) return {&row};
+  std::vector<const NativeFunction*> all;
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    const std::string& signature = signatures_.emplace_back(std::move(signatures[i]));
+    all.push_back(&defined_.emplace_back(choice_of(row, i, signature)));
+  }
+  return all;
+}
+
 const NativeFunction* Registry::add_functions(std::span<const NativeFunction> functions) {
   const auto overloads_of = [this](const NativeFunction& function) -> auto& {
     return function.event == BlockEvent::kNone
                ? functions_[function.name]
                : at_events_[static_cast<std::size_t>(function.event)];
   };
-  for (std::size_t i = 0; i < functions.size(); ++i) {
-    const NativeFunction& function = functions[i];
-    std::vector<const NativeFunction*>& overloads = overloads_of(function);
+  std::vector<const NativeFunction*> all;
+  for (const NativeFunction& row : functions) {
+    const std::vector<const NativeFunction*> choices = functions_of(row);
+    all.insert(all.end(), choices.begin(), choices.end());
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const NativeFunction* function = all[i];
+    std::vector<const NativeFunction*>& overloads = overloads_of(*function);
     const bool is_there = std::ranges::any_of(overloads, [&](const NativeFunction* other) {
-      return other->signature == function.signature;
+      return other->signature == function->signature;
     });
     if (!is_there) {
-      overloads.push_back(&function);
+      overloads.push_back(function);
       continue;
     }
     while (i-- > 0) {
-      std::vector<const NativeFunction*>& added = overloads_of(functions[i]);
+      std::vector<const NativeFunction*>& added = overloads_of(*all[i]);
       added.pop_back();
-      if (added.empty() && functions[i].event == BlockEvent::kNone)
-        functions_.erase(functions[i].name);
+      if (added.empty() && all[i]->event == BlockEvent::kNone) functions_.erase(all[i]->name);
     }
-    return &function;
+    return function;
   }
   return nullptr;
 }
@@ -80,8 +99,8 @@ bool Registry::only_gives(const NativeFunction& function) const {
     return false;
   return std::ranges::any_of(values_, [&](std::span<const NativeFunction> functions) {
     const std::less<const NativeFunction*> before;
-    return !functions.empty() && !before(&function, functions.data()) &&
-           !before(&functions.back(), &function);
+    return !functions.empty() && !before(&row_of(function), functions.data()) &&
+           !before(&functions.back(), &row_of(function));
   });
 }
 

@@ -107,6 +107,8 @@ class Registry {
   }
 
  private:
+  // The functions that a row stands for: several if it has unions.
+  std::vector<const NativeFunction*> functions_of(const NativeFunction& row);
   // Adds fields to the record of a caught error: one for each type of resource, for the one that
   // was commanded.
   void describe_errors();
@@ -122,6 +124,7 @@ class Registry {
   std::vector<Chapter> chapters_;
   std::vector<std::span<const NativeFunction>> values_;
   std::deque<NativeFunction> defined_;
+  std::deque<std::string> signatures_;             // of the choices of rows with unions
   std::vector<std::shared_ptr<const void>> kept_;  // data of the stored functions
   mutable std::mutex making_types_;
   mutable std::shared_ptr<const TypePool> library_types_;  // null: to be made after the last change

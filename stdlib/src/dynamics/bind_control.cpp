@@ -236,27 +236,17 @@ constexpr std::string_view kComputed =
     "critically damped with kp = w^2 and kd = 2 w.";
 
 constexpr NativeFunction kControlFunctions[] = {
-    def<pd<Joints>>("pdTorques(r: robot, q: double[], qd: double[], to: posJ, kp: double[], kd: "
-                    "double[], rates: double[]?, gravity: bool = false) -> double[]",
-                    kPd,
-                    "pdTorques(joints().q, zeros(4), to: joints(), kp: [9.0, 9.0, 9.0, 9.0], kd: "
-                    "[6.0, 6.0, 6.0, 6.0])"),
-    def<pd<JointList>>("pdTorques(r: robot, q: double[], qd: double[], to: double[], kp: double[], "
-                       "kd: double[], rates: double[]?, gravity: bool = false) -> double[]",
-                       kPd,
-                       "pdTorques(joints().q, zeros(4), to: zeros(4), kp: [9.0, 9.0, 9.0, 9.0], "
-                       "kd: [6.0, 6.0, 6.0, 6.0], gravity: true)"),
-    def<computed_torques<Joints>>(
-        "computedTorques(r: robot, q: double[], qd: double[], to: posJ, kp: double[], kd: "
-        "double[], rates: double[]?, accels: double[]?) -> double[]",
+    def<pd<Joints>, pd<JointList>>(
+        "pdTorques(r: robot, q: double[], qd: double[], to: posJ | double[], kp: double[], kd: "
+        "double[], rates: double[]?, gravity: bool = false) -> double[]",
+        kPd,
+        "pdTorques(joints().q, zeros(4), to: joints(), kp: [9.0, 9.0, 9.0, 9.0], kd: "
+        "[6.0, 6.0, 6.0, 6.0])"),
+    def<computed_torques<Joints>, computed_torques<JointList>>(
+        "computedTorques(r: robot, q: double[], qd: double[], to: posJ | double[], kp: double[], "
+        "kd: double[], rates: double[]?, accels: double[]?) -> double[]",
         kComputed,
         "computedTorques(joints().q, zeros(4), to: joints(), kp: [9.0, 9.0, 9.0, 9.0], kd: [6.0, "
-        "6.0, 6.0, 6.0])"),
-    def<computed_torques<JointList>>(
-        "computedTorques(r: robot, q: double[], qd: double[], to: double[], kp: double[], kd: "
-        "double[], rates: double[]?, accels: double[]?) -> double[]",
-        kComputed,
-        "computedTorques(joints().q, zeros(4), to: zeros(4), kp: [9.0, 9.0, 9.0, 9.0], kd: [6.0, "
         "6.0, 6.0, 6.0])"),
     def<operational>(
         "operationalTorques(r: robot, q: double[], qd: double[], to: posC, kp: double[], kd: "

@@ -197,46 +197,42 @@ constexpr std::string_view kSetLink =
     "or the first one or three of them.";
 
 constexpr NativeFunction kDynamicsFunctions[] = {
-    def<inverse<Joints>>(
-        "invDyn(r: robot, q: posJ, qd: double[], qdd: double[], load: double[]?) -> double[]",
-        kInverse, "invDyn(joints(), jointSpeeds(), jointAccels())", {.check = note_forces}),
-    def<inverse<JointList>>(
-        "invDyn(r: robot, q: double[], qd: double[], qdd: double[], load: double[]?) -> double[]",
-        kInverse, "invDyn([0.0, 0.5, 0.1, 0.0], jointSpeeds(), jointAccels())",
+    def<inverse<Joints>, inverse<JointList>>(
+        "invDyn(r: robot, q: posJ | double[], qd: double[], qdd: double[], load: double[]?) -> "
+        "double[]",
+        kInverse,
+        "invDyn(joints(), jointSpeeds(), jointAccels()); invDyn([0.0, 0.5, 0.1, 0.0], "
+        "jointSpeeds(), jointAccels())",
         {.check = check_all_of<check_joint_list<"q">, note_forces>}),
-    def<forward<Joints>>("fwdDyn(r: robot, q: posJ, qd: double[], tau: double[]) -> double[]",
-                         kForward, "fwdDyn(joints(), zeros(4), zeros(4))", {.check = note_accels}),
-    def<forward<JointList>>(
-        "fwdDyn(r: robot, q: double[], qd: double[], tau: double[]) -> double[]", kForward,
-        "robots.puma560().fwdDyn(zeros(6), zeros(6), zeros(6))",
+    def<forward<Joints>, forward<JointList>>(
+        "fwdDyn(r: robot, q: posJ | double[], qd: double[], tau: double[]) -> double[]", kForward,
+        "fwdDyn(joints(), zeros(4), zeros(4)); robots.puma560().fwdDyn(zeros(6), zeros(6), "
+        "zeros(6))",
         {.check = check_all_of<check_joint_list<"q">, note_accels>}),
-    def<mass_of<Joints>>("massMatrix(r: robot, q: posJ) -> matrix", kMass, "massMatrix(joints())"),
-    def<mass_of<JointList>>("massMatrix(r: robot, q: double[]) -> matrix", kMass,
-                            "massMatrix([0.0, 0.5, 0.1, 0.0])", {.check = check_joint_list<"q">}),
-    def<coriolis_of<Joints>>("coriolis(r: robot, q: posJ, qd: double[]) -> matrix", kCoriolis,
-                             "coriolis(joints(), [1.0, 1.0, 0.1, 1.0])"),
-    def<coriolis_of<JointList>>("coriolis(r: robot, q: double[], qd: double[]) -> matrix",
-                                kCoriolis, "coriolis([0.0, 0.5, 0.1, 0.0], [1.0, 1.0, 0.1, 1.0])",
-                                {.check = check_joint_list<"q">}),
-    def<gravity_of<Joints>>("gravity(r: robot, q: posJ) -> double[]", kGravity, "gravity(joints())",
-                            {.check = note_forces}),
-    def<gravity_of<JointList>>("gravity(r: robot, q: double[]) -> double[]", kGravity,
-                               "gravity([0.0, 0.5, 0.1, 0.0])",
-                               {.check = check_all_of<check_joint_list<"q">, note_forces>}),
-    def<friction_of<Joints>>("friction(r: robot, qd: posJ) -> double[]", kFriction,
-                             "friction(joints())", {.check = note_forces}),
-    def<friction_of<JointList>>("friction(r: robot, qd: double[]) -> double[]", kFriction,
-                                "friction(jointSpeeds())", {.check = note_forces}),
-    def<kinetic_of<Joints>>("kineticEnergy(r: robot, q: posJ, qd: double[]) -> energy", kKinetic,
-                            "kineticEnergy(joints(), jointSpeeds())"),
-    def<kinetic_of<JointList>>("kineticEnergy(r: robot, q: double[], qd: double[]) -> energy",
-                               kKinetic, "kineticEnergy([0.0, 0.5, 0.1, 0.0], jointSpeeds())",
-                               {.check = check_joint_list<"q">}),
-    def<potential_of<Joints>>("potentialEnergy(r: robot, q: posJ) -> energy", kPotential,
-                              "potentialEnergy(joints())"),
-    def<potential_of<JointList>>("potentialEnergy(r: robot, q: double[]) -> energy", kPotential,
-                                 "potentialEnergy([0.0, 0.5, 0.1, 0.0])",
-                                 {.check = check_joint_list<"q">}),
+    def<mass_of<Joints>, mass_of<JointList>>(
+        "massMatrix(r: robot, q: posJ | double[]) -> matrix", kMass,
+        "massMatrix(joints()); massMatrix([0.0, 0.5, 0.1, 0.0])", {.check = check_joint_list<"q">}),
+    def<coriolis_of<Joints>, coriolis_of<JointList>>(
+        "coriolis(r: robot, q: posJ | double[], qd: double[]) -> matrix", kCoriolis,
+        "coriolis(joints(), [1.0, 1.0, 0.1, 1.0]); coriolis([0.0, 0.5, 0.1, 0.0], [1.0, 1.0, 0.1, "
+        "1.0])",
+        {.check = check_joint_list<"q">}),
+    def<gravity_of<Joints>, gravity_of<JointList>>(
+        "gravity(r: robot, q: posJ | double[]) -> double[]", kGravity,
+        "gravity(joints()); gravity([0.0, 0.5, 0.1, 0.0])",
+        {.check = check_all_of<check_joint_list<"q">, note_forces>}),
+    def<friction_of<Joints>, friction_of<JointList>>(
+        "friction(r: robot, qd: posJ | double[]) -> double[]", kFriction,
+        "friction(joints()); friction(jointSpeeds())", {.check = note_forces}),
+    def<kinetic_of<Joints>, kinetic_of<JointList>>(
+        "kineticEnergy(r: robot, q: posJ | double[], qd: double[]) -> energy", kKinetic,
+        "kineticEnergy(joints(), jointSpeeds()); kineticEnergy([0.0, 0.5, 0.1, 0.0], "
+        "jointSpeeds())",
+        {.check = check_joint_list<"q">}),
+    def<potential_of<Joints>, potential_of<JointList>>(
+        "potentialEnergy(r: robot, q: posJ | double[]) -> energy", kPotential,
+        "potentialEnergy(joints()); potentialEnergy([0.0, 0.5, 0.1, 0.0])",
+        {.check = check_joint_list<"q">}),
     def<mass_now>("massMatrix(r: robot) -> matrix",
                   "The inertia matrix where the arm is now, with what its hand holds.",
                   "massMatrix()"),
@@ -255,15 +251,12 @@ constexpr NativeFunction kDynamicsFunctions[] = {
         "A mass at a point seen from the flange, which the last link carries from now on instead "
         "of the one before; at: the flange, if it is left out.",
         "setPayload(2kg, at: xyz(z: 40mm))", {.commands = true}),
-    def<set_link<NumberRows>>(
-        "setLink(r: robot, joint: int, mass: mass?, com: length[]?, inertia: double[][]?, "
+    def<set_link<NumberRows>, set_link<const MatrixObj&>>(
+        "setLink(r: robot, joint: int, mass: mass?, com: length[]?, inertia: double[][]? | matrix, "
         "friction: double[]?)",
-        kSetLink, "setLink(joint: 2, mass: 3kg)",
-        {.check = check_inertia<"inertia">, .commands = true}),
-    def<set_link<const MatrixObj&>>(
-        "setLink(r: robot, joint: int, mass: mass?, com: length[]?, inertia: matrix, friction: "
-        "double[]?)",
-        kSetLink, "setLink(joint: 2, mass: 3kg, inertia: [0.01, 0, 0; 0, 0.01, 0; 0, 0, 0.01])",
+        kSetLink,
+        "setLink(joint: 2, mass: 3kg); setLink(joint: 2, mass: 3kg, inertia: [0.01, 0, 0; 0, 0.01, "
+        "0; 0, 0, 0.01])",
         {.check = check_inertia<"inertia">, .commands = true}),
 };
 

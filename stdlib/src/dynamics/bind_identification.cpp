@@ -62,11 +62,11 @@ constexpr std::string_view kRegressor =
     "measured torques.";
 
 constexpr NativeFunction kIdentificationFunctions[] = {
-    def<regressor<Joints>>("regressor(r: robot, q: posJ, qd: double[], qdd: double[]) -> matrix",
-                           kRegressor, "regressor(joints(), jointSpeeds(), jointAccels())"),
-    def<regressor<JointList>>(
-        "regressor(r: robot, q: double[], qd: double[], qdd: double[]) -> matrix", kRegressor,
-        "regressor([0.0, 0.5, 0.1, 0.0], jointSpeeds(), jointAccels()).cols",
+    def<regressor<Joints>, regressor<JointList>>(
+        "regressor(r: robot, q: posJ | double[], qd: double[], qdd: double[]) -> matrix",
+        kRegressor,
+        "regressor(joints(), jointSpeeds(), jointAccels()); regressor([0.0, 0.5, 0.1, 0.0], "
+        "jointSpeeds(), jointAccels()).cols",
         {.check = check_joint_list<"q">}),
     def<parameters_of_links>(
         "dynamicParameters(r: robot) -> double[]",

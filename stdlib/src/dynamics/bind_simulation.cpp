@@ -325,21 +325,12 @@ constexpr std::string_view kTorqueHelp =
     "end the arm is brought to rest under control.";
 
 constexpr NativeFunction kSimulationFunctions[] = {
-    def<simulate<const PosJ*>>(
+    def<simulate<const PosJ*>, simulate<JointList>>(
         "simulate(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
-        "time = 1ms, from: posJ?, speeds: double[]?, method: string = \"rk4\", step: time?, "
-        "restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
+        "time = 1ms, from: posJ? | double[], speeds: double[]?, method: string = \"rk4\", step: "
+        "time?, restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
         "Simulation",
         kSimulateHelp, "robots.puma560().simulate(fn(t, q, qd) => zeros(6), during: 100ms).t.last",
-        {.check = check_method<"method">}),
-    def<simulate<JointList>>(
-        "simulate(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "
-        "time = 1ms, from: double[], speeds: double[]?, method: string = \"rk4\", step: time?, "
-        "restitution: double = 0.0, maxTorques: double[]?, maxTorqueRates: double[]?) -> "
-        "Simulation",
-        "The same from joint values in rad and m.",
-        "robots.scara().simulate(fn(t, q, qd) => zeros(4), during: 100ms, from: [0.0, 0.5, 0.1, "
-        "0.0]).t.last",
         {.check = check_method<"method">}),
     def<torque_j>(
         "torqueJ(r: robot, law: fn(time, double[], double[]) -> double[], during: time, every: "

@@ -192,14 +192,12 @@ constexpr NativeFunction kLabFunctions[] = {
                "What the function gives now, as a table: a matrix, a list of rows, a table.",
                "table dh(fn() => arm.dhTable(), header: [\"theta\", \"d\", \"a\", \"alpha\"])",
                {.check = check_table}),
-    def<fixed_text>("lab.text.NAME(value: string, name: string) -> labRow",
-                    "A text in Markdown, with formulas between $ signs; a function gives one that "
-                    "changes.",
-                    "text intro(\"The arm has **four** joints: $q_1 \\\\dots q_4$.\")"),
-    def<changing_text>("lab.text.NAME(value: fn() -> string, name: string) -> labRow",
-                       "A text in Markdown, with formulas between $ signs; a function gives one "
-                       "that changes.",
-                       "text where(fn() => f\"The hand is at {arm.here()}.\")"),
+    def<fixed_text, changing_text>(
+        "lab.text.NAME(value: string | fn() -> string, name: string) -> labRow",
+        "A text in Markdown, with formulas between $ signs; a function gives one that "
+        "changes.",
+        "text intro(\"The arm has **four** joints: $q_1 \\\\dots q_4$.\"); text where(fn() => "
+        "f\"The hand is at {arm.here()}.\")"),
     def<trail>("lab.trail.NAME(of: robot, label: string?, name: string) -> labRow",
                "The path of the hand of a robot, in the view of the cell.", "trail way(of: arm)"),
     def<torques>("lab.torques.NAME(of: robot, label: string?, name: string) -> labRow",

@@ -104,17 +104,13 @@ constexpr NativeFunction kLabPictureFunctions[] = {
     def<computed>("lab.image.NAME(value: fn() -> image, label: string?, name: string) -> labRow",
                   "What the function gives at the instant that is looked at.",
                   "image photo(fn() => image([0, 128; 255, 64]))"),
-    def<view>("lab.view.NAME(of: camera, overlay: string?, wanted: matrix?, label: string?, name: "
-              "string) -> labRow",
-              kViewHelp, "view eyeView(of: eye, overlay: \"corners\")", {.check = check_view}),
-    def<view_of_features<false>>("lab.view.NAME(of: camera, overlay: fn() -> matrix, wanted: "
-                                 "matrix?, label: string?, name: string) -> labRow",
-                                 kViewHelp,
-                                 "view eyeView(of: eye, overlay: fn() => [100, 80; 120, 80])"),
-    def<view_of_features<true>>(
-        "lab.view.NAME(of: camera, overlay: fn(image) -> matrix, wanted: matrix?, label: string?, "
-        "name: string) -> labRow",
-        kViewHelp, "view eyeView(of: eye, overlay: fn(img) => corners(gray(img)))"),
+    def<view, view_of_features<false>, view_of_features<true>>(
+        "lab.view.NAME(of: camera, overlay: string? | fn() -> matrix | fn(image) -> matrix, "
+        "wanted: matrix?, label: string?, name: string) -> labRow",
+        kViewHelp,
+        "view eyeView(of: eye, overlay: \"corners\"); view found(of: eye, overlay: fn(img) => "
+        "corners(gray(img)))",
+        {.check = check_view}),
 };
 
 }  // namespace

@@ -163,33 +163,17 @@ constexpr NativeFunction kMotionFunctions[] = {
         "traj: string = \"Syn\", near: posJ?, blend: length?) -> Move",
         kMoveJHelp, "moveJ(here(), time: 1s)",
         {.check = check_move_position, .pauses = true, .in_path = true}),
-    def<move_l<const PosC*>>(
+    def<move_l<const PosC*>, move_l<const ObjectRef&>, move_l<const FrameRef&>>(
         "moveL(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
-        "frame: posC?, blend: length?) -> Move",
-        kMoveLHelp, "moveL(here(), speed: 80mm/s)",
-        {.check = check_move_line, .pauses = true, .in_path = true}),
-    def<move_l<const ObjectRef&>>(
-        "moveL(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
-        "frame: object, blend: length?) -> Move",
-        kMoveLHelp, "moveL(xyz(z: 80mm), speed: 80mm/s, frame: object(\"cube\"))",
-        {.check = check_move_line, .pauses = true, .in_path = true}),
-    def<move_l<const FrameRef&>>(
-        "moveL(r: robot, target: posC, time: time?, speed: speed?, accel: accel?, tool: posC?, "
-        "frame: frame, blend: length?) -> Move",
+        "frame: posC? | object | frame, blend: length?) -> Move",
         kMoveLHelp,
-        "frame bench { at: xyz(300mm, 200mm, 100mm) } moveL(xyz(z: 80mm), speed: 80mm/s, frame: "
-        "bench)",
+        "moveL(here(), speed: 80mm/s); moveL(xyz(z: 80mm), speed: 80mm/s, frame: object(\"cube\"))",
         {.check = check_move_line, .pauses = true, .in_path = true}),
-    def<move_spline<PosJ>>(
-        "moveSpline(r: robot, points: posJ[], time: time?, traj: string = \"Spline3\", speed: "
-        "double?, accel: double?) -> Move",
+    def<move_spline<PosJ>, move_spline<PosC>>(
+        "moveSpline(r: robot, points: posJ[] | posC[], time: time?, traj: string = \"Spline3\", "
+        "speed: double?, accel: double?) -> Move",
         kMoveSplineHelp,
         "moveSpline([posJ(30deg, 60deg, 0mm, 0deg), posJ(60deg, 30deg, 0mm, 0deg)])",
-        {.check = check_spline, .pauses = true}),
-    def<move_spline<PosC>>(
-        "moveSpline(r: robot, points: posC[], time: time?, traj: string = \"Spline3\", speed: "
-        "double?, accel: double?) -> Move",
-        kMoveSplineHelp, "moveSpline([xyz(300mm, 200mm, 200mm), xyz(300mm, -200mm, 200mm)])",
         {.check = check_spline, .pauses = true}),
     def<move_circ>(
         "moveCirc(r: robot, via: posC, target: posC, time: time?, speed: speed?, blend: length?) "

@@ -207,20 +207,11 @@ constexpr NativeFunction kSettingsFunctions[] = {
         "solution of a target in space. Moves with a way of their own, such as moveL, are refused "
         "if they run into something.",
         "with (avoid: true) { moveJ(home()) }"),
-    def<set_frame_position>(
-        "with.frame(frame: posC)", "Targets in space inside the block are read in this frame.",
+    def<set_frame_position, set_frame_of<FrameRef>, set_frame_of<ObjectRef>>(
+        "with.frame(frame: posC | frame | object)",
+        "Targets in space inside the block are read in this frame. A frame or an object counts as "
+        "it is when the move begins.",
         "with (frame: xyz(z: 100mm)) { moveJ(xyz(300mm, 200mm, 50mm)) }", {.in_path = true}),
-    def<set_frame_of<FrameRef>>(
-        "with.frame(frame: frame)",
-        "Targets in space inside the block are read in this frame, wherever it is when the move "
-        "begins.",
-        "frame bench { at: xyz(z: 100mm) } with (frame: bench) { moveJ(xyz(300mm, 200mm, 50mm)) }",
-        {.in_path = true}),
-    def<set_frame_of<ObjectRef>>(
-        "with.frame(frame: object)",
-        "Targets in space inside the block are read in the frame of this object, wherever it "
-        "is when the move begins.",
-        "with (frame: object(\"cube\")) { moveJ(xyz(z: 60mm)) }", {.in_path = true}),
 };
 
 }  // namespace

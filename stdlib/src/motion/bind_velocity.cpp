@@ -278,20 +278,10 @@ constexpr NativeFunction kVelocityFunctions[] = {
         "speedC(r: robot, v: double[], during: time)", kSpeedCHelp,
         "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], during: 500ms)",
         {.pauses = true}),
-    def<speed_c_frame>(
-        "speedC(r: robot, v: double[], frame: posC, during: time)", kSpeedCHelp,
+    def<speed_c_frame, speed_c_object, speed_c_named>(
+        "speedC(r: robot, v: double[], frame: posC | object | frame, during: time)", kSpeedCHelp,
         "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
         "rotZ(90deg), during: 500ms)",
-        {.pauses = true}),
-    def<speed_c_object>(
-        "speedC(r: robot, v: double[], frame: object, during: time)", kSpeedCHelp,
-        "moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, 0.0, 0.0, 0.0], frame: "
-        "object(\"cube\"), during: 500ms)",
-        {.pauses = true}),
-    def<speed_c_named>(
-        "speedC(r: robot, v: double[], frame: frame, during: time)", kSpeedCHelp,
-        "frame bench { at: rotZ(90deg) } moveJ(xyz(300mm, 200mm, 150mm)); speedC([0.05, 0.0, 0.0, "
-        "0.0, 0.0, 0.0], frame: bench, during: 500ms)",
         {.pauses = true}),
     def<speed_c_camera>("speedC(r: robot, v: double[], frame: camera, during: time)",
                         "Moves the arm so that the camera that it carries has this velocity along "

@@ -303,12 +303,9 @@ constexpr NativeFunction kMatrixPartsFunctions[] = {
                             "var p = here(); p.R = rotX(90deg).R"),
     def<posc_transform>("posC.T(p: posC) -> matrix",
                         "The 4x4 matrix of the whole, lengths in metres.", "xyz(1m, 2m, 3m).T"),
-    def<posc_from_rotation>("posC(R: matrix, p: length[]) -> posC",
-                            "An orientation as a rotation, and a place.",
-                            "posC(eye(3), [100mm, 0mm, 50mm])"),
-    def<posc_from_rotation>("posC(R: matrix, p: double[]) -> posC",
-                            "An orientation as a rotation, and a place in metres.",
-                            "posC(eye(3), [0.1, 0.0, 0.05])"),
+    def<posc_from_rotation>("posC(R: matrix, p: length[] | double[]) -> posC",
+                            "An orientation as a rotation, and a position as lengths or in metres.",
+                            "posC(eye(3), [100mm, 0mm, 50mm]); posC(eye(3), [0.1, 0.0, 0.05])"),
 };
 
 }  // namespace

@@ -137,59 +137,39 @@ constexpr CallOptions kOfTable{
 constexpr CallOptions kNearList{.check = check_joint_list<"q0">};
 
 constexpr NativeFunction kDhFunctions[] = {
-    def<robot_from_table<Word>>(
-        "dh(table: double[][], types: string, limits: double[][]?, convention: string = "
+    def<robot_from_table<Word>, robot_from_table<Letters>>(
+        "dh(table: double[][], types: string | string[], limits: double[][]?, convention: string = "
         "\"standard\", base: posC?, tool: tool?, name: string?) -> robot",
         kFromTable, "dh([[0.0, 0.0, 0.3, 0.0]], types: \"R\", limits: [[-1.5, 1.5]])", kOfTable),
-    def<robot_from_table<Letters>>(
-        "dh(table: double[][], types: string[], limits: double[][]?, convention: string = "
-        "\"standard\", base: posC?, tool: tool?, name: string?) -> robot",
-        kFromTable, "dh([[0.0, 0.0, 0.3, 0.0]], types: [\"R\"], limits: [[-1.5, 1.5]])", kOfTable),
-    def<robot_from_table<Word>>(
-        "Robot(table: double[][], types: string, limits: double[][]?, convention: string = "
-        "\"standard\", base: posC?, tool: tool?, name: string?) -> robot",
+    def<robot_from_table<Word>, robot_from_table<Letters>>(
+        "Robot(table: double[][], types: string | string[], limits: double[][]?, convention: "
+        "string = \"standard\", base: posC?, tool: tool?, name: string?) -> robot",
         kPlatformRobot, "new Robot([[0.0, 0.0, 0.3, 0.0]], \"R\", [[-1.5, 1.5]])", kOfTable),
-    def<robot_from_table<Letters>>(
-        "Robot(table: double[][], types: string[], limits: double[][]?, convention: string = "
-        "\"standard\", base: posC?, tool: tool?, name: string?) -> robot",
-        kPlatformRobot, "new Robot([[0.0, 0.0, 0.3, 0.0]], [\"R\"], [[-1.5, 1.5]])", kOfTable),
     def<dh_rows>("robot.DHTable(r: robot) -> double[][]",
                  "The Denavit-Hartenberg table as lists, one row theta, d, a, alpha for each "
                  "joint, in rad and "
                  "m.",
                  "robots.scara().DHTable"),
-    def<forward_kinematics<Joints>>(
-        "robot.forwardKinematics(r: robot, q: posJ) -> posC", kForward,
-        "robots.scara().forwardKinematics(posJ(20deg, 30deg, 100mm, 0deg))"),
-    def<forward_kinematics<JointList>>(
-        "robot.forwardKinematics(r: robot, q: double[]) -> posC", kForward,
-        "robots.scara().forwardKinematics([0.0, 0.0, 0.1, 0.0])", {.check = check_joint_list<"q">}),
-    def<inverse_from_numbers<Joints>>(
-        "robot.IKinematics(r: robot, q0: posJ, X: double, Y: double, Z: double, Roll: double?) -> "
-        "posJ",
+    def<forward_kinematics<Joints>, forward_kinematics<JointList>>(
+        "robot.forwardKinematics(r: robot, q: posJ | double[]) -> posC", kForward,
+        "robots.scara().forwardKinematics(posJ(20deg, 30deg, 100mm, 0deg))",
+        {.check = check_joint_list<"q">}),
+    def<inverse_from_numbers<Joints>, inverse_from_numbers<JointList>>(
+        "robot.IKinematics(r: robot, q0: posJ | double[], X: double, Y: double, Z: double, Roll: "
+        "double?) -> posJ",
         kInverse,
-        "robots.scara().IKinematics(posJ(20deg, 30deg, 100mm, 0deg), 0.5, 0.2, 0.25, 0.0)"),
-    def<inverse_from_numbers<JointList>>(
-        "robot.IKinematics(r: robot, q0: double[], X: double, Y: double, Z: double, Roll: double?) "
-        "-> posJ",
-        kInverse, "robots.scara().IKinematics([0.0, 0.5, 0.1, 0.0], 0.5, 0.2, 0.25, 0.0)",
+        "robots.scara().IKinematics(posJ(20deg, 30deg, 100mm, 0deg), 0.5, 0.2, 0.25, 0.0)",
         kNearList),
-    def<inverse_from_numbers<Joints>>(
-        "robot.IKinematics(r: robot, q0: posJ, X: length, Y: length, Z: length, Roll: angle?) -> "
-        "posJ",
+    def<inverse_from_numbers<Joints>, inverse_from_numbers<JointList>>(
+        "robot.IKinematics(r: robot, q0: posJ | double[], X: length, Y: length, Z: length, Roll: "
+        "angle?) -> posJ",
         kInverse,
-        "robots.scara().IKinematics(posJ(20deg, 30deg, 100mm, 0deg), 500mm, 200mm, 250mm, 0deg)"),
-    def<inverse_from_numbers<JointList>>(
-        "robot.IKinematics(r: robot, q0: double[], X: length, Y: length, Z: length, Roll: angle?) "
-        "-> posJ",
-        kInverse, "robots.scara().IKinematics([0.0, 0.5, 0.1, 0.0], 500mm, 200mm, 250mm, 0deg)",
+        "robots.scara().IKinematics(posJ(20deg, 30deg, 100mm, 0deg), 500mm, 200mm, 250mm, 0deg)",
         kNearList),
-    def<inverse_from_position<Joints>>(
-        "robot.IKinematics(r: robot, q0: posJ, p: posC) -> posJ", kInversePosition,
-        "robots.scara().IKinematics(posJ(20deg, 30deg, 100mm, 0deg), xyz(500mm, 200mm, 250mm))"),
-    def<inverse_from_position<JointList>>(
-        "robot.IKinematics(r: robot, q0: double[], p: posC) -> posJ", kInversePosition,
-        "robots.scara().IKinematics([0.0, 0.5, 0.1, 0.0], xyz(500mm, 200mm, 250mm))", kNearList),
+    def<inverse_from_position<Joints>, inverse_from_position<JointList>>(
+        "robot.IKinematics(r: robot, q0: posJ | double[], p: posC) -> posJ", kInversePosition,
+        "robots.scara().IKinematics(posJ(20deg, 30deg, 100mm, 0deg), xyz(500mm, 200mm, 250mm))",
+        kNearList),
 };
 
 }  // namespace

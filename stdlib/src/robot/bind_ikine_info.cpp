@@ -131,12 +131,9 @@ constexpr std::string_view kHelp =
     "to its nearer limit (rad, m), below 0 beyond it.";
 
 constexpr NativeFunction kIkineInfoFunctions[] = {
-    def<ikine_info<const PosJ*>>(
-        "ikineInfo(r: robot, p: posC, near: posJ?, limits: bool = true) -> IkInfo", kHelp,
-        "ikineInfo(xyz(2m, 0m, 300mm)).distance"),
-    def<ikine_info<JointList>>(
-        "ikineInfo(r: robot, p: posC, near: double[], limits: bool = true) -> IkInfo", kHelp,
-        "ikineInfo(here(), near: [0.0, 0.5, 0.1, 0.0]).found", {.check = check_joint_list<"near">}),
+    def<ikine_info<const PosJ*>, ikine_info<JointList>>(
+        "ikineInfo(r: robot, p: posC, near: posJ? | double[], limits: bool = true) -> IkInfo",
+        kHelp, "ikineInfo(xyz(2m, 0m, 300mm)).distance", {.check = check_joint_list<"near">}),
 };
 
 }  // namespace

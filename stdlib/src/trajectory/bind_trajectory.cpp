@@ -264,35 +264,20 @@ constexpr std::string_view kPlanHelp =
     "looked at.";
 
 constexpr NativeFunction kTrajectoryFunctions[] = {
-    def<plan_joints>(
-        "plan(r: robot, to: posJ, time: time?, speed: double?, accel: double?, avoid: bool = true, "
-        "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
+    def<plan_joints, plan_position>(
+        "plan(r: robot, to: posJ | posC, time: time?, speed: double?, accel: double?, avoid: bool "
+        "= true, clearance: length = 5mm, iterations: int = 20000) -> trajectory",
         kPlanHelp, "follow(plan(to: posJ(60deg, 30deg, 0mm, 0deg)))",
         {.check = check_all_of<check_plan, note_motion_of<"r">>}),
-    def<plan_position>(
-        "plan(r: robot, to: posC, time: time?, speed: double?, accel: double?, avoid: bool = true, "
-        "clearance: length = 5mm, iterations: int = 20000) -> trajectory",
-        kPlanHelp, "follow(plan(to: xyz(300mm, -200mm, 200mm)))",
-        {.check = check_all_of<check_plan, note_motion_of<"r">>}),
-    def<make_for<PosJ>>(
-        "trajectory(r: robot, name: string, points: posJ[], time: time?, durations: time[]?, "
-        "speed: double?, accel: double?) -> trajectory",
+    def<make_for<PosJ>, make_for<PosC>>(
+        "trajectory(r: robot, name: string, points: posJ[] | posC[], time: time?, durations: "
+        "time[]?, speed: double?, accel: double?) -> trajectory",
         kMakeHelp, kMakeExample,
         {.check = check_all_of<check_trajectory<true>, note_motion_of<"r">>}),
-    def<make_for<PosC>>(
-        "trajectory(r: robot, name: string, points: posC[], time: time?, durations: time[]?, "
-        "speed: double?, accel: double?) -> trajectory",
-        kMakeHelp, kPositionsExample,
-        {.check = check_all_of<check_trajectory<true>, note_motion_of<"r">>}),
-    def<make_with<PosJ>>(
-        "trajectory(name: string, points: posJ[], time: time?, durations: time[]?, speed: double?, "
-        "accel: double?, robot: robot) -> trajectory",
+    def<make_with<PosJ>, make_with<PosC>>(
+        "trajectory(name: string, points: posJ[] | posC[], time: time?, durations: time[]?, speed: "
+        "double?, accel: double?, robot: robot) -> trajectory",
         kMakeHelp, kRobotExample,
-        {.check = check_all_of<check_trajectory<false>, note_motion_of<"robot">>}),
-    def<make_with<PosC>>(
-        "trajectory(name: string, points: posC[], time: time?, durations: time[]?, speed: double?, "
-        "accel: double?, robot: robot) -> trajectory",
-        kMakeHelp, kRobotPositionsExample,
         {.check = check_all_of<check_trajectory<false>, note_motion_of<"robot">>}),
     def<joints_at>(
         "trajectory.q(tr: trajectory, t: time) -> posJ",

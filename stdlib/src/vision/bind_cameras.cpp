@@ -214,13 +214,10 @@ constexpr NativeFunction kCameraFunctions[] = {
                          "robot arm = robots.ur5(); camera eye { on: arm; at: xyz(z: 60mm); size: "
                          "[640, 480]; fov: 55deg }",
                          {.check = check_camera, .acts = true}),
-    def<camera_on<ObjectRef>>("camera{}(name: string, on: object, " ARMLET_CAMERA_ROWS, kCameraHelp,
-                              "camera eye { on: object(\"cube\"); at: xyz(z: 100mm); focal: 600 }",
-                              {.check = check_camera, .acts = true}),
-    def<camera_on<FrameRef>>("camera{}(name: string, on: frame, " ARMLET_CAMERA_ROWS, kCameraHelp,
-                             "frame post { at: xyz(0mm, 0mm, 900mm) } camera eye { on: post; at: "
-                             "rotY(90deg); noise: 2.0; light: \"flat\" }",
-                             {.check = check_camera, .acts = true}),
+    def<camera_on<ObjectRef>, camera_on<FrameRef>>(
+        "camera{}(name: string, on: object | frame, " ARMLET_CAMERA_ROWS, kCameraHelp,
+        "camera eye { on: object(\"cube\"); at: xyz(z: 100mm); focal: 600 }",
+        {.check = check_camera, .acts = true}),
     def<looking_from>(
         "lookingAt(p: posC, from: posC) -> posC",
         "The frame of a camera at from whose axis runs through p: z forward, x to the "

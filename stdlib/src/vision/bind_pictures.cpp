@@ -341,16 +341,12 @@ constexpr NativeFunction kPictureFunctions[] = {
                   "The depth at a pixel of a picture of depths.",
                   "camera eye { at: lookingAt(xyz(400mm, 0mm, 0mm), from: xyz(400mm, 0mm, 900mm)); "
                   "size: [64, 48] }; print(eye.captureDepth()[32, 24])"),
-    def<store_grey>("image[]=(img: image, x: int, y: int, value: int) -> image",
-                    "Stores a grey level, 0 to 255, in a pixel of a grey picture.",
-                    "var img = image([0, 255; 255, 0]); img[0, 1] = 128"),
-    def<store_color>("image[]=(img: image, x: int, y: int, value: Color) -> image",
-                     "Stores a colour in a pixel of an RGB picture.",
-                     "var img = image([0, 1;], [0, 2;], [0, 3;]); img[0, 0] = rgb(255, 0, 0)"),
-    def<store_depth>("image[]=(img: image, x: int, y: int, value: length) -> image",
-                     "Stores a depth in a pixel of a picture of depths.",
-                     "camera eye { at: lookingAt(xyz(400mm, 0mm, 0mm), from: xyz(400mm, 0mm, "
-                     "900mm)); size: [64, 48] }; var z = eye.captureDepth(); z[0, 0] = 1m"),
+    def<store_grey, store_color, store_depth>(
+        "image[]=(img: image, x: int, y: int, value: int | Color | length) -> image",
+        "Stores a value in a pixel: a grey level, 0 to 255, in a grey picture, a colour in an RGB "
+        "picture, a length in a picture of depths.",
+        "var img = image([0, 255; 255, 0]); img[0, 1] = 128; var seen = image([0, 1;], [0, 2;], "
+        "[0, 3;]); seen[0, 0] = rgb(255, 0, 0)"),
     def<part_of>("image[:](img: image, left: int?, right: int?, top: int?, bottom: int?) -> image",
                  "Cuts out columns left to right and rows top to bottom, both without their ends: "
                  "img[10:20, :] has ten columns.",

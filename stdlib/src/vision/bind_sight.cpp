@@ -296,25 +296,17 @@ constexpr NativeFunction kSightFunctions[] = {
     def<ray>("ray(c: camera, pixel: double[]) -> double[]",
              "The direction in which a pixel is seen, as a unit vector of the world.",
              ARMLET_SHOWN_EYE "print(eye.ray([31.5, 23.5]))"),
-    def<unproject<double>>(
-        "unproject(c: camera, pixels: matrix, depth: length) -> length[][]",
+    def<unproject<double>, unproject<std::span<const double>>>(
+        "unproject(c: camera, pixels: matrix, depth: length | length[]) -> length[][]",
         "The points of the world that are seen at pixels, at this depth along the "
         "axis of the camera.",
         ARMLET_SHOWN_EYE "print(eye.unproject([31.5, 23.5;], depth: 500mm))"),
-    def<unproject<std::span<const double>>>(
-        "unproject(c: camera, pixels: matrix, depth: length[]) -> length[][]",
-        "The same with a depth for each pixel.",
-        ARMLET_SHOWN_EYE "print(eye.unproject([31, 23; 0, 0], depth: [500mm, 400mm]))"),
-    def<interaction<double>>(
-        "interactionMatrix(c: camera, s: matrix, depth: length) -> matrix",
+    def<interaction<double>, interaction<std::span<const double>>>(
+        "interactionMatrix(c: camera, s: matrix, depth: length | length[]) -> matrix",
         "How resting points move in the picture: two rows, in pixels per second, for each point, "
         "times the velocity of the camera along its own axes, vx, vy, vz in m/s, wx, wy, wz in "
         "rad/s. depth: of the points along the axis of the camera.",
         ARMLET_SHOWN_EYE "print(eye.interactionMatrix([31.5, 23.5;], depth: 500mm))"),
-    def<interaction<std::span<const double>>>(
-        "interactionMatrix(c: camera, s: matrix, depth: length[]) -> matrix",
-        "The same with a depth for each point.",
-        ARMLET_SHOWN_EYE "print(eye.interactionMatrix([31, 23; 0, 0], depth: [500mm, 400mm]))"),
     def<depth>("depth(c: camera, s: matrix) -> length[]",
                "The true depth of what is nearest within a pixel around pixels. A real camera does "
                "not know it.",

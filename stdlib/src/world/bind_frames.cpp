@@ -91,12 +91,11 @@ constexpr std::string_view kFrameHelp =
 constexpr NativeFunction kFrameFunctions[] = {
     def<frame_block>("frame{}(name: string, at: posC) -> frame", kFrameHelp,
                      "frame bench { at: xyz(300mm, 200mm, 100mm) }", {.acts = true}),
-    def<frame_on_object>("frame{}(name: string, at: posC, on: object) -> frame", kFrameHelp,
-                         "frame lid { at: xyz(z: 20mm); on: object(\"cube\") }", {.acts = true}),
-    def<frame_on_frame>("frame{}(name: string, at: posC, on: frame) -> frame", kFrameHelp,
-                        "frame bench { at: xyz(x: 300mm) } frame corner { at: xyz(y: 50mm); on: "
-                        "bench }",
-                        {.acts = true}),
+    def<frame_on_object, frame_on_frame>(
+        "frame{}(name: string, at: posC, on: object | frame) -> frame", kFrameHelp,
+        "frame lid { at: xyz(z: 20mm); on: object(\"cube\") }; frame bench { at: xyz(x: 300mm) } "
+        "frame corner { at: xyz(y: 50mm); on: bench }",
+        {.acts = true}),
     def<frame_on_robot>(
         "frame{}(name: string, at: posC, on: robot, link: int?) -> frame", kFrameHelp,
         "robot arm = robots.ur5(); frame probe { at: xyz(z: 80mm); on: arm }", {.acts = true}),

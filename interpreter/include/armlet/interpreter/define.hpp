@@ -122,6 +122,13 @@ Signal call_closure(Vm& vm, Slot* args, const void* closure) {
   return SplitOf<F>::call(vm, args, *static_cast<const F*>(closure));
 }
 
+// The functions of a row with unions.
+template <auto... kFunctions>
+inline constexpr Alternative kChoices[] = {
+    Alternative{.thunk = Thunk(&call_constant<kFunctions>),
+                .takes = SplitOf<decltype(kFunctions)>::Calls::takes(),
+                .gives = &SplitOf<decltype(kFunctions)>::Calls::kGives}...};
+
 }  // namespace typed
 
 // The properties of a function apart from its types; the members are those of NativeFunction.
@@ -188,12 +195,15 @@ constexpr NativeFunction declare(std::string_view signature, std::string_view he
           .check = check};
 }
 
-// The function with `signature`, which begins with its name, that calls kFunction.
-template <auto kFunction>
+// The function with `signature`, which begins with its name, that calls kFunction. In a signature
+// with unions, "to: point | double[]", each choice of types has its own function, or all the same.
+template <auto kFunction, auto... kFurther>
 constexpr NativeFunction def(std::string_view signature, std::string_view help,
                              std::string_view example, const CallOptions& options = {}) {
-  return typed::row<decltype(kFunction)>(signature, help, example, options,
-                                         Thunk(&typed::call_constant<kFunction>));
+  NativeFunction out = typed::row<decltype(kFunction)>(signature, help, example, options,
+                                                       Thunk(&typed::call_constant<kFunction>));
+  if constexpr (sizeof...(kFurther) > 0) out.alternatives = typed::kChoices<kFunction, kFurther...>;
+  return out;
 }
 
 // A function with the data that it keeps, for Engine::define.

@@ -9,7 +9,8 @@
 //   D, E                  any quantity or double; D^2, D*E, D/E; D[], (D*E)[] lists of it
 //   table; unit(x)        any table; a text, if absent the unit of x, units(x) of its numbers
 //   T, U                  any type; fn(T) -> U; as a result Pair{first: T, second: U}
-//   point or double[]     is declared as two overloads, "to: point" and "to: double[]"
+//   to: point | double[]  a union: the row stands for two functions, each with its own C++ code
+//                         (`def<&run_to, &run_along>`) or with the same (`def<&run_to>`)
 //
 // Names with a meaning of their own:
 //   "point.x", "point[]"  the field x of a point; indexing: "point.sharp[]" of the kind sharp,
@@ -48,6 +49,13 @@ namespace armlet {
 class CheckCall;
 struct WorldNames;
 
+// The C++ function for one choice of the types of a row with unions.
+struct Alternative {
+  Thunk thunk{};
+  std::span<const ValueKind> takes{};
+  const ValueKind* gives = nullptr;
+};
+
 struct NativeFunction {
   std::string_view name;
   std::string_view signature;
@@ -80,7 +88,16 @@ struct NativeFunction {
   // For functions made by `def`: the parameters in the order of the signature, and the result.
   std::span<const ValueKind> takes{};
   const ValueKind* gives = nullptr;  // null: it was not made by `def`
+  // For a row with unions: one for each choice of types, the types of the last union vary first;
+  // empty if the same C++ function is for all of them.
+  std::span<const Alternative> alternatives{};
+  const NativeFunction* row = nullptr;  // the row with unions that this function is a choice of
 };
+
+// The row of a table that the function was declared by.
+[[nodiscard]] inline const NativeFunction& row_of(const NativeFunction& function) {
+  return function.row != nullptr ? *function.row : function;
+}
 
 // A named number of the library: PI, E.
 struct NativeConstant {
