@@ -80,7 +80,7 @@ ROOMS = {
 PUBLIC_ROOMS = {
     "interpreter": {
         "base": "messages/ call_part diagnostic failure foreign_name object output render run source type unit virtual_time world_names host/memory",
-        "vocabulary": "native answer resource later work sorting binding/thunk binding/dims_fact binding/map_values host/compile_options "
+        "vocabulary": "native answer resource later work sorting binding/thunk binding/waiting binding/dims_fact binding/map_values host/compile_options "
                       "host/table_text",
         "program": "host/program",
         "vm": "script_function define define_type binding/ host/",

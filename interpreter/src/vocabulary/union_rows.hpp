@@ -1,6 +1,6 @@
 #pragma once
-// Rows with union types: "(r: robot, frame: posC? | object)" stands for two functions, one whose
-// frame is a posC or absent, and one whose frame is an object.
+// Rows with union types: "(m: motor, to: point? | double[])" stands for two functions, one whose
+// `to` is a point or absent, and one whose `to` is a list.
 
 #include <cstddef>
 #include <string>
