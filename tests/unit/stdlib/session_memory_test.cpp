@@ -23,12 +23,16 @@ constexpr std::size_t kFront = 16;
 }  // namespace
 
 // Inlined, g++ 12 takes new and free for a pair that does not match.
-[[gnu::noinline]] void* operator new(std::size_t size) {
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   auto* block = static_cast<std::byte*>(std::malloc(size + kFront));
-  if (block == nullptr) throw std::bad_alloc();
+  if (block == nullptr) return nullptr;
   *reinterpret_cast<std::size_t*>(block) = size;
   bytes_alive += size;
   return block + kFront;
+}
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  if (void* memory = operator new(size, std::nothrow)) return memory;
+  throw std::bad_alloc();
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
   if (memory == nullptr) return;
