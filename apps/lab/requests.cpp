@@ -12,7 +12,7 @@
 #include "armlet/interpreter/format.hpp"
 #include "armlet/interpreter/reference.hpp"
 #include "armlet/interpreter/unit.hpp"
-#include "armlet/kinematics/ik.hpp"
+#include "armlet/kinematics/dragged_tool.hpp"
 #include "armlet/stdlib/install.hpp"
 #include "laboratory_state.hpp"
 
@@ -226,27 +226,26 @@ void Laboratory::State::handle(Page& page, Seq seq, const AskInverse& ask) {
   const std::shared_ptr<const Robot> model = robot ? run->model_at(*robot, run->t_end) : nullptr;
   if (model == nullptr)
     return refuse(page, seq, "refused", fmt::format("There is no robot \"{}\".", ask.robot));
-  IkOptions how;
-  const std::vector<double> seed = ask.seed.empty() ? run->joints_at(*robot, run->t_end) : ask.seed;
-  how.seed = Eigen::Map<const Eigen::VectorXd>(seed.data(), static_cast<Eigen::Index>(seed.size()));
-  if (how.seed.size() != model->n()) {
+  const std::vector<double> given =
+      ask.seed.empty() ? run->joints_at(*robot, run->t_end) : ask.seed;
+  const Eigen::Map<const Eigen::VectorXd> seed(given.data(),
+                                               static_cast<Eigen::Index>(given.size()));
+  if (seed.size() != model->n()) {
     return refuse(page, seq, "refused",
                   fmt::format("A seed for \"{}\" has {} numbers, not {}.", ask.robot, model->n(),
-                              how.seed.size()));
+                              seed.size()));
   }
-  // An arm with fewer joints keeps its orientation as far as it can.
-  if (model->n() < 6) how.task = IkTask::kPositionFirst;
-  const IkResult found = solve_ik(*model, ask.T_world_tool, how);
-  InverseAnswer answer{.is_ok = found.ok(), .q = numbers_of(found.q), .reason = {}, .nearest = {}};
-  if (!found.ok()) {
-    answer.reason = explain(*model, ask.T_world_tool, found);
-    const IkDiagnosis& why = found.diagnosis;
-    if (why.q_nearest.size() == model->n()) {
-      answer.nearest = InverseAnswer::Nearest{.q = numbers_of(why.q_nearest),
-                                              .T_world_tool = why.nearest,
-                                              .distance = why.distance,
-                                              .angle = why.angle};
-    }
+  // The goals of a page are on the path of a pointer: the arm follows it and does not jump.
+  const Eigen::Isometry3d T_goal = pose_to_keep(*model, ask.T_world_tool, seed);
+  const DraggedTool dragged = drag_tool(*model, T_goal, seed);
+  const bool is_there = model->n() < 6 ? dragged.has_position() : dragged.has_pose();
+  InverseAnswer answer{.is_ok = is_there, .q = numbers_of(dragged.q), .reason = {}, .nearest = {}};
+  if (!is_there) {
+    answer.reason = explain(*model, T_goal, dragged);
+    answer.nearest = InverseAnswer::Nearest{.q = numbers_of(dragged.q),
+                                            .T_world_tool = dragged.T_world_tool,
+                                            .distance = dragged.distance,
+                                            .angle = dragged.angle};
   }
   pages.answer(page, write_inverse(seq, answer));
 }

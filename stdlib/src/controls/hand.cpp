@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "armlet/kinematics/dragged_tool.hpp"
 #include "armlet/kinematics/fixed_tilt.hpp"
 #include "armlet/kinematics/forward.hpp"
 #include "armlet/kinematics/ik.hpp"
+#include "armlet/kinematics/jacobian.hpp"
+#include "armlet/kinematics/reach.hpp"
 #include "armlet/math/det_math.hpp"
 #include "armlet/math/rotation.hpp"
 
@@ -63,36 +66,70 @@ std::vector<double> hand_now(const CellRobot& robot, std::span<const HandAxis> a
 
 Result<Eigen::VectorXd> hand_joints(const CellRobot& robot, std::span<const HandAxis> axes,
                                     std::span<const double> values, UnreachedGoal* unreached) {
-  const Isometry3d T = pose_of(forward(*robot.model, robot.q), axes, values);
+  const Robot& arm = *robot.model;
+  const Isometry3d T = pose_of(forward(arm, robot.q), axes, values);
+  const bool keeps_orientation = std::ranges::all_of(axes, is_place);
+  const IkTask task = frame_task(arm, T).value_or(IkTask::kPose);
+  Isometry3d T_goal = T;
+  if (keeps_orientation) T_goal = pose_to_keep(arm, T, robot.q);
+  if (task == IkTask::kHeading) T_goal = with_heading_of(arm, T, robot.q);
+  // The arm follows the sliders. Where it cannot, another solution may be far from the present one.
+  const DraggedTool dragged = drag_tool(arm, T_goal, robot.q, {.gradually = false});
+  const bool suffices = keeps_orientation && arm.n() < 6;
+  if (suffices ? dragged.has_position() : dragged.has_pose()) return dragged.q;
   IkOptions options;
   options.seed = robot.q;
-  options.task = std::ranges::all_of(axes, is_place)
-                     ? IkTask::kPositionFirst
-                     : frame_task(*robot.model, T).value_or(IkTask::kPose);
-  const IkResult result = solve_ik(*robot.model, T, options);
+  options.task = keeps_orientation ? IkTask::kPositionFirst : task;
+  options.diagnose = false;
+  const IkResult result = solve_ik(arm, T, options);
   if (result.ok()) return result.q;
-  const IkDiagnosis& why = result.diagnosis;
   if (unreached != nullptr) {
     unreached->T_world_tool = T;
-    unreached->q_nearest = why.q_nearest;
-    unreached->T_world_nearest = why.nearest;
-    unreached->distance = why.distance;
-    unreached->angle = why.angle;
+    unreached->q_nearest = dragged.q;
+    unreached->T_world_nearest = dragged.T_world_tool;
+    unreached->distance = dragged.distance;
+    unreached->angle = dragged.angle;
   }
-  return Error{"unreachable", explain(*robot.model, T, result)};
+  return Error{"unreachable", explain(arm, T_goal, dragged)};
 }
+
+namespace {
+
+// The range of headings of an arm that rotates its tool only about the vertical; all headings for
+// other arms, and if its joints together rotate by a revolution.
+std::array<double, 2> heading_range(const CellRobot& robot) {
+  constexpr double kHalf = std::numbers::pi;
+  const Robot& arm = *robot.model;
+  if (!fixed_tilt(arm) || arm.coupling() != nullptr) return {-kHalf, kHalf};
+  const Jacobian J = jacobian(arm, robot.q);
+  std::array<double, 2> range = {heading(forward(arm, robot.q)), heading(forward(arm, robot.q))};
+  for (int i = 0; i < arm.n(); ++i) {
+    const double sense = J(5, i);
+    const double down = arm.lower()[i] - robot.q[i], up = arm.upper()[i] - robot.q[i];
+    range[0] += std::min(sense * down, sense * up);
+    range[1] += std::max(sense * down, sense * up);
+  }
+  if (!(range[1] - range[0] < 2.0 * kHalf)) return {-kHalf, kHalf};
+  return range;
+}
+
+}  // namespace
 
 std::vector<std::array<double, 2>> hand_reach(const CellRobot& robot,
                                               std::span<const HandAxis> axes) {
-  const Vector3d p_base = robot.model->T_world_base().translation();
-  const double reach = robot.model->reach();
+  constexpr double kHalf = std::numbers::pi;
+  const ReachBox& box = reach_box(*robot.model);
   std::vector<std::array<double, 2>> ranges;
   for (const HandAxis axis : axes) {
-    const double middle = is_place(axis) ? p_base[place_of(axis)] : 0.0;
-    const double most = is_place(axis)             ? reach
-                        : axis == HandAxis::kPitch ? std::numbers::pi / 2
-                                                   : std::numbers::pi;
-    ranges.push_back({middle - most, middle + most});
+    const int place = place_of(axis);
+    if (is_place(axis)) {
+      ranges.push_back({box.lower[place], box.upper[place]});
+    } else if (axis == HandAxis::kTurn) {
+      ranges.push_back(heading_range(robot));
+    } else {
+      const double most = axis == HandAxis::kPitch ? kHalf / 2 : kHalf;
+      ranges.push_back({-most, most});
+    }
   }
   return ranges;
 }

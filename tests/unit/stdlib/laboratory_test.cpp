@@ -9,6 +9,8 @@
 #include "armlet/backend/run_hash.hpp"
 #include "armlet/core/random.hpp"
 #include "armlet/kinematics/forward.hpp"
+#include "armlet/kinematics/reach.hpp"
+#include "armlet/math/pose.hpp"
 #include "armlet/stdlib/laboratory_controls.hpp"
 #include "armlet/stdlib/session_log.hpp"
 #include "library.hpp"
@@ -352,8 +354,35 @@ TEST_CASE("sliders of a tool lead where they stand, or say why not") {
     CHECK(far->code == "unreachable");
     const auto ranges = controls.hand_ranges("hand of arm");
     REQUIRE(ranges.ok());
-    CHECK((*ranges)[0][1] >= robot.reach() - 1e-9);
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK((*ranges)[k][0] == reach_box(robot).lower[static_cast<Eigen::Index>(k)]);
+      CHECK((*ranges)[k][1] == reach_box(robot).upper[static_cast<Eigen::Index>(k)]);
+    }
   }
+}
+
+TEST_CASE("a tool slider out of reach keeps the arm and shows a pose with the same orientation") {
+  Lab lab("robot arm = robots.scara()\n");
+  LabControls controls(*lab.session);
+  lab.session->run(Budget{});
+  const Cell& cell = lab.session->host()->cell();
+  const Robot& robot = *cell.robot(0).model;
+  REQUIRE_FALSE(controls.move_joints("arm", Eigen::Vector4d(0.2, 0.7, 0.05, 0.3)));
+  const Eigen::VectorXd q = cell.robot(0).q;
+  const std::vector<double> here = *controls.hand("hand of arm");
+  double last = q[3];
+  for (int k = 1; k <= 8; ++k) {
+    std::vector<double> there = here;
+    there[0] += 0.1 * k;
+    const bool refused = controls.move_hand("hand of arm", there).has_value();
+    const Eigen::VectorXd shown =
+        refused ? lab.session->host()->unreached()->q_nearest : cell.robot(0).q;
+    CHECK(angle_between(forward(robot, shown), forward(robot, q)) < 1e-6);
+    CHECK(std::abs(shown[3] - last) < 1.5);
+    last = shown[3];
+  }
+  REQUIRE(lab.session->host()->unreached() != nullptr);
+  CHECK(lab.session->host()->unreached()->distance > 0.1);
 }
 
 TEST_CASE("without a lab block there is no page but the default one") {

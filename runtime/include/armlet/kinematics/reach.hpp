@@ -22,6 +22,16 @@ struct Reach {
 // source  coordinate search over the joints, as maximise_over_joints.
 Reach find_reach(const Robot& robot);
 
+// The smallest and the largest world coordinates of the tool point within the joint limits, m. They
+// are attained: the box is as small as it can be. Found once for an arm.
+//
+// source  coordinate search: along a joint, a coordinate is c + a cos q + b sin q or linear.
+struct ReachBox {
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero();
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+};
+const ReachBox& reach_box(const Robot& robot);
+
 // The joint values within the limits that maximise a function: one joint after another, from evenly
 // spread starts, the same ones in every call.
 //
