@@ -91,7 +91,7 @@ PUBLIC_ROOMS = {
     "stdlib": {
         "host": "host host_frames laboratory_rows mesh_converter session_log",
         "values": "robot_text",
-        "session": "install session session_options text_change",
+        "session": "help_topics install session session_options text_change",
         "controls": "laboratory_controls",
         "workspace": "load_world workspace",
     },

@@ -83,6 +83,15 @@ struct MeshOptions {
   bool quiet = false;
 };
 
+// name  a page, or words to look for; empty: all names are listed.
+struct HelpQuestion {
+  std::string name;
+  bool markdown = false;   // the whole reference
+  bool whole = false;      // all forms of a page, all pages that are found
+  bool is_search = false;  // pages about the words, one line each, also if one has that name
+  bool at_prompt = false;  // the hints are for the prompt
+};
+
 struct PromptOptions {
   ProgramOptions program;
   std::string record;  // the file for the log of the session; empty: none
@@ -103,7 +112,7 @@ int hover(const EditorOptions& options);
 int explain(const std::string& code);
 int robot(const RobotOptions& options);
 int convert_mesh(const MeshOptions& options);
-int help(const std::string& name, bool markdown);
+int help(const HelpQuestion& asked);
 int lists();
 
 }  // namespace armlet::cli

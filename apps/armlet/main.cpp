@@ -1,5 +1,6 @@
 // The command: reads the command line and calls the sub-command.
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -51,7 +52,8 @@ struct Asked {
   std::string file;
   std::string code;
   std::string name;
-  bool markdown = false;
+  HelpQuestion help;
+  std::vector<std::string> help_words;
   bool lists = false;
 };
 
@@ -172,9 +174,10 @@ void add_explain_options(CLI::App& command, Asked& asked) {
 }
 
 void add_help_options(CLI::App& command, Asked& asked) {
-  command.add_option("NAME", asked.name,
-                     "for example moveL, or a word to look for; without it, all names");
-  command.add_flag("--markdown", asked.markdown, "the whole reference, as in docs/stdlib.md");
+  command.add_option("NAME", asked.help_words,
+                     "for example moveL, or words to look for; without it, all names");
+  command.add_flag("--all", asked.help.whole, "all forms of a function, all pages with the words");
+  command.add_flag("--markdown", asked.help.markdown, "the whole reference, as in docs/stdlib.md");
   command.add_flag("--lists", asked.lists,
                    "all words, units, functions, robots, planners and traces, as JSON");
 }
@@ -211,7 +214,11 @@ constexpr Command kCommands[] = {
     {"explain", "say what a message means, with a wrong and a right program", add_explain_options,
      [](const Asked& asked) { return explain(asked.code); }},
     {"help", "say what a function does, with an example", add_help_options,
-     [](const Asked& asked) { return asked.lists ? lists() : help(asked.name, asked.markdown); }},
+     [](const Asked& asked) {
+       HelpQuestion question = asked.help;
+       question.name = fmt::format("{}", fmt::join(asked.help_words, " "));
+       return asked.lists ? lists() : help(question);
+     }},
 };
 
 // Becomes the program armlet-lab, with the arguments after `armlet lab`.

@@ -22,6 +22,7 @@
 #include "armlet/stdlib/robot_text.hpp"
 #include "console/setup.hpp"
 #include "prompt/prompt.hpp"
+#include "prompt/questions.hpp"
 
 namespace armlet::cli {
 namespace {
@@ -36,18 +37,6 @@ struct PromptCommand {
 bool refuse(std::string_view why) {
   progress(why);
   return false;
-}
-
-void say(std::string_view text) {
-  print_out(text);
-  if (!text.ends_with('\n')) print_out("\n");
-  static_cast<void>(finish_output());
-}
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 // ---- information --------------------------------------------------------------------------------
@@ -168,32 +157,6 @@ bool plot_figures(Prompt& prompt, std::string_view) {
   const std::vector<Figure>& figures = prompt.host().figures();
   if (figures.empty()) return refuse("there is no figure; plot(...) draws one");
   say(to_braille(figures.back(), 72, 18, is_capable_terminal(STDOUT_FILENO)));
-  return true;
-}
-
-// The lines with `///` above a declaration.
-std::string doc_above(std::string_view text, std::size_t at) {
-  std::string doc;
-  std::size_t line = text.rfind('\n', at) + 1;
-  while (line > 0) {
-    const std::size_t above = line < 2 ? 0 : text.rfind('\n', line - 2) + 1;
-    const std::string_view words = trimmed(text.substr(above, line - 1 - above));
-    if (!words.starts_with("///")) break;
-    doc.insert(0, fmt::format("  {}\n", trimmed(words.substr(3))));
-    line = above;
-  }
-  return doc;
-}
-
-// Shows a name of the session with its `///`, or a page of the library.
-bool show_page(Prompt& prompt, std::string_view name) {
-  const auto analysis = prompt.session().analyse(std::string(name), "line");
-  const auto place = analysis->definition(0);
-  const auto what = place ? analysis->hover(0) : std::nullopt;
-  if (!what) return help(std::string(name), false) == kDone;
-  say(what->text);
-  const std::string doc = doc_above(analysis->sources()[place->source].text(), place->begin);
-  if (!doc.empty()) say(doc);
   return true;
 }
 
@@ -352,7 +315,7 @@ bool show_commands(Prompt& prompt, std::string_view);
 
 constexpr PromptCommand kCommands[] = {
     {"?", "NAME", "what a function, a setting or a word does, with an example", show_page},
-    {"??", "WORD", "the pages that mention a word", nullptr},
+    {"??", "WORDS", "the functions for a subject, such as ??inverse kinematics", nullptr},
     {":help", "", "these commands", show_commands},
     {":type", "EXPRESSION", "the type of a value, which is not computed", show_type},
     {":units", "EXPRESSION", "a quantity in every unit that fits", show_units},
@@ -382,18 +345,9 @@ bool show_commands(Prompt&, std::string_view) {
   for (const PromptCommand& command : kCommands) {
     print_out(fmt::format("{:<10} {:<12} {}\n", command.name, command.argument, command.help));
   }
+  say("?moveL shows what a function does, ??straight line the functions for a subject.");
   say("Tab completes, the arrow keys fetch earlier lines, Ctrl-C stops. A semicolon hides a "
       "value.");
-  return true;
-}
-
-bool search_pages(std::string_view word) {
-  const std::vector<std::string> found = help_search(library_engine(), word);
-  if (found.empty()) return refuse(fmt::format("no page mentions \"{}\"", word));
-  for (const std::string& name : found) {
-    const std::string page = help_page(library_engine(), name);
-    say(page.substr(0, page.find('\n')));
-  }
   return true;
 }
 
@@ -401,8 +355,10 @@ bool search_pages(std::string_view word) {
 
 bool is_command(std::string_view line) {
   line = trimmed(line);
-  return line.starts_with('?') || (line.starts_with(':') && line.size() > 1 &&
-                                   std::isalpha(static_cast<unsigned char>(line[1])) != 0);
+  return line.starts_with('?') ||
+         (line.starts_with(':') && line.size() > 1 &&
+          std::isalpha(static_cast<unsigned char>(line[1])) != 0) ||
+         page_question(line).has_value();
 }
 
 CommandPart command_part(std::string_view before_cursor) {
@@ -433,6 +389,10 @@ CommandPart command_part(std::string_view before_cursor) {
 
 bool run_command(Prompt& prompt, std::string_view line) {
   line = trimmed(line);
+  if (const auto name = page_question(line)) {
+    if (is_declared(prompt, line)) return prompt.enter(std::string(line));
+    return name->empty() ? show_commands(prompt, {}) : show_asked_page(prompt, line, *name);
+  }
   if (line.starts_with("??")) return search_pages(trimmed(line.substr(2)));
   if (line == "?") return show_commands(prompt, {});
   if (line.starts_with('?')) return show_page(prompt, trimmed(line.substr(1)));
