@@ -189,6 +189,16 @@ Answer<RobotRef> robot_from_urdf(Vm& vm, std::string_view file, Text tip, std::s
 
 Answer<RobotRef> default_robot(Vm& vm) {
   const Result<int> id = Host::of(vm).default_robot();
+  const auto model = Host::of(vm).default_robot_model();
+  if (!id.ok() && model != nullptr && Host::of(vm).cell().find_robot(model->name())) {
+    return failure(
+        vm, row("R0630"), fmt::format("there is already a robot \"{}\" in the cell", model->name()),
+        -1,
+        "a robot that was made without a name of the program has the name of its model, and a "
+        "command without a robot is for the one that every program begins with",
+        fmt::format("give it a name, robot arm = robots.{}(), and command it: arm.moveJ(home())",
+                    model->name()));
+  }
   if (!id.ok()) return failure_of(vm, row("R0630"), ArgumentError(id.error().message));
   return RobotRef{*id, &Host::of(vm).cell()};
 }

@@ -1,4 +1,6 @@
 // Explains statements inside blocks that contain rows: record run every (10ms) { print(1) }
+#include <fmt/format.h>
+
 #include "syntax/mistakes/failure_site.hpp"
 
 namespace armlet::lang {
@@ -40,10 +42,19 @@ std::optional<Diagnostic> explain_row(const FailureSite& site) {
       first < site.at && is_name(site.type(first)) && !is_name(second) && second != RbtLexer::COLON;
   if (!is_value && !word_of(site.type(first)).starts) return std::nullopt;
   const bool is_record = word == "record";
+  const bool lacks_name =
+      !is_record && is_name(site.type(first)) &&
+      (second == RbtLexer::LPAREN || second == RbtLexer::LBRACE || second == RbtLexer::ASSIGN);
   Diagnostic out = make_diagnostic("E0128", site.span(first), {site.text(first)});
   out.mark.label = "a row begins here";
   out.why = "a block of `" + word + "` holds rows, `name: value`" +
             (is_record ? "; it goes on recording until the block around it ends" : "");
+  if (lacks_name) {
+    out.why += fmt::format(", or `{} NAME(...)` with a word and a name", site.text(first));
+    out.fix = Fix{
+        "give the row a name, or put what is to be done behind the block", {}, Confidence::kMaybe};
+    return out;
+  }
   out.fix = Fix{is_record && is_value
                     ? "write `name: ` before a value; put what is to be done behind the block"
                     : "put what is to be done behind the block",
