@@ -32,9 +32,9 @@ Robot with_narrow_limits(const Robot& robot, Random& random) {
 }
 
 // Kept with each robot beside its closed form.
-struct Reach {
+struct SumOfRows {
   double sum = 0.0;
-  explicit Reach(const Chain& chain) {
+  explicit SumOfRows(const Chain& chain) {
     for (const double a : chain.a) sum += std::abs(a);
   }
 };
@@ -45,13 +45,13 @@ TEST_CASE("copies that differ in limits, rates, home or name have the same close
   for (const std::string_view name : catalog_names()) {
     const Robot robot = *make_robot(name);
     const ClosedForm& closed = closed_form(robot);
-    const double sum = robot.derived<Reach>().sum;
+    const double sum = robot.derived<SumOfRows>().sum;
     Random random(1);
     const Robot narrow = with_narrow_limits(robot, random);
     for (const Robot& copy : {robot, narrow, narrow.with_acceleration(0.25), robot.with_name("b"),
                               robot.with_home(random_joints(robot, random))}) {
       CHECK(&closed_form(copy) == &closed);
-      CHECK(copy.derived<Reach>().sum == sum);
+      CHECK(copy.derived<SumOfRows>().sum == sum);
     }
     RobotSpec longer = robot.spec();
     longer.joints[0].dh.a += 0.01;
