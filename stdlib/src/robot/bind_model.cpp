@@ -193,7 +193,7 @@ Answer<RobotRef> default_robot(Vm& vm) {
   if (!id.ok() && model != nullptr && Host::of(vm).cell().find_robot(model->name())) {
     return failure(
         vm, row("R0630"), fmt::format("there is already a robot \"{}\" in the cell", model->name()),
-        -1,
+        {},
         "a robot that was made without a name of the program has the name of its model, and a "
         "command without a robot is for the one that every program begins with",
         fmt::format("give it a name, robot arm = robots.{}(), and command it: arm.moveJ(home())",
