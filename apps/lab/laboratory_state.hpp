@@ -35,6 +35,7 @@ struct Laboratory::State {
   void handle(Page& page, const Request& request);
   void handle(Page& page, Seq seq, const Hello& hello);
   void handle(Page& page, Seq seq, const SetText& text);
+  void handle(Page& page, Seq seq, const SetName& given);
   void handle(Page& page, Seq seq, const AskText& ask);
   void handle(Page& page, Seq seq, const FormatText& format);
   void handle(Page& page, Seq seq, const GoTo& go);
@@ -63,7 +64,10 @@ struct Laboratory::State {
 
   // ---- text and runs (text_and_runs.cpp)
   // Takes the text and, if `goes` and it has no mistakes, begins its run; otherwise only checks it.
-  void take_text(std::string given, std::int64_t version, bool goes);
+  // change  its run takes the place of the shown one if that belongs to the same change; 0: none.
+  void take_text(std::string given, std::int64_t version, bool goes, int change = 0);
+  // Lists the run of the text, and shows it.
+  void list_run(std::unique_ptr<RunRecord> record, int change);
   [[nodiscard]] const Analysis& analysis();
   [[nodiscard]] RunRecord* find_run(int number);
   [[nodiscard]] RunRecord* shown_run() { return shown == 0 ? nullptr : find_run(shown); }
@@ -135,6 +139,11 @@ struct Laboratory::State {
   int last_run = 0;
   int shown = 0;         // 0: none
   std::string run_text;  // of the newest run
+  struct Change {
+    int number = 0;      // 0: none
+    int run = 0;         // its newest run
+    std::string before;  // the text of the run before it
+  } change;
   int live_number = 0;
   std::unique_ptr<LiveRun> live;
 

@@ -19,6 +19,7 @@ void Pages::leave(int page) {
   if (pages_.erase(page) == 0) return;
   std::erase(control_.pages, page);
   std::erase(control_.wishes, page);
+  control_.names.erase(page);
   if (is_holder(page)) {
     control_.holder.reset();
     if (!control_.wishes.empty()) static_cast<void>(give(control_.wishes.front()));
@@ -57,6 +58,12 @@ bool Pages::take(int page) {
   if (is_holder(page)) return true;
   control_.wishes.push_back(page);
   return false;
+}
+
+void Pages::set_name(int page, std::string name) {
+  control_.names.erase(page);
+  if (!name.empty()) control_.names.emplace(page, std::move(name));
+  ++changes_;
 }
 
 bool Pages::give(std::optional<int> page) {

@@ -78,6 +78,8 @@ class Pages {
   // Gets control if no page has it; otherwise the request waits until the page with control gives
   // it away or leaves. Returns whether it has control now.
   bool take(int page);
+  // Empty: the page has no name.
+  void set_name(int page, std::string name);
   // Without a page: no page has control. False: there is no such page.
   bool give(std::optional<int> page);
   [[nodiscard]] const ControlState& control() const { return control_; }

@@ -102,7 +102,11 @@ void Laboratory::State::handle(Page& page, Seq seq, const Hello& hello) {
 void Laboratory::State::handle(Page& page, Seq seq, const SetText& given) {
   if (!has_control(page, seq)) return;
   text.from = page.number;
-  take_text(given.text, given.version, given.runs);
+  take_text(given.text, given.version, given.runs, given.change);
+}
+
+void Laboratory::State::handle(Page& page, Seq /*seq*/, const SetName& given) {
+  pages.set_name(page.number, given.name);
 }
 
 void Laboratory::State::handle(Page& page, Seq seq, const AskText& ask) {

@@ -67,7 +67,8 @@ const Analysis& Laboratory::State::analysis() {
   return *text.analysis;
 }
 
-void Laboratory::State::take_text(std::string given, std::int64_t version, bool goes) {
+void Laboratory::State::take_text(std::string given, std::int64_t version, bool goes,
+                                  int number_of_change) {
   if (given != text.now) {
     text.now = std::move(given);
     text.is_analysis_old = true;
@@ -98,22 +99,37 @@ void Laboratory::State::take_text(std::string given, std::int64_t version, bool 
     text.diagnostics.push_back(resolved(each.diagnostic, *each.sources));
   if (!text.runs) return;
   end_live_run("Another text has taken its place.");
-  const RunRecord* parent = shown_run();
-  record->label =
-      run_text.empty() ? std::string("the first run") : what_changed(run_text, text.now);
   record->text_version = version;
-  if (parent != nullptr) record->parent = parent->number;
   record->number = ++last_run;
-  run_text = text.now;
   live = std::move(next);
   live_number = record->number;
+  list_run(std::move(record), number_of_change);
   breakpoints.known.clear();
   for (const SourceLine& each : armlet::statement_lines(*live->session().program())) {
     if (each.source == 0) breakpoints.known.push_back(each.line);
   }
   ++versions.breakpoints;
+}
+
+// Of the many runs of one change, such as a number that is dragged, only the newest is kept.
+void Laboratory::State::list_run(std::unique_ptr<RunRecord> record, int number_of_change) {
+  const RunRecord* parent = shown_run();
+  const bool goes_on = number_of_change != 0 && change.number == number_of_change &&
+                       parent != nullptr && parent->number == change.run && parent->inputs.empty();
+  if (!goes_on) change = {.number = number_of_change, .run = 0, .before = run_text};
+  record->label =
+      change.before.empty() ? std::string("the first run") : what_changed(change.before, text.now);
+  const int replaced = goes_on ? parent->number : 0;
+  if (goes_on) {
+    record->parent = parent->parent;
+  } else if (parent != nullptr) {
+    record->parent = parent->number;
+  }
+  change.run = record->number;
+  run_text = text.now;
   runs.push_back(std::move(record));
   show(last_run);
+  if (replaced != 0) drop_run(replaced);
 }
 
 // ---- runs -----------------------------------------------------------------------------------
@@ -302,8 +318,7 @@ void Laboratory::State::begin_look() {
     RunRecord* run = find_run(looks.now->run);
     if (run == nullptr) {
       Page* page = pages.find(looks.now->page);
-      if (page != nullptr && !looks.now->picture.empty())
-        refuse(*page, looks.now->seq, "refused", "There is no such run.");
+      if (page != nullptr) refuse(*page, looks.now->seq, "refused", "There is no such run.");
       looks.now.reset();
       continue;
     }

@@ -87,6 +87,7 @@ std::vector<double> pose_numbers(const Json& message, const char* name) {
 }
 
 constexpr std::size_t kNameBytes = 1000;
+constexpr std::size_t kPersonBytes = 80;
 constexpr std::size_t kMostFieldBytes = 100'000;
 
 GiveInput input(const Json& message) {
@@ -161,8 +162,10 @@ decltype(Request::what) what_of(const std::string& type, const Json& message) {
     SetText out{text_of(message, "text", kMostTextBytes),
                 integer(field(message, "version"), "version", 0, std::int64_t{1} << 53U)};
     if (has(message, "run")) out.runs = truth(message, "run");
+    if (has(message, "change")) out.change = small(message, "change");
     return out;
   }
+  if (type == "name") return SetName{text_of(message, "name", kPersonBytes)};
   if (type == "complete") return AskText{What::kComplete, place(message, "at")};
   if (type == "hover") return AskText{What::kHover, place(message, "at")};
   if (type == "signature") return AskText{What::kSignature, place(message, "at")};

@@ -25,6 +25,8 @@ struct SetText {
   std::string text;
   std::int64_t version = 0;
   bool runs = true;  // false: the text is only checked
+  // Texts with the same number belong to one change: their runs are one entry of the list. 0: none.
+  int change = 0;
 };
 // A question about the text at a position.
 struct AskText {
@@ -33,6 +35,10 @@ struct AskText {
   TextPlace at{};
 };
 struct FormatText {};
+// The name of the person at the page, as others see it.
+struct SetName {
+  std::string name;
+};
 // looks  the cursor does not move, whichever page asks.
 struct GoTo {
   double t = 0.0;  // s
@@ -123,7 +129,7 @@ struct GiveControl {
 
 struct Request {
   std::optional<std::int64_t> seq{};
-  std::variant<Hello, SetText, AskText, FormatText, GoTo, AskPicture, Step, SetBreakpoints,
+  std::variant<Hello, SetText, SetName, AskText, FormatText, GoTo, AskPicture, Step, SetBreakpoints,
                GiveInput, AskInverse, ShowRun, CompareRuns, FetchRun, StopRun, AskExport, SaveText,
                AskFile, SendFile, TakeControl, GiveControl>
       what;

@@ -110,10 +110,13 @@ Message write_document(const Document& document) {
 Message write_saved(Seq to) { return message_of(answer("saved", to)); }
 
 Message write_control(const ControlState& control) {
+  OrderedJson names = OrderedJson::object();
+  for (const auto& [page, name] : control.names) names[std::to_string(page)] = name;
   return message_of({{"type", "control"},
                      {"holder", json_of(control.holder)},
                      {"pages", control.pages},
-                     {"wishes", control.wishes}});
+                     {"wishes", control.wishes},
+                     {"names", std::move(names)}});
 }
 
 Message write_text(const std::string& text, std::int64_t version, int from) {

@@ -44,6 +44,7 @@ struct ControlState {
   std::optional<int> holder;
   std::vector<int> pages;
   std::vector<int> wishes;
+  std::map<int, std::string> names;  // of the people at pages that have told them
 };
 
 [[nodiscard]] Message write_welcome(const Welcome& welcome, Seq to);

@@ -95,8 +95,10 @@ void LiveRun::run_slice() {
   if (progress != Progress::kPaused || session_->is_at_rest()) {
     come_to_end(progress == Progress::kPaused ? Progress::kDone : progress);
   } else if (session_->result().steps >= bounds_.steps) {
-    stop(fmt::format("A laboratory runs a program for {} steps; it was stopped there.",
+    stop(fmt::format("A laboratory runs a program for {} steps; it is still running there.",
                      bounds_.steps));
+  } else {
+    recording_.on_slice();
   }
 }
 
@@ -118,10 +120,15 @@ void LiveRun::stop(std::string why) {
   if (is_over()) return;
   record_.state = RunState::kStopped;
   record_.error = TextMessage{.is_error = false, .message = std::move(why), .t = record_.t_end};
+  record_.error->place.span = recording_.here();
   finish_record();
 }
 
 void LiveRun::come_to_end(Progress progress) {
+  if (progress != Progress::kDone && session_->result().error && now_ns() >= bounds_.time_ns) {
+    return stop(fmt::format("A laboratory runs a program for {:g} s; it is still running there.",
+                            to_seconds(bounds_.time_ns)));
+  }
   record_.state = progress == Progress::kDone     ? RunState::kDone
                   : progress == Progress::kFailed ? RunState::kFailed
                                                   : RunState::kStopped;
@@ -131,7 +138,6 @@ void LiveRun::come_to_end(Progress progress) {
     const UnreachedGoal* goal = session_->host()->unreached();
     if (error->code == "R0601" && goal != nullptr && goal->t_ns == now_ns())
       record_.error->unreached = *goal;
-    if (now_ns() >= bounds_.time_ns) record_.state = RunState::kStopped;
   }
   finish_record();
 }

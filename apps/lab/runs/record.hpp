@@ -206,6 +206,10 @@ class Recording : public Backend {
   void on_press(const PressReport& report);
   // Called from `pace` of the session before the clock advances: records what holds until then.
   void on_wait();
+  // The statement of the task that runs, or has run last.
+  [[nodiscard]] std::optional<TextSpan> here() const;
+  // Called while the program computes without end: records its line.
+  void on_slice();
   // Called at the end of the run: records loads that have changed since the clock advanced last.
   void on_end();
   // Reads data that events do not contain: models of the robots, the name of the world.
@@ -239,7 +243,6 @@ class Recording : public Backend {
   void take_forces(const JointSample& sample);
   void take_forces_at_rest(double t);
   void add_forces(int robot, std::span<const double> row, bool is_break);
-  [[nodiscard]] std::optional<TextSpan> here() const;
   [[nodiscard]] std::optional<int> find_object(std::string_view name) const;
 
   struct Motion {

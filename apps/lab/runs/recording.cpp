@@ -66,6 +66,10 @@ void Recording::on_wait() {
   take_forces_at_rest(t);
 }
 
+void Recording::on_slice() {
+  if (session_->host() != nullptr) note_line(to_seconds(session_->host()->now_ns()));
+}
+
 void Recording::on_end() {
   take_ways();
   record_.drawings.flush();
@@ -188,12 +192,16 @@ void Recording::on_move(const FinishedMove& report) {
   const std::optional<int> robot = record_.find_robot(report.robot);
   if (!robot) return;
   Motion& motion = motions_[static_cast<std::size_t>(*robot)];
+  // A move to where the robot is has no samples; it counts, too.
+  const bool has_samples = motion.number >= 0;
+  if (!has_samples) motion.move = {.robot = *robot, .p_end = motion.move.p_end};
   motion.move.t0 = report.start;
   motion.move.t1 = report.start + report.duration;
   motion.move.text = report.function;
   motion.move.stopped = report.stopped;
   // The task whose move has ended continues now; at its start another task may have run last.
   if (const std::optional<TextSpan> place = here()) motion.move.span = place;
+  if (!has_samples) record_.moves.push_back(motion.move);
   end_motion(*robot);
 }
 

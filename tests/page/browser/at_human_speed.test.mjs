@@ -61,6 +61,32 @@ test("settings of the call come before other words, and the signature marks the 
     await page.locator(".tip-code strong", { hasText: /^speed:/ }).waitFor();
   }));
 
+test("a number that is pulled over many steps is one entry in the list of runs", () =>
+  withLab(`${ARM}let lag = 2.0s\narm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: lag)\n`, async (open) => {
+    const page = await open();
+    await untilStatus(page, /1 move, 2\.00 s/);
+    const { x, y } = await placeOf(page, "let lag", "2.0");
+    await page.keyboard.down("Alt");
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let k = 1; k <= 24; k++) {
+      await page.mouse.move(x + 4 * k, y);
+      await page.waitForTimeout(60);
+    }
+    await page.mouse.up();
+    await page.keyboard.up("Alt");
+    await untilStatus(page, /1 move, 4\.40 s/);
+    await page.getByRole("tab", { name: /Runs/ }).click();
+    await until(async () => (await page.locator(".run").count()) === 2, async () => `${await page.locator(".run").count()} runs`);
+    // Undo goes back to before.
+    await page.locator(".cm-content").focus();
+    for (let k = 0; k < 30 && !/2\.00 s/.test(await status(page).innerText()); k++) {
+      await page.keyboard.press("Control+z");
+      await page.waitForTimeout(250);
+    }
+    await untilStatus(page, /1 move, 2\.00 s/);
+  }));
+
 test("the view and the program stay usable while the window changes its size", () =>
   withLab(`${ARM}arm.moveJ(posJ(40deg, 60deg, 50mm, 0deg), time: 2s)\n`, async (open) => {
     const page = await open();
