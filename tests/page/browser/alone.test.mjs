@@ -194,11 +194,11 @@ test("in one file cameras show the pixels that a served laboratory shows", { ski
   let served, here;
   await withLab(text, async (open) => {
     const page = await open();
-    await untilStatus(page, /moves, [\d.]+ s/);
+    await untilStatus(page, /moves?, [\d.]+ s/);
     served = await picturesOf(page);
   });
   await alone(text, async (page) => {
-    await untilStatus(page, /moves, [\d.]+ s/);
+    await untilStatus(page, /moves?, [\d.]+ s/);
     here = await picturesOf(page);
     if (process.env.ARMLET_PAGE_PICTURES) await page.screenshot({ path: join(process.env.ARMLET_PAGE_PICTURES, "camera_in_one_file.png") });
   });
