@@ -168,7 +168,9 @@ test("in one file the program is laid out, mended with one click, gone through i
 async function picturesOf(page) {
   const canvas = page.locator(".element.camera canvas").first();
   const pixels = () => canvas.evaluate((it) => {
-    const { data } = it.getContext("2d").getImageData(0, 0, it.width, it.height);
+    const copy = new OffscreenCanvas(it.width, it.height).getContext("2d", { willReadFrequently: true });
+    copy.drawImage(it, 0, 0);
+    const { data } = copy.getImageData(0, 0, it.width, it.height);
     let hash = 2166136261;
     for (const byte of data) hash = Math.imul(hash ^ byte, 16777619);
     return `${it.width} x ${it.height} ${hash >>> 0}`;

@@ -269,7 +269,7 @@ test("the tool is pulled in the view: the arm follows, and says why where it can
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + 400, y - 300, { steps: 4 });
-    await page.locator(".hand .reason", { hasText: /reach/ }).waitFor();
+    await page.locator(".hand .reason", { hasText: /reach|stops/ }).waitFor();
     await page.mouse.move(x - 20, y - 5, { steps: 3 });
     await until(async () => (await page.locator(".hand .reason").innerText()) === "", () => "the reason stays");
     await page.mouse.up();
