@@ -30,7 +30,7 @@ VectorXd box_start(const Robot& robot, int k) {
   return q;
 }
 
-// The value of joint i, within its limits, at which the point is farthest_along along a direction.
+// The value of joint i, within its limits, at which the point is farthest along a direction.
 //
 // v, w  the columns of the Jacobian: the point moves with v while the joint moves at 1.
 double best_value(const Robot& robot, int i, double q, const Vector3d& along, const Vector3d& v,

@@ -11,6 +11,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/define.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "printed.hpp"
 
 namespace armlet {
 namespace {
@@ -39,15 +40,7 @@ std::string printed(const std::string& text) {
   Engine engine;
   engine.add_functions(kDeclaredFunctions);
   for (const std::string& fault : engine.check_signatures()) FAIL_CHECK(fault);
-  const Compilation compilation = engine.compile(text, "test.rbt");
-  for (const Diagnostic& d : compilation.diagnostics) CAPTURE(d.message);
-  REQUIRE(compilation.program != nullptr);
-  std::string out;
-  VmOptions options;
-  options.output = [&](std::string_view part) { out += part; };
-  Vm vm(compilation.program, std::move(options));
-  (void)vm.run();
-  return out;
+  return printed(engine, text);
 }
 
 TEST_CASE("a text that is declared as the unit of a parameter gets it from the type") {

@@ -13,6 +13,7 @@
 #include "armlet/core/error.hpp"
 #include "armlet/interpreter/define.hpp"
 #include "armlet/interpreter/engine.hpp"
+#include "printed.hpp"
 
 namespace armlet {
 namespace {
@@ -47,16 +48,7 @@ Engine engine_with_unions() {
   return engine;
 }
 
-std::string printed(const std::string& text) {
-  const Compilation compilation = engine_with_unions().compile(text, "test.rbt");
-  REQUIRE(compilation.program != nullptr);
-  std::string out;
-  VmOptions options;
-  options.output = [&](std::string_view part) { out += part; };
-  Vm vm(compilation.program, std::move(options));
-  (void)vm.run();
-  return out;
-}
+std::string printed(const std::string& text) { return printed(engine_with_unions(), text); }
 
 TEST_CASE("a row with unions stands for one signature for each choice of types") {
   using Texts = std::vector<std::string>;

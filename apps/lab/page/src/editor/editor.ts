@@ -100,7 +100,7 @@ export class Editor {
     this.wrapped(on);
   }
 
-  // Who types into the program of another page, or into a recording, is told what to do.
+  // Says why a typed key has no effect: another page is in control of the program, or it is a recording.
   private refuseKey(event: KeyboardEvent): boolean {
     if (!this.view.state.readOnly || event.ctrlKey || event.metaKey || event.altKey) return false;
     if (event.key.length > 1 && !["Enter", "Backspace", "Delete"].includes(event.key)) return false;
